@@ -1,0 +1,40 @@
+"""A joint has the same link as parent and child.
+
+urdfdom loops for ever on it, Pinocchio crashes, and sdformat refuses the model. One of the two
+names is a slip: the child is the link that moves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="fixed">
+  <parent link="base"/>
+  <child link="base"/>
+</joint>"""
+GOOD = BAD.replace('<child link="base"/>', '<child link="arm"/>')
+
+
+@rule(
+    "TRE006",
+    "joint-to-itself",
+    Severity.ERROR,
+    help="name the link that this joint moves as its child",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.parent and joint.child and joint.parent.value == joint.child.value:
+            yield Finding(
+                joint.child,
+                f"joint '{joint.name}' has link '{joint.child.value}' as parent and as child",
+            )

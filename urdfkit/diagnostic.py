@@ -1,0 +1,155 @@
+"""What urdfkit says about a robot: severities, edits, diagnostics, the report."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+from urdfkit.document import Step
+from urdfkit.source import Span
+
+
+class Severity(str, Enum):
+    """How bad a finding is.
+
+    ``error``: a mainstream consumer rejects the robot or simulates it wrongly;
+    ``warning``: it loads but is hardly meant; ``info``: style or a hint.
+    """
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFO = "info"
+
+    @property
+    def rank(self) -> int:
+        """0 for the worst."""
+        return _RANKS[self]
+
+
+_RANKS = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.INFO: 2}
+
+
+class Confidence(str, Enum):
+    """How sure a finding is: a fact, a conclusion from several facts, or a guess."""
+
+    MEASURED = "measured"
+    INFERRED = "inferred"
+    GUESSED = "guessed"
+
+
+class Edit(NamedTuple):
+    """Replace the text of a span; an empty span inserts."""
+
+    span: Span
+    text: str
+
+
+class Fix(NamedTuple):
+    """A remedy as text edits. ``safe``: it cannot change what the robot does."""
+
+    title: str
+    edits: tuple[Edit, ...]
+    safe: bool = False
+
+
+class Related(NamedTuple):
+    """Another place that explains a finding."""
+
+    span: Span
+    message: str
+
+
+class Call(NamedTuple):
+    """One way in which a macro body or an included file caused a finding.
+
+    Attributes:
+        message: with the numbers of this call.
+        via: the calls, outermost first.
+        element: path of the element after expansion.
+    """
+
+    message: str
+    via: tuple[Step, ...]
+    element: str
+
+
+class Diagnostic(NamedTuple):
+    """One finding as a user reads it.
+
+    Attributes:
+        code: such as ``MSH001``; never reused or renamed.
+        name: such as ``missing-file``.
+        severity: after configuration.
+        confidence: how sure it is.
+        message: who, how much, what bound.
+        span: the place in the file that a person edits.
+        calls: the ways in which expansion arrived there, worst first; one for a plain element.
+        related: other places that explain it.
+        help: what to do.
+        fix: a remedy as text edits, or None.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    confidence: Confidence
+    message: str
+    span: Span
+    calls: tuple[Call, ...]
+    related: tuple[Related, ...]
+    help: str
+    fix: Fix | None
+
+    @property
+    def element(self) -> str:
+        """Path of the (first) element after expansion; empty where there is none."""
+        return self.calls[0].element if self.calls else ""
+
+
+class Skipped(NamedTuple):
+    """A rule that did not run, and why."""
+
+    code: str
+    path: str
+    reason: str
+
+
+class Crashed(NamedTuple):
+    """A rule that failed: a bug of urdfkit, never of the robot."""
+
+    code: str
+    path: str
+    error: str
+
+
+class Report(NamedTuple):
+    """The outcome of a check.
+
+    Attributes:
+        files: that were checked, as the user named them.
+        diagnostics: sorted by file, place and code.
+        skipped: rules that did not run.
+        crashed: rules that failed.
+        rules: the codes that ran.
+    """
+
+    files: tuple[str, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    skipped: tuple[Skipped, ...]
+    crashed: tuple[Crashed, ...]
+    rules: tuple[str, ...]
+
+    def count(self, severity: Severity) -> int:
+        """How many diagnostics have this severity."""
+        return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
+
+    @property
+    def ok(self) -> bool:
+        """True if there is no error and no warning, and no rule crashed."""
+        return self.exit_code() == 0
+
+    def exit_code(self, fail_on: Severity = Severity.WARNING) -> int:
+        """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug of urdfkit."""
+        if self.crashed:
+            return 3
+        return int(any(d.severity.rank <= fail_on.rank for d in self.diagnostics))

@@ -1,0 +1,37 @@
+"""What stops urdfkit itself. A defect of a robot is never an exception: it is a Diagnostic."""
+
+from __future__ import annotations
+
+
+class UrdfkitError(Exception):
+    """The job cannot be done: the command line prints the message and exits with 2."""
+
+
+class UnreadableFile(UrdfkitError):
+    """A file named by the user does not exist, is a folder, or may not be opened."""
+
+
+class ExpansionFailed(UrdfkitError):
+    """xacro could not expand the file.
+
+    Attributes:
+        problems: every reason, each with its place (a tuple of ``urdfkit.reading.Problem``).
+    """
+
+    def __init__(self, message: str, problems: tuple[object, ...] = ()) -> None:
+        super().__init__(message)
+        self.problems = problems
+
+
+class PackageNotFound(UrdfkitError):
+    """No folder is known for a ROS package.
+
+    Attributes:
+        name: the package that was asked for.
+        searched: what was looked through, in order, in words a user can check.
+    """
+
+    def __init__(self, name: str, searched: tuple[str, ...]) -> None:
+        super().__init__(f"package '{name}' not found; searched: {', '.join(searched)}")
+        self.name = name
+        self.searched = searched

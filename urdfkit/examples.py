@@ -1,0 +1,40 @@
+"""Running the examples that every rule carries: BAD, GOOD and FIXED.
+
+A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
+text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
+beside the robot, by relative path. Rules of other packages are tested with the same functions.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Mapping
+
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.engine import diagnose
+from urdfkit.resolve import Resolver
+from urdfkit.rules import Rule
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+
+def whole_robot(text: str) -> str:
+    """An example as a whole document."""
+    if text.lstrip().startswith("<link") or text.lstrip().startswith("<joint"):
+        return f'<robot name="example">\n{text}\n</robot>\n'
+    return text
+
+
+def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
+    """What one rule says about one of its examples."""
+    files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
+    with tempfile.TemporaryDirectory() as folder:
+        for name, data in files.items():
+            path = os.path.join(folder, name)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, "wb") as file:
+                file.write(data)
+        source = Source(os.path.join(folder, "example.urdf"), whole_robot(text).encode())
+        return diagnose(rule, list(rule.check(Subject(source, Resolver({})))))

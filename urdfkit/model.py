@@ -1,0 +1,341 @@
+"""The robot in a document: links, joints and what they hold, each value with its place.
+
+Reading is tolerant: a value that cannot be read is None here and a finding elsewhere (the
+grammar rules read the same elements), so one bad number never hides the rest.
+Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import isfinite, sqrt
+from typing import Generic, NamedTuple, TypeVar
+
+from urdfkit.document import Attribute, Document, Element, Step
+from urdfkit.source import Span
+from urdfkit.spatial import IDENTITY, Frame, Vector, from_rpy
+
+T = TypeVar("T", covariant=True)
+
+
+class Placed(Generic[T]):
+    """A value and the element or attribute it was read from."""
+
+    __slots__ = ("at", "value")
+
+    def __init__(self, value: T, at: Element | Attribute) -> None:
+        self.value = value
+        self.at = at
+
+    @property
+    def span(self) -> Span:
+        return self.at.span
+
+    @property
+    def via(self) -> tuple[Step, ...]:
+        return self.at.via
+
+    def __repr__(self) -> str:
+        return f"Placed({self.value!r} at {self.at.span})"
+
+
+class Tensor(NamedTuple):
+    """The inertia tensor about the centre of mass, in kg m^2."""
+
+    ixx: float
+    ixy: float
+    ixz: float
+    iyy: float
+    iyz: float
+    izz: float
+
+
+class Inertial(NamedTuple):
+    """``<inertial>``; ``origin`` is the frame of the tensor, with the centre of mass."""
+
+    at: Element
+    mass: Placed[float] | None
+    tensor: Placed[Tensor] | None
+    origin: Frame
+
+
+class Shape(NamedTuple):
+    """What stands in a ``<geometry>``.
+
+    Attributes:
+        at: the shape's element.
+        kind: its tag: ``box``, ``cylinder``, ``sphere``, ``capsule``, ``mesh`` or another.
+        size: of a box, in m; None elsewhere or where unreadable.
+        radius: of a cylinder, capsule or sphere, in m.
+        length: of a cylinder or capsule, in m.
+        filename: of a mesh, as written.
+        scale: of a mesh.
+    """
+
+    at: Element
+    kind: str
+    size: Vector | None
+    radius: float | None
+    length: float | None
+    filename: Placed[str] | None
+    scale: Vector
+
+    @property
+    def half_extents(self) -> Vector | None:
+        """Half the bounding box of a primitive about its origin; None for the rest."""
+        radius, length = self.radius, self.length
+        if self.kind == "box" and self.size:
+            return (self.size[0] / 2, self.size[1] / 2, self.size[2] / 2)
+        if self.kind == "sphere" and radius is not None:
+            return (radius, radius, radius)
+        if self.kind == "cylinder" and radius is not None and length is not None:
+            return (radius, radius, length / 2)
+        if self.kind == "capsule" and radius is not None and length is not None:
+            return (radius, radius, length / 2 + radius)
+        return None
+
+
+class Material(NamedTuple):
+    """``<material>``, at the top or in a visual."""
+
+    at: Element
+    name: Placed[str] | None
+    rgba: Placed[tuple[float, ...]] | None
+    texture: Placed[str] | None
+
+
+class Body(NamedTuple):
+    """A ``<visual>`` or a ``<collision>``; ``shape`` is the first one in its geometry."""
+
+    at: Element
+    origin: Frame
+    shape: Shape | None
+    material: Material | None
+
+
+class Link(NamedTuple):
+    """``<link>``; a link without a name is called ``""``."""
+
+    at: Element
+    name: str
+    inertial: Inertial | None
+    visuals: tuple[Body, ...]
+    collisions: tuple[Body, ...]
+
+
+class Limit(NamedTuple):
+    """``<limit>``: position in rad or m, effort in N m or N, velocity in rad/s or m/s."""
+
+    at: Element
+    lower: Placed[float] | None
+    upper: Placed[float] | None
+    effort: Placed[float] | None
+    velocity: Placed[float] | None
+
+
+class Mimic(NamedTuple):
+    """``<mimic>``: position = multiplier * position of the leader + offset."""
+
+    at: Element
+    joint: Placed[str] | None
+    multiplier: float
+    offset: float
+
+
+class Joint(NamedTuple):
+    """``<joint>``; ``axis`` is None where none is written (URDF then takes x)."""
+
+    at: Element
+    name: str
+    type: Placed[str] | None
+    parent: Placed[str] | None
+    child: Placed[str] | None
+    origin: Frame
+    axis: Placed[Vector] | None
+    limit: Limit | None
+    mimic: Mimic | None
+
+    @property
+    def kind(self) -> str:
+        """The type as written; empty where there is none."""
+        return self.type.value if self.type else ""
+
+
+class RobotModel:
+    """A robot.
+
+    Attributes:
+        document: that it was read from.
+        root: the ``<robot>`` element.
+        name: of the robot; empty where there is none.
+        links, joints, materials: in the order of the document, duplicates included.
+        gazebo, transmissions, ros2_controls: their elements.
+    """
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.root = root = document.root
+        self.name = root.get("name") or ""
+        self.links = tuple(_link(element) for element in root.all("link"))
+        self.joints = tuple(_joint(element) for element in root.all("joint"))
+        self.materials = tuple(_material(element) for element in root.all("material"))
+        self.gazebo = tuple(root.all("gazebo"))
+        self.transmissions = tuple(root.all("transmission"))
+        self.ros2_controls = tuple(root.all("ros2_control"))
+
+    @cached_property
+    def links_by_name(self) -> dict[str, Link]:
+        """The first link of each name."""
+        return {link.name: link for link in reversed(self.links) if link.name}
+
+    @cached_property
+    def joints_by_name(self) -> dict[str, Joint]:
+        """The first joint of each name."""
+        return {joint.name: joint for joint in reversed(self.joints) if joint.name}
+
+    @property
+    def shapes(self) -> list[Shape]:
+        """Every shape of every visual and collision."""
+        return [
+            body.shape
+            for link in self.links
+            for body in (*link.visuals, *link.collisions)
+            if body.shape
+        ]
+
+
+def number(text: str | None) -> float | None:
+    """A finite number as URDF's readers take it, or None."""
+    if text is None or "_" in text:  # Python alone reads 1_000
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if isfinite(value) else None
+
+
+def numbers(text: str | None) -> tuple[float, ...] | None:
+    """Finite numbers with white space between them, or None."""
+    if text is None:
+        return None
+    values = [number(part) for part in text.split()]
+    return None if None in values else tuple(v for v in values if v is not None)
+
+
+def _vector(text: str | None) -> Vector | None:
+    values = numbers(text)
+    return (values[0], values[1], values[2]) if values and len(values) == 3 else None
+
+
+def _placed_number(element: Element | None, name: str) -> Placed[float] | None:
+    attribute = element.attributes.get(name) if element else None
+    value = number(attribute.value) if attribute else None
+    return None if attribute is None or value is None else Placed(value, attribute)
+
+
+def _placed_text(element: Element | None, name: str) -> Placed[str] | None:
+    attribute = element.attributes.get(name) if element else None
+    return None if attribute is None else Placed(attribute.value, attribute)
+
+
+def _origin(element: Element) -> Frame:
+    origin = element.child("origin")
+    if origin is None:
+        return Frame()
+    xyz = _vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
+    rpy = _vector(origin.get("rpy"))
+    return Frame(from_rpy(*rpy) if rpy else IDENTITY, xyz)
+
+
+def _link(element: Element) -> Link:
+    inertial = element.child("inertial")
+    return Link(
+        element,
+        element.get("name") or "",
+        _inertial(inertial) if inertial else None,
+        tuple(_body(body) for body in element.all("visual")),
+        tuple(_body(body) for body in element.all("collision")),
+    )
+
+
+def _inertial(element: Element) -> Inertial:
+    tensor = element.child("inertia")
+    moments = [number(tensor.get(key)) for key in Tensor._fields] if tensor else []
+    placed = None
+    if tensor and None not in moments:
+        placed = Placed(Tensor(*(m for m in moments if m is not None)), tensor)
+    mass = _placed_number(element.child("mass"), "value")
+    return Inertial(element, mass, placed, _origin(element))
+
+
+def _body(element: Element) -> Body:
+    geometry = element.child("geometry")
+    material = element.child("material")
+    return Body(
+        element,
+        _origin(element),
+        _shape(geometry.children[0]) if geometry and geometry.children else None,
+        _material(material) if material else None,
+    )
+
+
+def _shape(element: Element) -> Shape:
+    return Shape(
+        element,
+        element.tag,
+        _vector(element.get("size")),
+        number(element.get("radius")),
+        number(element.get("length")),
+        _placed_text(element, "filename") if element.tag == "mesh" else None,
+        _vector(element.get("scale")) or (1.0, 1.0, 1.0),
+    )
+
+
+def _material(element: Element) -> Material:
+    color, texture = element.child("color"), element.child("texture")
+    rgba = color.attributes.get("rgba") if color else None
+    values = numbers(rgba.value) if rgba else None
+    return Material(
+        element,
+        _placed_text(element, "name"),
+        Placed(values, rgba) if rgba and values else None,
+        _placed_text(texture, "filename"),
+    )
+
+
+def _joint(element: Element) -> Joint:
+    axis, limit, mimic = (element.child(tag) for tag in ("axis", "limit", "mimic"))
+    xyz = axis.attributes.get("xyz") if axis else None
+    direction = _vector(xyz.value) if xyz else None
+    return Joint(
+        element,
+        element.get("name") or "",
+        _placed_text(element, "type"),
+        _placed_text(element.child("parent"), "link"),
+        _placed_text(element.child("child"), "link"),
+        _origin(element),
+        Placed(direction, xyz) if xyz and direction else None,
+        _limit(limit) if limit else None,
+        _mimic(mimic) if mimic else None,
+    )
+
+
+def _limit(element: Element) -> Limit:
+    keys = ("lower", "upper", "effort", "velocity")
+    return Limit(element, *(_placed_number(element, key) for key in keys))
+
+
+def _mimic(element: Element) -> Mimic:
+    multiplier = number(element.get("multiplier"))
+    return Mimic(
+        element,
+        _placed_text(element, "joint"),
+        1.0 if multiplier is None else multiplier,
+        number(element.get("offset")) or 0.0,
+    )
+
+
+def length(vector: Vector) -> float:
+    """The Euclidean norm."""
+    return sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)

@@ -1,0 +1,161 @@
+"""Rules: how one is declared, and which there are.
+
+A rule is one file in ``urdfkit/checks``, named ``<code>_<name>.py``. Its docstring is the
+explanation that users read, and its ``check`` yields Findings. The file name is the catalogue:
+nothing else has to be edited, and a rule is imported only when it may have something to say.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable, Iterator
+from enum import Enum
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.diagnostic import Confidence, Fix, Related, Severity
+from urdfkit.document import Attribute, Element, Frame
+from urdfkit.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.model import Placed
+    from urdfkit.subject import Subject
+
+#: Rules that only tell what reading met; they are imported when there is something to tell.
+TOLD_BY_READING = frozenset(
+    "XML001 XML002 XML003 XML004 XML006 XML007 "
+    "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016".split()
+)
+
+_FILE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)\.py$")
+
+
+class Need(Enum):
+    """What a rule asks of a Subject besides the source text."""
+
+    XACRO = "xacro"  # the expansion: macros, properties, arguments
+    MODEL = "model"  # the expanded document and the robot in it
+    FILES = "files"  # the files that the model names
+
+
+class Written(NamedTuple):
+    """A place that is no element of the expanded document, with the calls that led there."""
+
+    span: Span
+    frame: Frame | None = None
+
+
+class Finding(NamedTuple):
+    """What a rule says. The engine adds code, severity and the way through the macros.
+
+    Attributes:
+        at: the element, attribute, value or place that a person must edit.
+        message: who (``link 'arm'``), the measured value with its unit, the bound.
+        help: what to do; the rule's own help if empty.
+        fix: a remedy as text edits.
+        related: other places that explain it.
+        confidence: how sure it is.
+        weight: the larger, the worse; orders the calls of one macro.
+    """
+
+    at: Element | Attribute | Placed[object] | Written
+    message: str
+    help: str = ""
+    fix: Fix | None = None
+    related: tuple[Related, ...] = ()
+    confidence: Confidence = Confidence.MEASURED
+    weight: float = 0.0
+
+
+def told(subject: Subject, code: str) -> Iterator[Finding]:
+    """The findings of a rule that only tells what reading met."""
+    for problem in subject.problems(code):
+        at = Written(problem.span, problem.frame)
+        yield Finding(at, problem.message, problem.help, problem.fix, problem.related)
+
+
+Check = Callable[["Subject"], Iterator[Finding]]
+
+
+class Rule(NamedTuple):
+    """A rule.
+
+    Attributes:
+        code: three letters of the family and three digits.
+        name: of the defect, in kebab case.
+        severity: unless configured otherwise.
+        needs: what it asks of a Subject.
+        check: yields the findings.
+        help: what to do, where a finding does not say it.
+        fixable: True if findings may carry a fix.
+        module: that holds it; its docstring explains the rule.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    needs: frozenset[Need]
+    check: Check
+    help: str
+    fixable: bool
+    module: str
+
+    @property
+    def explanation(self) -> str:
+        """What the rule finds, why it matters and what to do, for people."""
+        return (sys.modules[self.module].__doc__ or "").strip()
+
+    def example(self, which: str) -> str | None:
+        """The robot in ``BAD``, ``GOOD`` or ``FIXED`` of the rule's file."""
+        text: str | None = getattr(sys.modules[self.module], which, None)
+        return text
+
+
+def rule(
+    code: str,
+    name: str,
+    severity: Severity,
+    *,
+    needs: tuple[Need, ...] = (Need.MODEL,),
+    help: str = "",
+    fixable: bool = False,
+) -> Callable[[Check], Rule]:
+    """Declare a rule; the decorated function becomes its Rule."""
+
+    def declare(check: Check) -> Rule:
+        return Rule(
+            code, name, severity, frozenset(needs), check, help, fixable, check.__module__
+        )
+
+    return declare
+
+
+_modules: dict[str, str] = {}
+
+
+def codes() -> list[str]:
+    """The codes of all rules, sorted; read from the file names, nothing is imported."""
+    if not _modules:
+        for file in sorted(os.listdir(os.path.join(os.path.dirname(__file__), "checks"))):
+            if match := _FILE.match(file):
+                _modules[match.group(1).upper()] = f"urdfkit.checks.{file[:-3]}"
+    return list(_modules)
+
+
+def get(code: str) -> Rule:
+    """The rule of a code.
+
+    Raises:
+        KeyError: there is none.
+    """
+    codes()
+    found = import_module(_modules[code]).check
+    assert isinstance(found, Rule)
+    return found
+
+
+def all_rules() -> list[Rule]:
+    """Every rule, by code."""
+    return [get(code) for code in codes()]

@@ -1,0 +1,140 @@
+"""Bytes and places in them."""
+
+from __future__ import annotations
+
+import os
+import re
+from bisect import bisect_right
+from typing import NamedTuple
+
+from urdfkit.errors import UnreadableFile
+
+#: Text files over this size are refused: no robot needs it, and a hostile one would.
+MAX_BYTES = 64 * 1024 * 1024
+
+_DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
+_BYTE_ORDER_MARKS = (
+    (b"\xef\xbb\xbf", "utf-8-sig"),
+    (b"\xff\xfe\x00\x00", "utf-32"),
+    (b"\x00\x00\xfe\xff", "utf-32"),
+    (b"\xff\xfe", "utf-16"),
+    (b"\xfe\xff", "utf-16"),
+)
+
+
+class Source:
+    """One text file: where it is, its text as UTF-8 bytes, and its lines.
+
+    A file in another encoding is converted once, here, so that every offset in the
+    program counts bytes of ``data``.
+
+    Attributes:
+        path: as the user or the file that includes it spelt it.
+        data: the text in UTF-8, without a byte-order mark.
+        encoding: that of the file on disk.
+        undecodable: offset in ``data`` of the first byte that is not text, or None.
+    """
+
+    __slots__ = ("_starts", "data", "encoding", "path", "undecodable")
+
+    def __init__(self, path: str, data: bytes) -> None:
+        self.path = path
+        self.encoding = "utf-8"
+        self.undecodable: int | None = None
+        self.data = self._as_utf8(data)
+        self._starts: list[int] | None = None
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Source:
+        """Read a file.
+
+        Raises:
+            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+        """
+        path = os.fspath(path)
+        try:
+            with open(path, "rb") as file:
+                data = file.read(MAX_BYTES + 1)
+        except OSError as error:
+            raise UnreadableFile(f"{path}: {error.strerror or error}") from error
+        except ValueError as error:  # a NUL in the name
+            raise UnreadableFile(f"{path!r}: {error}") from error
+        if len(data) > MAX_BYTES:
+            raise UnreadableFile(f"{path}: larger than {MAX_BYTES // 2**20} MiB")
+        return cls(path, data)
+
+    def _as_utf8(self, data: bytes) -> bytes:
+        for mark, encoding in _BYTE_ORDER_MARKS:
+            if data.startswith(mark):
+                self.encoding = encoding
+                break
+        else:
+            if declared := _DECLARED.match(data[:200]):
+                self.encoding = declared.group(1).decode("ascii").lower()
+        if self.encoding in ("utf-8", "utf8", "us-ascii", "ascii"):
+            try:
+                data.decode("utf-8")
+            except UnicodeDecodeError as error:
+                self.undecodable = error.start
+                # One byte for one byte, so that all other places stay true.
+                return data[: error.start] + _ascii_only(data[error.start :])
+            return data
+        try:
+            return data.decode(self.encoding).encode("utf-8")
+        except UnicodeError as error:
+            self.undecodable = getattr(error, "start", 0)
+        except LookupError:  # an encoding that does not exist
+            self.undecodable = 0
+        return _ascii_only(data)
+
+    def position(self, offset: int) -> tuple[int, int]:
+        """The line and the column of a byte, both from 1; the column counts characters."""
+        starts = self._line_starts()
+        line = bisect_right(starts, offset)
+        start = starts[line - 1]
+        return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
+
+    def line(self, number: int) -> str:
+        """The text of a line, counted from 1, without its line end."""
+        starts = self._line_starts()
+        end = starts[number] if number < len(starts) else len(self.data)
+        return self.data[starts[number - 1] : end].decode("utf-8", "replace").rstrip("\r\n")
+
+    def _line_starts(self) -> list[int]:
+        if self._starts is None:
+            self._starts = [0, *(match.end() for match in re.finditer(rb"\r\n?|\n", self.data))]
+        return self._starts
+
+    def __repr__(self) -> str:
+        return f"Source({self.path!r}, {len(self.data)} bytes)"
+
+
+def _ascii_only(data: bytes) -> bytes:
+    return data.decode("ascii", "replace").replace("\ufffd", "?").encode("ascii")
+
+
+class Span(NamedTuple):
+    """A piece of a source: bytes ``start`` to ``end``."""
+
+    source: Source
+    start: int
+    end: int
+
+    @property
+    def text(self) -> str:
+        return self.source.data[self.start : self.end].decode("utf-8", "replace")
+
+    @property
+    def line(self) -> int:
+        return self.source.position(self.start)[0]
+
+    @property
+    def column(self) -> int:
+        return self.source.position(self.start)[1]
+
+    def __str__(self) -> str:
+        line, column = self.source.position(self.start)
+        return f"{self.source.path}:{line}:{column}"
+
+    def __repr__(self) -> str:
+        return f"Span({self}, {self.text[:40]!r})"

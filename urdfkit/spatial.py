@@ -1,0 +1,60 @@
+"""Vectors, rotations and frames of URDF, without numpy: a robot has a thousand of them.
+
+Lengths in metres, angles in radians. A rotation is three rows; a vector in the child frame
+becomes one in the parent frame by ``rotation @ vector``.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import NamedTuple
+
+Vector = tuple[float, float, float]
+Rotation = tuple[Vector, Vector, Vector]
+
+IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+ORIGIN: Vector = (0.0, 0.0, 0.0)
+
+
+class Frame(NamedTuple):
+    """Where a frame is in another: its axes and its origin."""
+
+    rotation: Rotation = IDENTITY
+    position: Vector = ORIGIN
+
+    def __matmul__(self, inner: Frame) -> Frame:
+        """The frame ``inner``, given in this frame, in this frame's parent."""
+        return Frame(multiply(self.rotation, inner.rotation), self.apply(inner.position))
+
+    def apply(self, point: Vector) -> Vector:
+        """A point of this frame in the parent frame."""
+        x, y, z = rotate(self.rotation, point)
+        return (x + self.position[0], y + self.position[1], z + self.position[2])
+
+
+def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
+    """Rotation about the fixed axes x, y, z in that order, as URDF's ``rpy`` means it."""
+    cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
+    return (
+        (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
+        (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
+        (-sp, cp * sr, cp * cr),
+    )
+
+
+def rotate(rotation: Rotation, vector: Vector) -> Vector:
+    """``rotation @ vector``."""
+    x, y, z = vector
+    a, b, c = rotation
+    return (
+        a[0] * x + a[1] * y + a[2] * z,
+        b[0] * x + b[1] * y + b[2] * z,
+        c[0] * x + c[1] * y + c[2] * z,
+    )
+
+
+def multiply(left: Rotation, right: Rotation) -> Rotation:
+    """``left @ right``."""
+    columns = [rotate(left, column) for column in zip(*right, strict=True)]
+    a, b, c = zip(*columns, strict=True)
+    return (a, b, c)

@@ -1,0 +1,119 @@
+"""One description under check; its parts are computed when a rule first asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.document import Document
+from urdfkit.reading import Problem, is_xacro, read_xml
+from urdfkit.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.expand import Xacro
+    from urdfkit.files import Files
+    from urdfkit.model import RobotModel
+    from urdfkit.resolve import Resolver
+    from urdfkit.tree import KinematicTree
+
+
+class Unavailable(Exception):
+    """A part that a rule needs is not to be had for this description; the text says why."""
+
+
+class Reading(NamedTuple):
+    """A description as it was read.
+
+    Attributes:
+        document: after expansion; None if it could not be read.
+        problems: what is wrong with the text.
+        xacro: what the expansion met; None for plain XML.
+    """
+
+    document: Document | None
+    problems: tuple[Problem, ...]
+    xacro: Xacro | None
+
+
+class Subject:
+    """One description, its model and what belongs to it.
+
+    Attributes:
+        source: the file.
+        resolver: finds packages and files.
+        arguments: ``name:=value`` for xacro.
+        trust: True if the model's expressions and files are not fenced in.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        resolver: Resolver,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        trust: bool = False,
+    ) -> None:
+        self.source = source
+        self.resolver = resolver
+        self.arguments = dict(arguments or {})
+        self.trust = trust
+
+    @cached_property
+    def reading(self) -> Reading:
+        if not is_xacro(self.source):
+            document, problems = read_xml(self.source)
+            return Reading(document, tuple(problems), None)
+        from urdfkit.expand import expand
+
+        xacro = expand(self.source, self.resolver, self.arguments, trust=self.trust)
+        return Reading(xacro.document, xacro.problems, xacro)
+
+    def problems(self, code: str) -> list[Problem]:
+        """What reading met that a rule explains."""
+        return [problem for problem in self.reading.problems if problem.code == code]
+
+    @property
+    def xacro(self) -> Xacro:
+        """What the expansion met.
+
+        Raises:
+            Unavailable: the description is plain XML, or did not expand.
+        """
+        if self.reading.xacro is None:
+            raise Unavailable("not a xacro")
+        if self.reading.document is None:
+            raise Unavailable("the xacro does not expand")
+        return self.reading.xacro
+
+    @property
+    def document(self) -> Document:
+        """The expanded document.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.document is None:
+            raise Unavailable("the description cannot be read")
+        return self.reading.document
+
+    @cached_property
+    def model(self) -> RobotModel:
+        """The robot in the document."""
+        from urdfkit.model import RobotModel
+
+        return RobotModel(self.document)
+
+    @cached_property
+    def tree(self) -> KinematicTree:
+        """The kinematic tree of the model."""
+        from urdfkit.tree import KinematicTree
+
+        return KinematicTree(self.model)
+
+    @cached_property
+    def files(self) -> Files:
+        """The mesh files that the model names, found and sniffed."""
+        from urdfkit.files import Files
+
+        return Files(self.model, self.resolver)

@@ -1,0 +1,108 @@
+"""The kinematic tree of a model, for every graph that links and joints can form.
+
+Cycles, two parents, islands, unknown links and 100 000 links in a row are all normal input:
+nothing here recurses, and every walk visits a link once.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from urdfkit.model import Joint, Link, RobotModel
+from urdfkit.spatial import Frame
+
+
+class KinematicTree:
+    """Who hangs on whom.
+
+    Attributes:
+        children: the joints that have a link as parent, by its name.
+        parents: the joints that have a link as child, by its name; more than one is a defect.
+
+    Only joints between two known, different links take part.
+    """
+
+    def __init__(self, model: RobotModel) -> None:
+        self.model = model
+        self.children: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
+        self.parents: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
+        for joint in model.joints:
+            ends = self.ends(joint)
+            if ends and ends[0] != ends[1]:
+                self.children[ends[0]].append(joint)
+                self.parents[ends[1]].append(joint)
+
+    def ends(self, joint: Joint) -> tuple[str, str] | None:
+        """Parent and child of a joint if the model has both links."""
+        if joint.parent is None or joint.child is None:
+            return None
+        parent, child = joint.parent.value, joint.child.value
+        known = self.model.links_by_name
+        return (parent, child) if parent in known and child in known else None
+
+    @cached_property
+    def roots(self) -> tuple[Link, ...]:
+        """The links that are nobody's child, in the order of the document."""
+        links = self.model.links_by_name
+        return tuple(links[name] for name, joints in self.parents.items() if not joints)
+
+    def below(self, name: str) -> list[str]:
+        """A link and everything that hangs on it, parents before children."""
+        found = {name: None}
+        queue = [name]
+        while queue:
+            for joint in self.children[queue.pop()]:
+                assert joint.child is not None
+                child = joint.child.value
+                if child not in found:
+                    found[child] = None
+                    queue.append(child)
+        return list(found)
+
+    @cached_property
+    def cycles(self) -> tuple[tuple[Joint, ...], ...]:
+        """The closed loops, each as its joints in order; every loop once."""
+        state: dict[str, int] = {}  # 1 on the present way, 2 done
+        loops: list[tuple[Joint, ...]] = []
+        for start in self.children:
+            if start in state:
+                continue
+            way: list[Joint] = []
+            stack = [(start, iter(self.children[start]))]
+            state[start] = 1
+            while stack:
+                name, joints = stack[-1]
+                joint = next(joints, None)
+                if joint is None:
+                    state[name] = 2
+                    stack.pop()
+                    if way:
+                        way.pop()
+                    continue
+                assert joint.child is not None
+                child = joint.child.value
+                if state.get(child) == 1:
+                    first = next(i for i, entry in enumerate(stack) if entry[0] == child)
+                    loops.append((*way[first:], joint))
+                elif child not in state:
+                    state[child] = 1
+                    way.append(joint)
+                    stack.append((child, iter(self.children[child])))
+        return tuple(loops)
+
+    @cached_property
+    def frames(self) -> dict[str, Frame]:
+        """Where each link is when all joints are at zero, in the frame of its root."""
+        frames: dict[str, Frame] = {}
+        for root in self.roots:
+            frames[root.name] = Frame()
+            queue = [root.name]
+            while queue:
+                parent = queue.pop()
+                for joint in self.children[parent]:
+                    assert joint.child is not None
+                    child = joint.child.value
+                    if child not in frames:
+                        frames[child] = frames[parent] @ joint.origin
+                        queue.append(child)
+        return frames
