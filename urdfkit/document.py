@@ -112,9 +112,7 @@ class Tag(NamedTuple):
         spans: dict[str, Span] = {}
         while match and (match := _ATTRIBUTE.match(data, match.end())):
             start, end = match.span(2)
-            spans[match.group(1).decode("utf-8", "replace")] = Span(
-                self.source, start + 1, end - 1
-            )
+            spans[match.group(1).decode("utf-8", "replace")] = Span(self.source, start + 1, end - 1)
         return spans
 
 

@@ -125,9 +125,7 @@ def rule(
     """Declare a rule; the decorated function becomes its Rule."""
 
     def declare(check: Check) -> Rule:
-        return Rule(
-            code, name, severity, frozenset(needs), check, help, fixable, check.__module__
-        )
+        return Rule(code, name, severity, frozenset(needs), check, help, fixable, check.__module__)
 
     return declare
 

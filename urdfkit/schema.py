@@ -91,7 +91,7 @@ INERTIAL = Grammar(
         "origin": ORIGIN,
         "mass": Grammar({"value": _REQUIRED_FLOAT}, {}),
         "inertia": Grammar(
-            {key: _REQUIRED_FLOAT for key in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}, {}
+            dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), _REQUIRED_FLOAT), {}
         ),
     },
     required=("mass", "inertia"),
@@ -123,9 +123,8 @@ JOINT_GRAMMAR = Grammar(
         "dynamics": Grammar({"damping": _OPTIONAL_FLOAT, "friction": _OPTIONAL_FLOAT}, {}),
         # effort and velocity: JNT002 and JNT021 know for which types they are required.
         "limit": Grammar(
-            {key: _OPTIONAL_FLOAT for key in ("lower", "upper", "effort", "velocity")}
-            | {"acceleration": _OPTIONAL_FLOAT, "deceleration": _OPTIONAL_FLOAT}
-            | {"jerk": _OPTIONAL_FLOAT},
+            dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
+            | dict.fromkeys(("acceleration", "deceleration", "jerk"), _OPTIONAL_FLOAT),
             {},
         ),
         "mimic": Grammar(
