@@ -120,6 +120,7 @@ class Crashed(NamedTuple):
     code: str
     path: str
     error: str
+    traceback: str = ""
 
 
 class Report(NamedTuple):

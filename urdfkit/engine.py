@@ -38,12 +38,13 @@ def check(
         files: URDF or xacro files, or Sources.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
-        select: codes or beginnings of codes; only these rules run. All if empty.
-        ignore: codes or beginnings of codes that do not run.
+        select: codes, beginnings of codes or names; only these rules run. All if empty.
+        ignore: codes, beginnings of codes or names of rules that do not run.
         trust: let expressions of the model run unfenced and read any file.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
+        UnknownRule: a word of ``select`` or ``ignore`` means no rule.
     """
     chosen = choose(select, ignore)
     resolver = Resolver(packages or {})
@@ -57,13 +58,16 @@ def check(
 
 
 def choose(select: Iterable[str], ignore: Iterable[str]) -> list[str]:
-    """The codes that start with one of ``select`` and with none of ``ignore``."""
-    selected, ignored = tuple(select), tuple(ignore)
+    """The codes that one of ``select`` means and none of ``ignore``.
+
+    Raises:
+        UnknownRule: one of the words means no rule. To pass over a slip would check with
+            other rules than were asked for, and say nothing.
+    """
+    selected = {code for word in select for code in rules.matching(word)}
+    ignored = {code for word in ignore for code in rules.matching(word)}
     return [
-        code
-        for code in rules.codes()
-        if (not selected or code.startswith(selected))
-        and not (ignored and code.startswith(ignored))
+        code for code in rules.codes() if (not selected or code in selected) and code not in ignored
     ]
 
 
@@ -111,7 +115,7 @@ class _Collector:
             except Unavailable as reason:
                 self.skipped.append(Skipped(rule.code, path, str(reason)))
             except Exception as error:  # a bug in a rule must not hide the other rules
-                self.crashed.append(Crashed(rule.code, path, f"{type(error).__name__}: {error}"))
+                self.crashed.append(_crash(rule, path, error))
             self.diagnostics += diagnose(rule, findings)
 
     def report(self, files: tuple[str, ...]) -> Report:
@@ -127,6 +131,12 @@ class _Collector:
             tuple(self.crashed),
             tuple(sorted(self.ran)),
         )
+
+
+def _crash(rule: Rule, path: str, error: Exception) -> Crashed:
+    from traceback import format_exc  # 9 ms
+
+    return Crashed(rule.code, path, f"{type(error).__name__}: {error}", format_exc())
 
 
 def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:

@@ -11,6 +11,22 @@ class UnreadableFile(UrdfkitError):
     """A file named by the user does not exist, is a folder, or may not be opened."""
 
 
+class UnwritableFile(UrdfkitError):
+    """An output cannot be written."""
+
+
+class UnknownRule(UrdfkitError):
+    """No rule has that code, beginning of a code, or name.
+
+    Attributes:
+        word: what was asked for.
+    """
+
+    def __init__(self, word: str, hint: str = "") -> None:
+        super().__init__(f"no rule '{word}'{hint}")
+        self.word = word
+
+
 class ExpansionFailed(UrdfkitError):
     """xacro could not expand the file.
 

@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.document import Attribute, Element, Frame
+from urdfkit.errors import UnknownRule
+from urdfkit.nearest import did_you_mean
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
@@ -152,6 +154,42 @@ def get(code: str) -> Rule:
     found = import_module(_modules[code]).check
     assert isinstance(found, Rule)
     return found
+
+
+def find(word: str) -> Rule:
+    """The rule of a code or a name, in small or capital letters.
+
+    Raises:
+        UnknownRule: there is none; the message has the nearest.
+    """
+    by_name = names()
+    code = by_name.get(word.lower(), word.upper())
+    if code not in _modules:
+        raise UnknownRule(word, did_you_mean(word, [*_modules, *by_name]))
+    return get(code)
+
+
+def matching(word: str) -> list[str]:
+    """The codes that begin with a word, or the code of the rule with that name.
+
+    Raises:
+        UnknownRule: there is none; the message has the nearest.
+    """
+    by_name = names()
+    if named := by_name.get(word.lower()):
+        return [named]
+    found = [code for code in _modules if word and code.startswith(word.upper())]
+    if not found:
+        families = {code[:3] for code in _modules}
+        raise UnknownRule(word, did_you_mean(word, [*families, *_modules, *by_name]))
+    return found
+
+
+def names() -> dict[str, str]:
+    """The code of every rule by its name; read from the file names, nothing is imported."""
+    prefix = len("urdfkit.checks.abc123_")
+    codes()
+    return {module[prefix:].replace("_", "-"): code for code, module in _modules.items()}
 
 
 def all_rules() -> list[Rule]:

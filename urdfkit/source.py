@@ -8,6 +8,7 @@ from bisect import bisect_right
 from typing import NamedTuple
 
 from urdfkit.errors import UnreadableFile
+from urdfkit.nearest import did_you_mean
 
 #: Text files over this size are refused: no robot needs it, and a hostile one would.
 MAX_BYTES = 64 * 1024 * 1024
@@ -56,7 +57,7 @@ class Source:
             with open(path, "rb") as file:
                 data = file.read(MAX_BYTES + 1)
         except OSError as error:
-            raise UnreadableFile(f"{path}: {error.strerror or error}") from error
+            raise UnreadableFile(f"{path}: {_why_unreadable(path, error)}") from error
         except ValueError as error:  # a NUL in the name
             raise UnreadableFile(f"{path!r}: {error}") from error
         if len(data) > MAX_BYTES:
@@ -107,6 +108,22 @@ class Source:
 
     def __repr__(self) -> str:
         return f"Source({self.path!r}, {len(self.data)} bytes)"
+
+
+def _why_unreadable(path: str, error: OSError) -> str:
+    """The reason and the remedy."""
+    if os.path.isdir(path):
+        return "is a folder; name the files in it"
+    if isinstance(error, PermissionError):
+        return "may not be read; see its permissions"
+    if not isinstance(error, FileNotFoundError):
+        return error.strerror or str(error)
+    folder, name = os.path.split(path)
+    try:
+        beside = os.listdir(folder or ".")
+    except OSError:
+        return f"there is no folder '{folder}'"
+    return "there is no such file" + did_you_mean(name, beside)
 
 
 def _ascii_only(data: bytes) -> bytes:
