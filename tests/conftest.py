@@ -1,4 +1,4 @@
-"""What the tests share: the folder of real robots beside the checkout, if it is there."""
+"""What the tests share: the project's models, and the real robots beside the checkout."""
 
 from __future__ import annotations
 
@@ -9,12 +9,19 @@ from typing import Any
 
 import pytest
 
+ROOT = Path(__file__).resolve().parents[1]
+MODELS = ROOT / "models"
+
 #: Reference material beside the checkout; not part of the project.
-SHARED = Path(__file__).resolve().parents[1].parent / "shared"
+SHARED = ROOT.parent / "shared"
 CORPUS = SHARED / "corpus"
+SEED = SHARED / "seeds" / "000_aa3f46a524d8a61f.txt"
 
 needs_corpus = pytest.mark.skipif(
     not CORPUS.is_dir(), reason="the corpus of real robots is not beside this checkout"
+)
+needs_seed = pytest.mark.skipif(
+    not SEED.is_file(), reason="the mission's text is not beside this checkout"
 )
 
 
