@@ -218,17 +218,9 @@ def syntax_problems(source: Source) -> list[Problem]:
     for entry in list(parser.error_log)[:MAX_SYNTAX_ERRORS]:
         if entry.type_name.startswith("NS_"):
             continue
-        span = _at_line_column(source, entry.line, entry.column)
-        problems.append(Problem("XML001", span, entry.message.strip()))
+        at = source.offset(entry.line, entry.column)
+        problems.append(Problem("XML001", Span(source, at, at), entry.message.strip()))
     return problems or [_expat_problem(source)]
-
-
-def _at_line_column(source: Source, line: int, column: int) -> Span:
-    starts = source._line_starts()
-    line = min(max(line, 1), len(starts))
-    end = starts[line] if line < len(starts) else len(source.data)
-    at = min(starts[line - 1] + max(column - 1, 0), max(end - 1, 0))
-    return Span(source, at, at)
 
 
 def _expat_problem(source: Source) -> Problem:

@@ -95,6 +95,13 @@ class Source:
         start = starts[line - 1]
         return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
 
+    def offset(self, line: int, column: int) -> int:
+        """The byte at a line and a column, both from 1; the nearest there is."""
+        starts = self._line_starts()
+        line = min(max(line, 1), len(starts))
+        before = self.line(line)[: max(column - 1, 0)]
+        return min(starts[line - 1] + len(before.encode()), len(self.data))
+
     def line(self, number: int) -> str:
         """The text of a line, counted from 1, without its line end."""
         starts = self._line_starts()

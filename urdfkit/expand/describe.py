@@ -1,0 +1,199 @@
+"""xacro's errors and warnings as Problems: what went wrong, where, and what to do."""
+
+from __future__ import annotations
+
+import re
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.diagnostic import Edit, Fix, Related
+from urdfkit.errors import PackageNotFound
+from urdfkit.expand.dom import Node
+from urdfkit.expand.errors import EscapesRoots, MissingArgument, root_cause
+from urdfkit.expand.expressions import TooLarge, UnsafeExpression
+from urdfkit.expand.substitution import EnvironmentRefused
+from urdfkit.expand.values import YamlTooLarge
+from urdfkit.reading import Problem, TooMuch
+from urdfkit.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.expand.run import Located, Run
+
+_DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
+_UNDEFINED = re.compile(r"name '(\w+)' is not defined")
+
+
+def related(span: Span, message: str) -> tuple[Related, ...]:
+    """One related place."""
+    return (Related(span, message),)
+
+
+def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
+    """The element that xacro is working on, and the variables of the function that does."""
+    while frame is not None:
+        local = frame.f_locals
+        node = local.get("elt", local.get("node"))
+        if node is not None and hasattr(node, "nodeType") and "_urdfkit_xacro" in str(
+            frame.f_globals.get("__name__")
+        ):
+            holder = node if isinstance(node, Node) else node.parentNode
+            if isinstance(holder, Node):
+                return holder, local
+        frame = frame.f_back
+    return None, {}
+
+
+def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> Problem:
+    """An expression that failed, at its place.
+
+    Inside a property the place is the property's definition, and its uses are related.
+    """
+    node, local = node_in(frame)
+    if located.resolving:
+        table, key = located.resolving[-1]
+        definer = table.places.get(key, (None,))[0]
+        if isinstance(definer, Node):
+            used = _span(node, local, located) if node is not None else None
+            via = definer.frame
+            notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
+            at = _span(definer, {}, located)
+            return _make(run, error, located, at, via, notes)
+    if node is None:
+        return _make(run, error, located, Span(run.source, 0, 0), None, ())
+    at = _span(node, local, located)
+    return _make(run, error, located, at, node.frame, _definitions(local, located))
+
+
+def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]:
+    """Where the names of a failing expression were defined."""
+    found: list[Related] = []
+    table = local.get("symbols", local.get("table"))
+    for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
+        scope = table
+        while scope is not None and hasattr(scope, "places"):
+            if name in scope.places:
+                definer = scope.places[name][0]
+                span = definer.tag_at.span
+                if definer.tagName == "xacro:property":
+                    found.append(Related(span, f"'{name}' is defined here"))
+                break
+            scope = getattr(scope, "parent", None)
+    return tuple(found)
+
+
+def _span(node: Node, local: dict[str, Any], located: Located) -> Span:
+    """The expression in the attribute, the text or the macro parameter that holds it."""
+    spans = node.tag_at.attribute_spans()
+    values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+    for name, value in values.items():
+        if value == located.text and name in spans:
+            return _inside(spans[name], located)
+    macro = getattr(local.get("m"), "body", None)
+    if isinstance(macro, Node):
+        params = macro.tag_at.attribute_spans().get("params")
+        if params is not None and located.text in params.text:
+            start = params.start + params.text.encode().find(located.text.encode())
+            return Span(params.source, start, start + len(located.text.encode()))
+    inner = node.tag_at.inner_span
+    start = inner.source.data.find(located.token.encode(), inner.start, inner.end)
+    if start >= 0:
+        return Span(inner.source, start, start + len(located.token.encode()))
+    return node.tag_at.span
+
+
+def _inside(span: Span, located: Located) -> Span:
+    """The expression in an attribute's value; the whole value if it is written with entities."""
+    if span.text != located.text:
+        return span
+    start = span.start + len(located.text[: located.offset].encode())
+    return Span(span.source, start, start + len(located.token.encode()))
+
+
+def _make(
+    run: Run, error: Exception, located: Located, at: Span, frame: Any, notes: tuple[Related, ...]
+) -> Problem:
+    code, message, help = classify(run, error)
+    token = located.token if located.token.startswith("$") else ""
+    where = f" in {token}" if token and code in ("XAC001", "XAC009", "XAC013") else ""
+    return Problem(code, at, message + where, help, frame, notes)
+
+
+def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
+    """Code, message and help of an error."""
+    cause = root_cause(error)
+    if isinstance(cause, UnsafeExpression):
+        return "XAC009", f"refused: {cause}", ""
+    if isinstance(cause, EnvironmentRefused):
+        return "XAC009", str(cause), ""
+    if isinstance(cause, (TooLarge, TooMuch, YamlTooLarge)):
+        return "XAC013", f"refused: {cause}", ""
+    if isinstance(cause, RecursionError):
+        return "XAC013", "macros, includes or properties refer to themselves without end", ""
+    if isinstance(cause, MemoryError):
+        return "XAC013", "the expansion needs more memory than there is", ""
+    if isinstance(cause, PackageNotFound):
+        searched = ", ".join(cause.searched) or "nothing to search"
+        message = f"package '{cause.name}' is not found; searched: {searched}"
+        return "XAC011", message, f"name its folder: --package {cause.name}=DIR"
+    if isinstance(cause, EscapesRoots):
+        return "XAC012", f"{cause} is outside the workspace and the packages of this model", ""
+    if isinstance(cause, MissingArgument):
+        return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
+    return "XAC001", _plain(error, cause), _nearest_name(cause)
+
+
+def _plain(error: BaseException, cause: BaseException) -> str:
+    """The reason in one line, without xacro's list of enclosing expressions."""
+    if isinstance(cause, OSError) and cause.filename:
+        return f"{cause.filename}: {cause.strerror}"
+    if isinstance(cause, SyntaxError):
+        return f"not an expression: {cause.msg}"
+    text = str(cause).split("\nwhen evaluating expression")[0].strip()
+    return text.replace("\n", "; ") or type(cause).__name__
+
+
+def _how_to_pass(run: Run, missing: BaseException) -> str:
+    declared = {name: default for name, default in run.known_arguments().items() if default}
+    text = f"pass it: {missing}:=VALUE"
+    if declared:
+        text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in declared.items())
+    return text
+
+
+def _nearest_name(cause: BaseException) -> str:
+    name = _UNDEFINED.search(str(cause))
+    if name is None or not isinstance(cause, NameError):
+        return ""
+    return f"define the property '{name.group(1)}' before its use, or mend its name"
+
+
+def warning(text: str, node: Node) -> Problem:
+    """What xacro warns of, at the element it works on."""
+    spans = node.tag_at.attribute_spans()
+    if text.startswith("redefining global symbol: "):
+        name = text.rpartition(": ")[2]
+        message = f"'{name}' hides what expressions already have under this name"
+        at = spans.get("name", node.tag_at.span) if node.tagName == "xacro:property" else None
+        return Problem("XAC016", at or spans.get(name, node.tag_at.span), message, "", node.frame)
+    if deprecated := _DEPRECATED.match(text):
+        return _deprecated_call(node, *deprecated.groups())
+    return Problem("XAC017", node.tag_at.span, text, "", node.frame)
+
+
+def _deprecated_call(node: Node, old: str, new: str) -> Problem:
+    """A function that moved into a name space; the fix renames the one call in the tag."""
+    message = f"{old}() without its name space is deprecated"
+    pattern = re.compile(rb"(?<![\w.])" + old.encode() + rb"(?=\s*\()")
+    at = node.tag_at.span
+    found = pattern.search(at.source.data, at.start, at.end)
+    if found is None:
+        return Problem("XAC015", at, message, f"write {new}()", node.frame)
+    span = Span(at.source, *found.span())
+    fix = Fix(f"write {new}", (Edit(span, new),), safe=True)
+    return Problem("XAC015", span, message, f"write {new}()", node.frame, fix=fix)
+
+
+def line_start(source: Source, line: int, column: int) -> Span:
+    """A place that expat gives as a line from 1 and a column from 0."""
+    start = source.offset(line, column + 1)
+    return Span(source, start, start)

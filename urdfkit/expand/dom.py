@@ -1,0 +1,204 @@
+"""The DOM that xacro works on, with nodes that know where they were written.
+
+xacro rewrites a ``minidom`` tree in place and copies pieces of it with ``cloneNode``. Node is a
+``minidom.Element`` whose place survives that: the parser sets it, ``cloneNode`` hands it on.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+from xml.dom import expatbuilder, minidom
+
+from urdfkit.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.reading import Problem, TooMuch, entity_problem
+from urdfkit.source import Source
+
+ELEMENT = minidom.Node.ELEMENT_NODE
+TEXT = minidom.Node.TEXT_NODE
+CDATA = minidom.Node.CDATA_SECTION_NODE
+
+#: Nodes that all macro calls of one expansion may copy together.
+MAX_NODES = 1_000_000
+
+
+class Node(minidom.Element):
+    """An element of a xacro file.
+
+    Attributes:
+        tag_at: where it was written.
+        raw: names and values of its attributes as written, alternating.
+        frame: the innermost macro call or include that led here.
+        given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
+        copies: the count of copied nodes that the whole expansion shares.
+    """
+
+    tag_at: Tag
+    raw: list[str]
+    frame: Frame | None
+    given: dict[str, Tag] | None
+    copies: list[int]
+
+    def cloneNode(self, deep: bool) -> Any:  # noqa: N802 - the name of the DOM
+        frame = self.frame
+        if self.tagName == "xacro:macro":
+            frame = self._frame_of_call()
+            return _clone(self, frame, keep=False)
+        if self.tagName == "xacro:property":
+            # A property block: it was written elsewhere and belongs to the place that inserts it.
+            inserter = sys._getframe(1).f_locals.get("node")
+            frame = inserter.frame if isinstance(inserter, Node) else frame
+            return _clone(self, frame, keep=False)
+        return _clone(self, frame, keep=True)
+
+    def _frame_of_call(self) -> Frame | None:
+        """The frame of the call that xacro's ``handle_macro_call`` is expanding."""
+        call = sys._getframe(2).f_locals.get("node")
+        if not isinstance(call, Node):
+            return self.frame
+        name = call.tagName.removeprefix("xacro:")
+        return Frame("macro", name, call.tag_at, self.tag_at, call.frame)
+
+    def setAttribute(self, attname: str, value: str) -> None:  # noqa: N802
+        value = str(value)  # stock xacro writes a number here and fails much later
+        present = self._attrs.get(attname) if self._attrs else None
+        if present is None:
+            self._note_giver(attname)
+        elif present.value == value:
+            return
+        super().setAttribute(attname, value)
+
+    def _note_giver(self, name: str) -> None:
+        giver = sys._getframe(2).f_locals.get("node")
+        if isinstance(giver, Node) and giver.tagName == "xacro:attribute":
+            self.given = {**(self.given or {}), name: giver.tag_at}
+
+
+def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
+    """A deep copy. ``keep``: every node keeps its own frame instead of taking ``frame``.
+
+    ``minidom`` does the same five times slower, by way of ``setAttributeNS``.
+    """
+    node.copies[0] += 1
+    if node.copies[0] > MAX_NODES:
+        raise TooMuch(f"the macros make more than {MAX_NODES} elements")
+    copy = Node(node.tagName, node.namespaceURI, node.prefix)
+    copy.ownerDocument = node.ownerDocument
+    copy.tag_at, copy.raw, copy.copies = node.tag_at, node.raw, node.copies
+    copy.given = node.given
+    copy.frame = node.frame if keep else frame
+    if node._attrs:
+        copy._ensure_attributes()
+        for name, attribute in node._attrs.items():
+            twin = minidom.Attr(
+                name, attribute.namespaceURI, attribute.localName, attribute.prefix
+            )
+            twin.ownerDocument = node.ownerDocument
+            twin.ownerElement = copy
+            twin.value = attribute.value
+            twin.specified = attribute.specified
+            copy._attrs[name] = twin
+            copy._attrsNS[twin.namespaceURI, twin.localName] = twin
+    previous = None
+    for child in node.childNodes:
+        twin = (
+            _clone(child, frame, keep=keep)
+            if child.nodeType == ELEMENT
+            else child.cloneNode(True)
+        )
+        twin.parentNode = copy
+        twin.previousSibling = previous
+        if previous is not None:
+            previous.nextSibling = twin
+        copy.childNodes.append(twin)
+        previous = twin
+    return copy
+
+
+class _Builder(expatbuilder.ExpatBuilderNS):
+    """The stock builder, whose elements become Nodes."""
+
+    def __init__(self, source: Source, frame: Frame | None, copies: list[int]) -> None:
+        super().__init__()
+        self._source = source
+        self._frame = frame
+        self._copies = copies
+        self.problems: list[Problem] = []
+        self.arguments: list[Node] = []
+
+    def start_element_handler(self, name: str, attributes: list[str]) -> None:
+        raw = list(attributes)  # the stock handler takes the list apart
+        super().start_element_handler(name, attributes)
+        node = self.curNode
+        node.__class__ = Node
+        start = self._parser.CurrentByteIndex
+        node.tag_at = Tag(self._source, start, start)
+        node.raw, node.frame, node.given = raw, self._frame, None
+        node.copies = self._copies
+        if node.tagName == "xacro:arg":
+            self.arguments.append(node)
+
+    def end_element_handler(self, name: str) -> None:
+        node = self.curNode
+        super().end_element_handler(name)
+        close = self._parser.CurrentByteIndex
+        if self._source.data.startswith(b"</", close):
+            node.tag_at = node.tag_at._replace(close=close)
+
+    def entity_decl_handler(self, *declaration: Any) -> None:
+        at = self._parser.CurrentByteIndex
+        self.problems.append(entity_problem(self._source, at, declaration[0]))
+        super().entity_decl_handler(*declaration)
+
+    def createParser(self) -> Any:  # noqa: N802
+        # Source has settled the encoding; what the declaration says no longer counts.
+        parser = expatbuilder.expat.ParserCreate("utf-8", namespace_separator=" ")
+        parser.namespace_prefixes = True
+        return parser
+
+
+def parse(
+    source: Source, frame: Frame | None, copies: list[int]
+) -> tuple[minidom.Document, list[Problem], list[Node]]:
+    """Parse one xacro file.
+
+    Returns:
+        The DOM, what is odd about the text, and the ``xacro:arg`` elements.
+
+    Args:
+        source: the file.
+        frame: the include that asks for it; None for the checked file.
+        copies: the count of nodes that the expansion shares.
+
+    Raises:
+        xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
+    """
+    builder = _Builder(source, frame, copies)
+    document = builder.parseString(source.data)
+    return document, builder.problems, builder.arguments
+
+
+def to_document(dom: minidom.Document, sources: tuple[Source, ...]) -> Document:
+    """The expanded DOM as a Document."""
+    root = _to_element(dom.documentElement, None)
+    stack = [(dom.documentElement, root)]
+    while stack:
+        node, element = stack.pop()
+        text: list[str] = []
+        for child in node.childNodes:
+            if child.nodeType == ELEMENT:
+                inner = _to_element(child, element)
+                element.children.append(inner)
+                stack.append((child, inner))
+            elif child.nodeType in (TEXT, CDATA):
+                text.append(child.data)
+        element.text = "".join(text)
+    return Document(root, sources)
+
+
+def _to_element(node: Node, parent: Element | None) -> Element:
+    element = Element(node.tagName, node.tag_at, parent, node.frame)
+    given = node.given or {}
+    for name, attribute in (node._attrs or {}).items():
+        element.attributes[name] = Attribute(name, attribute.value, element, given.get(name))
+    return element

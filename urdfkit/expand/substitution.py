@@ -1,0 +1,148 @@
+"""``$(find pkg)``, ``$(arg name)`` and the other commands in round brackets.
+
+They mean what they mean in stock xacro, which needs a ROS installation for them; here packages
+are found by the Resolver, and environment variables pass an allow-list.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from urdfkit.expand.expressions import GUARDS, bounded_range, compile_expression
+
+#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
+ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")
+
+COMMANDS = ("find", "env", "optenv", "dirname", "arg", "eval", "cwd")
+
+
+class SubstitutionError(Exception):
+    """The command cannot be carried out; the text is for users."""
+
+
+class EnvironmentRefused(SubstitutionError):
+    """A variable that is not on the allow-list, but set."""
+
+
+class Context(NamedTuple):
+    """What the commands refer to.
+
+    Attributes:
+        find: folder of a package by name.
+        argument: value of a xacro argument; raises KeyError.
+        folder: that of the file being processed.
+        working_directory: for ``$(cwd)``.
+        environment: the variables.
+        trust: True if every variable and expression is allowed.
+    """
+
+    find: Callable[[str], str]
+    argument: Callable[[str], str]
+    folder: str
+    working_directory: str
+    environment: Mapping[str, str]
+    trust: bool
+
+
+def substitute(content: str, context: Context) -> str:
+    """The value of ``$(content)``.
+
+    Raises:
+        KeyError: an argument without a value.
+        SubstitutionError: anything else that is wrong with the command.
+    """
+    if content == "cwd":
+        return os.path.abspath(context.working_directory)
+    if content.startswith("eval "):
+        return str(_evaluate(content[len("eval ") :], context))
+    words = [word for word in content.split(" ") if word]
+    if not words:
+        return f"$({content})"
+    command, arguments = words[0], words[1:]
+    if command == "arg":
+        return context.argument(_only(command, arguments))
+    if command == "find":
+        return context.find(_only(command, arguments))
+    if command == "env":
+        return _variable(_only(command, arguments), context)
+    if command == "optenv" and arguments:
+        return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
+    if command == "dirname":
+        return os.path.abspath(context.folder)
+    raise SubstitutionError(
+        f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}"
+    )
+
+
+def _only(command: str, arguments: list[str]) -> str:
+    if len(arguments) != 1:
+        raise SubstitutionError(f"$({command} ...) takes one name, not {len(arguments)}")
+    return arguments[0]
+
+
+def may_read(name: str, context: Context) -> bool:
+    """True if the model may see an environment variable."""
+    return context.trust or name.startswith(ENVIRONMENT_PREFIXES)
+
+
+def _variable(name: str, context: Context) -> str:
+    if name not in context.environment:
+        raise SubstitutionError(f"environment variable '{name}' is not set")
+    if not may_read(name, context):
+        raise EnvironmentRefused(f"environment variable '{name}' is not on the allow-list")
+    return context.environment[name]
+
+
+def _optional_variable(name: str, default: str, context: Context) -> str:
+    if may_read(name, context):
+        return context.environment.get(name, default)
+    return default
+
+
+def _evaluate(expression: str, context: Context) -> Any:
+    if "__" in expression:
+        raise SubstitutionError("$(eval ...) may not contain double underscores")
+    code = compile_expression(expression.strip(), trust=context.trust)
+    return eval(code, {"__builtins__": dict(GUARDS)}, _EvalNames(context))
+
+
+_FUNCTIONS: dict[str, Any] = {
+    **{name: value for name, value in vars(math).items() if not name.startswith("_")},
+    **{f.__name__: f for f in (list, dict, map, str, float, int, bool, len, min, max, round)},
+    **{f.__name__: f for f in (abs, sum, sorted)},
+    "range": bounded_range,
+    "true": True,
+    "false": False,
+}
+
+
+class _EvalNames(dict[str, Any]):
+    """The names of a ``$(eval ...)``: functions, then arguments as numbers where they are."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__(_FUNCTIONS)
+        self.context = context
+        self.update(
+            arg=lambda name: _convert(context.argument(name)),
+            find=context.find,
+            env=lambda name: _variable(name, context),
+            optenv=lambda name, default="": _optional_variable(name, default, context),
+            dirname=lambda: os.path.abspath(context.folder),
+        )
+
+    def __missing__(self, name: str) -> Any:
+        if name in GUARDS:
+            raise KeyError(name)  # Python looks on in the builtins
+        return _convert(self.context.argument(name))
+
+
+def _convert(text: str) -> Any:
+    for kind in (float,) if "." in text else (int,):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return {"true": True, "false": False}.get(text.lower(), text)

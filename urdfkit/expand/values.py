@@ -1,0 +1,97 @@
+"""YAML files that ``xacro.load_yaml`` reads, fenced in and bounded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+#: Scalars of one YAML file, counted as often as aliases repeat them.
+MAX_VALUES = 100_000
+
+#: xacro's units: tag, factor to radians or metres.
+_UNITS = {
+    "!radians": 1.0,
+    "!degrees": math.pi / 180.0,
+    "!meters": 1.0,
+    "!millimeters": 0.001,
+    "!foot": 0.3048,
+    "!inches": 0.0254,
+}
+
+
+class YamlTooLarge(Exception):
+    """Aliases make the file larger than any configuration."""
+
+
+@lru_cache(maxsize=1)
+def _loader() -> Any:
+    import yaml  # 15 ms, and few models load YAML
+
+    base: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml's is six times faster
+
+    class Loader(base):  # type: ignore[misc] # of its own, so that no other user of yaml sees it
+        evaluate: Callable[[str], Any]
+
+    def unit(factor: float) -> Callable[[Any, Any], float]:
+        def construct(loader: Any, node: Any) -> float:
+            return float(loader.evaluate(loader.construct_scalar(node))) * factor
+
+        return construct
+
+    for tag, factor in _UNITS.items():
+        Loader.add_constructor(tag, unit(factor))
+    return Loader
+
+
+def load(text: str, evaluate: Callable[[str], Any]) -> Any:
+    """The value of a YAML text.
+
+    Args:
+        text: of the file.
+        evaluate: gives the value of an expression behind a unit, such as ``!degrees 90/2``.
+
+    Raises:
+        yaml.YAMLError: it is not YAML.
+        YamlTooLarge: its aliases multiply it.
+    """
+    loader = _loader()(text)
+    loader.evaluate = evaluate
+    try:
+        node = loader.get_single_node()
+        if node is None:
+            return None
+        _check_size(node)
+        return loader.construct_document(node)
+    finally:
+        loader.dispose()
+
+
+def _check_size(root: Any) -> None:
+    """Count the values that a node stands for, each alias as a copy; without recursion."""
+    sizes: dict[int, int] = {}
+    open_nodes: set[int] = set()
+    stack = [(root, False)]
+    while stack:
+        node, done = stack.pop()
+        key = id(node)
+        inner = _inner(node)
+        if done:
+            open_nodes.discard(key)
+            sizes[key] = 1 + sum(sizes.get(id(child), 1) for child in inner)
+            if sizes[key] > MAX_VALUES:
+                raise YamlTooLarge(f"more than {MAX_VALUES} values")
+        elif key in open_nodes:
+            raise YamlTooLarge("a value contains itself")
+        elif key not in sizes:
+            open_nodes.add(key)
+            stack.append((node, True))
+            stack.extend((child, False) for child in inner)
+
+
+def _inner(node: Any) -> list[Any]:
+    value = node.value
+    if not isinstance(value, list):
+        return []
+    return [part for item in value for part in (item if isinstance(item, tuple) else (item,))]
