@@ -1,0 +1,60 @@
+"""The installed wheel does its main job in an environment without any extra.
+
+Usage: smoke.py MODELS, with the Python of that environment, outside the checkout.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+BIN = Path(sys.executable).parent
+HEAVY = ("numpy", "trimesh", "manifold3d", "pinocchio", "coal", "yourdfpy")
+
+
+def run(command: str, *arguments: str | Path, code: int = 0) -> str:
+    """The standard output of an installed command that must end with this exit code."""
+    result = subprocess.run(
+        [BIN / command, *arguments], capture_output=True, text=True, encoding="utf-8", check=False
+    )
+    told = f"{command} {' '.join(map(str, arguments))}: exit {result.returncode}\n"
+    assert result.returncode == code, told + result.stdout + result.stderr
+    assert "Traceback" not in result.stderr, told + result.stderr
+    return result.stdout
+
+
+def main() -> None:
+    models = Path(sys.argv[1])
+    mission = models / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+    present = [name for name in HEAVY if importlib.util.find_spec(name)]
+    assert not present, f"the lean environment holds {present}"
+    spec = importlib.util.find_spec("urdfkit")
+    assert spec is not None
+    assert not str(spec.origin).startswith(str(models.parent) + os.sep), spec.origin
+
+    version = importlib.metadata.version("urdfkit")
+    assert version in run("urdfkit", "--version")
+    assert (Path(str(spec.origin)).parent / "py.typed").is_file()
+
+    report = json.loads(run("urdfkit", "check", "--format", "json", mission, code=1))
+    codes = {diagnostic["code"] for diagnostic in report["diagnostics"]}
+    assert {"MSH001", "TRE008", "URD001", "URD008", "XAC004", "XAC007", "XAC014"} <= codes, codes
+    assert report["crashed"] == []
+
+    for name in ("gripper.urdf", "two_link_arm/urdf/two_link_arm.urdf"):
+        run("urdfkit", "check", models / "good" / name)
+    run("urdfkit", "check", models / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
+    assert "error" in run("urdfkit", "check", models / "bad" / "broken_meshes.urdf", code=1)
+
+    assert run("urdfkit", "expand", mission) == run("xacro", mission)
+    assert "MSH001" in run("urdfkit", "explain", "MSH001")
+    assert run("urdfkit", "rules").count("MSH") >= 12
+    print(f"urdfkit {version} from the wheel: {len(codes)} kinds of findings in {mission.name}")
+
+
+main()
