@@ -1,0 +1,118 @@
+"""Folders, each listed once, and names looked up in them exactly as they are spelt on disk."""
+
+from __future__ import annotations
+
+import os
+
+
+class Folders:
+    """Listings of folders.
+
+    A file is looked up in the listings instead of being asked for by its whole path: a hundred
+    meshes of one folder cost one listing, and a name that differs in case is told apart on
+    file systems that do not care, too.
+    """
+
+    def __init__(self) -> None:
+        self._entries: dict[str, dict[str, bool] | None] = {}
+
+    def entries(self, folder: str) -> dict[str, bool] | None:
+        """What is in a folder: True for folders, False for the rest; None if it cannot be read."""
+        if folder not in self._entries:
+            try:
+                with os.scandir(folder) as found:
+                    self._entries[folder] = {
+                        entry.name: _is_folder(entry) for entry in found if _leads_somewhere(entry)
+                    }
+            except (OSError, ValueError):  # ValueError: a NUL in the name
+                self._entries[folder] = None
+        return self._entries[folder]
+
+    def find(self, folder: str, relative: str) -> str | None:
+        """The file at a path below a folder, spelt exactly so; None if there is none."""
+        at = folder
+        parts = _parts(relative)
+        for number, part in enumerate(parts, start=1):
+            if part == "..":
+                at = os.path.dirname(at)
+                continue
+            entries = self.entries(at)
+            path = os.path.join(at, part)
+            if entries is None:  # it may still be open to those who know the names in it
+                rest = os.path.join(at, *parts[number - 1 :])
+                return rest if _is_file(rest) else None
+            if entries.get(part) is not (number < len(parts)):
+                return None
+            at = path
+        return at if parts and parts[-1] != ".." else None
+
+    def find_ignoring_case(self, folder: str, relative: str) -> str | None:
+        """Like ``find``, but for a path whose case may differ; relative to the folder.
+
+        None if there is no such file, or several.
+        """
+        at = folder
+        spelt: list[str] = []
+        parts = _parts(relative)
+        for number, part in enumerate(parts, start=1):
+            if part == "..":
+                at = os.path.dirname(at)
+                spelt.append(part)
+                continue
+            entries = self.entries(at) or {}
+            is_folder = number < len(parts)
+            names = [name for name in _alike(entries, part) if entries[name] is is_folder]
+            if len(names) != 1:
+                return None
+            spelt.append(names[0])
+            at = os.path.join(at, names[0])
+        return "/".join(spelt) or None
+
+    def files_below(self, folder: str, limit: int) -> list[str]:
+        """The files in a folder and all below it, nearest first; hidden folders are left out.
+
+        Args:
+            folder: where to start.
+            limit: how many folders to list at most.
+        """
+        found: list[str] = []
+        queue = [folder]
+        for at in queue:  # grows while it is walked
+            for name, is_folder in sorted((self.entries(at) or {}).items()):
+                path = os.path.join(at, name)
+                if not is_folder:
+                    found.append(path)
+                elif len(queue) < limit and name[0] != "." and not os.path.islink(path):
+                    queue.append(path)
+        return found
+
+
+def _alike(entries: dict[str, bool], name: str) -> list[str]:
+    """The exact name if it is there, else those that differ from it in case only."""
+    if name in entries:
+        return [name]
+    folded = name.casefold()
+    return [entry for entry in entries if entry.casefold() == folded]
+
+
+def _parts(relative: str) -> list[str]:
+    return [part for part in relative.split("/") if part not in ("", ".")]
+
+
+def _leads_somewhere(entry: os.DirEntry[str]) -> bool:
+    """False for a symbolic link to nothing."""
+    return not entry.is_symlink() or os.path.exists(entry.path)
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:  # a symbolic link in a circle
+        return False
+
+
+def _is_file(path: str) -> bool:
+    try:
+        return os.path.isfile(path)
+    except ValueError:
+        return False

@@ -1,0 +1,200 @@
+"""Where a package's files lie in its source tree, as its CMakeLists.txt installs them.
+
+``$(find pkg)/urdf/x`` speaks of the installed package. Most packages install a folder under its
+own name; some move folders, and then the file exists only after a build.
+"""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+MAX_BYTES = 1024 * 1024
+MAX_COMMANDS = 20_000
+
+_TOKEN = re.compile(
+    r"""\#\[(=*)\[.*?\]\1\]        # a bracket comment
+      | \#[^\n]*                   # a comment
+      | "((?:[^"\\]|\\.)*)"        # a quoted argument
+      | ([()])
+      | ([^\s()#"]+)
+    """,
+    re.DOTALL | re.VERBOSE,
+)
+_VARIABLE = re.compile(r"\$\{([^${}]*)\}")
+_END_OF_SOURCES = frozenset(
+    "COMPONENT CONFIGURATIONS EXCLUDE EXCLUDE_FROM_ALL FILES_MATCHING FILE_PERMISSIONS "
+    "DIRECTORY_PERMISSIONS MESSAGE_NEVER OPTIONAL PATTERN PERMISSIONS REGEX RENAME TYPE "
+    "USE_SOURCE_PERMISSIONS".split()
+)
+
+
+class Installed(NamedTuple):
+    """One thing that a build installs.
+
+    Attributes:
+        source: path below the package's folder.
+        target: where it is installed, below the prefix.
+    """
+
+    source: str
+    target: str
+
+
+class _Command(NamedTuple):
+    name: str
+    arguments: tuple[tuple[str, bool], ...]  # text, quoted
+
+
+def source_paths(folder: str, package: str, relative: str) -> list[str]:
+    """The paths in a source tree that may be installed at ``share/<package>/<relative>``.
+
+    Args:
+        folder: of the package.
+        package: its name.
+        relative: a path in the installed package.
+    """
+    wanted = posixpath.normpath(f"share/{package}/{relative}")
+    found = []
+    for rule in read_rules(folder, package):
+        if wanted == rule.target or wanted.startswith(f"{rule.target}/"):
+            rest = wanted[len(rule.target) :]
+            found.append(posixpath.normpath(rule.source + rest))
+    return found
+
+
+def read_rules(folder: str, package: str) -> list[Installed]:
+    """What the CMakeLists.txt of a package installs; conditions are taken as true."""
+    try:
+        with open(os.path.join(folder, "CMakeLists.txt"), "rb") as file:
+            text = file.read(MAX_BYTES).decode("utf-8", "replace")
+    except OSError:
+        return []
+    reader = _Reader(_variables(package))
+    for command in _commands(text):
+        reader.read(command)
+    return reader.rules
+
+
+def _variables(package: str) -> dict[str, str]:
+    share = f"share/{package}"
+    return {
+        "PROJECT_NAME": package,
+        "CMAKE_PROJECT_NAME": package,
+        "CMAKE_SOURCE_DIR": ".",
+        "CMAKE_CURRENT_SOURCE_DIR": ".",
+        "CMAKE_CURRENT_LIST_DIR": ".",
+        "PROJECT_SOURCE_DIR": ".",
+        "CMAKE_INSTALL_PREFIX": ".",
+        "CMAKE_INSTALL_DATADIR": "share",
+        "CMAKE_INSTALL_DATAROOTDIR": "share",
+        "CMAKE_INSTALL_FULL_DATADIR": "share",
+        "CATKIN_PACKAGE_SHARE_DESTINATION": share,
+        "CATKIN_GLOBAL_SHARE_DESTINATION": "share",
+    }
+
+
+def _commands(text: str) -> Iterator[_Command]:
+    name = ""
+    arguments: list[tuple[str, bool]] = []
+    depth = 0
+    for token in _TOKEN.finditer(text):
+        _, quoted, bracket, word = token.groups()
+        if bracket == "(":
+            depth += 1
+        elif bracket == ")":
+            depth -= 1
+            if depth <= 0:
+                yield _Command(name.lower(), tuple(arguments))
+                name, arguments, depth = "", [], 0
+        elif depth == 0:
+            name = word or ""
+        elif quoted is not None or word:
+            arguments.append((quoted if quoted is not None else word, quoted is not None))
+
+
+class _Reader:
+    """Runs the commands that matter here; the body of a loop is run for each of its items."""
+
+    def __init__(self, variables: dict[str, str]) -> None:
+        self.rules: list[Installed] = []
+        self._variables = variables
+        self._loops: list[tuple[str, list[str], list[_Command]]] = []
+        self._read = 0
+
+    def read(self, command: _Command) -> None:
+        self._read += 1
+        if self._read > MAX_COMMANDS:
+            return
+        if command.name == "foreach":
+            self._loops.append((*_loop(command, self._variables), []))
+        elif command.name == "endforeach":
+            self._unroll()
+        elif self._loops:
+            self._loops[-1][2].append(command)
+        elif command.name == "set":
+            words = _expanded(command, self._variables)
+            if words:
+                self._variables[words[0]] = ";".join(words[1:])
+        elif command.name == "install":
+            self.rules += _install(_expanded(command, self._variables))
+
+    def _unroll(self) -> None:
+        if not self._loops:
+            return
+        variable, items, body = self._loops.pop()
+        for item in items:
+            # Inside another loop this lengthens the body of that one.
+            self.read(_Command("set", ((variable, False), (item, False))))
+            for command in body:
+                self.read(command)
+            if self._read > MAX_COMMANDS:
+                return
+
+
+def _loop(command: _Command, variables: dict[str, str]) -> tuple[str, list[str]]:
+    """The variable and the items of a foreach."""
+    words = _expanded(command, variables)
+    variable, rest = (words[0], words[1:]) if words else ("", [])
+    if rest[:2] == ["IN", "ITEMS"]:
+        return variable, rest[2:]
+    if rest[:2] == ["IN", "LISTS"]:
+        return variable, [i for name in rest[2:] for i in variables.get(name, "").split(";") if i]
+    return variable, rest
+
+
+def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
+    """The arguments with their variables replaced; an unknown variable stays as it is."""
+    words: list[str] = []
+    for text, quoted in command.arguments:
+        value = text
+        for _ in range(5):  # a variable in the name of a variable
+            replaced = _VARIABLE.sub(lambda m: variables.get(m.group(1), m.group()), value)
+            if replaced == value or len(replaced) > MAX_BYTES:
+                break
+            value = replaced
+        words += [value] if quoted else [part for part in value.split(";") if part]
+    return words
+
+
+def _install(words: list[str]) -> Iterator[Installed]:
+    """The rules of ``install(DIRECTORY ...)`` and ``install(FILES ...)``."""
+    if not words or words[0] not in ("DIRECTORY", "FILES", "PROGRAMS"):
+        return
+    if "DESTINATION" not in words[:-1]:
+        return
+    destination = words[words.index("DESTINATION") + 1]
+    if "${" in destination:
+        return
+    for source in words[1:]:
+        if source == "DESTINATION" or source in _END_OF_SOURCES:
+            break
+        if "${" in source or source.startswith("/"):
+            continue
+        target = destination
+        if words[0] != "DIRECTORY" or not source.endswith("/"):
+            target += "/" + posixpath.basename(posixpath.normpath(source))
+        yield Installed(posixpath.normpath(source), posixpath.normpath(target))
