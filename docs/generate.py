@@ -1,0 +1,103 @@
+"""Write the pages of the rules, ``docs/rules``, from the rules themselves.
+
+Usage: python docs/generate.py
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from itertools import groupby
+from pathlib import Path
+
+from urdfkit.examples import diagnose_example
+from urdfkit.rules import Rule, all_rules
+
+FOLDER = Path(__file__).parent / "rules"
+
+FAMILIES = {
+    "CFG": "the checking itself",
+    "GEO": "shapes and colours",
+    "INE": "mass and inertia",
+    "JNT": "joints",
+    "MSH": "mesh files",
+    "NAM": "names",
+    "REF": "references",
+    "TRE": "the kinematic tree",
+    "URD": "the grammar of URDF",
+    "XAC": "xacro",
+    "XML": "the text",
+}
+
+#: What an example says holds the folder in which it was run.
+_SCRATCH = re.compile(re.escape(tempfile.gettempdir()) + r"/tmp\w+/?")
+
+
+def pages() -> dict[str, str]:
+    """The text of every page by its file name."""
+    rules = all_rules()
+    return {"README.md": index(rules)} | {f"{rule.code}.md": page(rule) for rule in rules}
+
+
+def index(rules: list[Rule]) -> str:
+    """The list of all rules."""
+    lines = [
+        "# Rules",
+        "",
+        "`urdfkit explain CODE` prints the same pages. A code is never reused or renamed.",
+        "*error*: a mainstream consumer rejects the robot or simulates it wrongly; *warning*: it",
+        "loads but is hardly meant; *info*: style or a hint.",
+    ]
+    for family, members in groupby(rules, key=lambda rule: rule.code[:3]):
+        lines += ["", f"## {family}: {FAMILIES[family]}", ""]
+        lines += ["| code | name | severity | finds |", "| --- | --- | --- | --- |"]
+        lines += [
+            f"| [{rule.code}]({rule.code}.md) | {rule.name} | {rule.severity.value} |"
+            f" {summary(rule)} |"
+            for rule in members
+        ]
+    return "\n".join(lines) + "\n"
+
+
+def summary(rule: Rule) -> str:
+    """The first paragraph of the explanation, for a cell of a table."""
+    return rule.explanation.partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
+
+
+def page(rule: Rule) -> str:
+    """The page of one rule."""
+    parts = [
+        f"# {rule.code} {rule.name}",
+        f"Severity: {rule.severity.value}." + (" Comes with a fix." if rule.fixable else ""),
+        rule.explanation,
+    ]
+    if rule.help:
+        parts.append(f"What to do: {rule.help}.")
+    if bad := rule.example("BAD"):
+        said = [_SCRATCH.sub("", found.message) for found in diagnose_example(rule, bad)]
+        parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
+    if good := rule.example("GOOD"):
+        parts += ["## Accepted", block("xml", good)]
+    if fixed := rule.example("FIXED"):
+        parts += ["## After the fix", block("xml", fixed)]
+    return "\n\n".join(parts) + "\n"
+
+
+def block(language: str, text: str) -> str:
+    """A block of code, fenced."""
+    return f"```{language}\n{text.strip()}\n```"
+
+
+def main() -> None:
+    """Write all pages, and remove those of rules that are no more."""
+    FOLDER.mkdir(exist_ok=True)
+    texts = pages()
+    for old in FOLDER.glob("*.md"):
+        if old.name not in texts:
+            old.unlink()
+    for name, text in texts.items():
+        (FOLDER / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

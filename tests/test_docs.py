@@ -1,0 +1,37 @@
+"""The generated documents are those of the rules as they are."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from docs import generate
+from tests.conftest import ROOT
+from urdfkit import rules
+
+WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
+
+
+def test_the_pages_of_the_rules_are_up_to_date() -> None:
+    written = {page.name: page.read_text(encoding="utf-8") for page in generate.FOLDER.iterdir()}
+    assert written == generate.pages(), "run: python docs/generate.py"
+
+
+def test_every_rule_has_a_page() -> None:
+    assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rules.codes()}
+
+
+@pytest.mark.parametrize("document", WRITTEN, ids=lambda path: path.name)
+def test_links_lead_to_files_that_exist(document: Path) -> None:
+    text = document.read_text(encoding="utf-8")
+    targets = re.findall(r"\]\((?!https?:)([^)#]+)", text)
+    assert [link for link in targets if not (document.parent / link).exists()] == []
+
+
+@pytest.mark.parametrize("document", WRITTEN, ids=lambda path: path.name)
+def test_the_rules_that_are_named_exist(document: Path) -> None:
+    text = document.read_text(encoding="utf-8")
+    named = set(re.findall(r"\b(?:XML|XAC|URD|REF|NAM|TRE|MSH|CFG)\d{3}\b", text))
+    assert named <= set(rules.codes())
