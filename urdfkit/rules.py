@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 #: Rules that only tell what reading met; they are imported when there is something to tell.
 TOLD_BY_READING = frozenset(
     "XML001 XML002 XML003 XML004 XML006 XML007 "
-    "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016".split()
+    "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016 XAC017".split()
 )
 
 _FILE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)\.py$")
@@ -156,7 +156,7 @@ def get(code: str) -> Rule:
     return found
 
 
-def find(word: str) -> Rule:
+def find_rule(word: str) -> Rule:
     """The rule of a code or a name, in small or capital letters.
 
     Raises:
@@ -165,7 +165,7 @@ def find(word: str) -> Rule:
     by_name = names()
     code = by_name.get(word.lower(), word.upper())
     if code not in _modules:
-        raise UnknownRule(word, did_you_mean(word, [*_modules, *by_name]))
+        raise UnknownRule(word, _hint(word, [*_modules, *by_name]))
     return get(code)
 
 
@@ -181,8 +181,12 @@ def matching(word: str) -> list[str]:
     found = [code for code in _modules if word and code.startswith(word.upper())]
     if not found:
         families = {code[:3] for code in _modules}
-        raise UnknownRule(word, did_you_mean(word, [*families, *_modules, *by_name]))
+        raise UnknownRule(word, _hint(word, [*families, *_modules, *by_name]))
     return found
+
+
+def _hint(word: str, known: list[str]) -> str:
+    return did_you_mean(word, known) or "; 'urdfkit rules' lists them"
 
 
 def names() -> dict[str, str]:

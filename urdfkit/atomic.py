@@ -1,0 +1,59 @@
+"""Writing files so that no reader ever sees half of one."""
+
+from __future__ import annotations
+
+import os
+import stat
+
+from urdfkit.errors import UnwritableFile
+
+
+def write(path: str | os.PathLike[str], data: bytes) -> None:
+    """Write a file whole or not at all; one that exists keeps its permissions.
+
+    The bytes go to a new file in the same folder, which then takes the name. A link stays a link.
+    What is no regular file, such as ``/dev/stderr``, is written to directly.
+
+    Raises:
+        UnwritableFile: the folder is missing, or permission or space.
+    """
+    try:
+        _write(os.path.realpath(path), data)
+    except OSError as error:
+        raise UnwritableFile(f"{os.fspath(path)}: {_why_unwritable(path, error)}") from error
+    except ValueError as error:  # a NUL in the name
+        raise UnwritableFile(f"{os.fspath(path)!r}: {error}") from error
+
+
+def _write(path: str, data: bytes) -> None:
+    try:
+        mode = os.stat(path).st_mode
+    except FileNotFoundError:
+        mode = None
+    if mode is not None and not stat.S_ISREG(mode):
+        with open(path, "wb") as file:
+            file.write(data)
+        return
+    temporary = f"{path}.{os.getpid()}.tmp"
+    with open(temporary, "xb") as file:
+        try:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+            if mode is not None:
+                os.chmod(temporary, stat.S_IMODE(mode))
+        except BaseException:
+            file.close()
+            os.unlink(temporary)
+            raise
+    os.replace(temporary, path)
+
+
+def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:
+    """The reason and the remedy."""
+    folder = os.path.dirname(path) or "."
+    if os.path.isdir(path):
+        return "is a folder; name a file in it"
+    if not os.path.isdir(folder):
+        return f"there is no folder '{folder}'; make it first"
+    return f"cannot be written: {error.strerror or error}"

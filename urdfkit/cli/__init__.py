@@ -1,0 +1,66 @@
+"""The command line. It can do nothing that the library cannot.
+
+A command parses its options, makes one call of the library, renders what comes back, and says
+by its exit code how it went:
+
+- 0: clean, or done
+- 1: findings at or over ``--fail-on``
+- 2: it cannot be done: a file is missing, an option is wrong
+- 3: a bug of urdfkit
+- 130: stopped by Ctrl-C
+
+Results go to standard output, everything else to standard error.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from urdfkit.errors import UrdfkitError
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line and return its exit code.
+
+    Args:
+        arguments: without the name of the program; those of the process if None.
+    """
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    try:
+        return _run(words)
+    except UrdfkitError as error:
+        return _fail(2, f"error: {error}")
+    except KeyboardInterrupt:
+        return 130
+    except Exception as error:
+        if os.environ.get("URDFKIT_DEBUG") == "1":
+            import traceback
+
+            traceback.print_exc()
+        return _fail(
+            3,
+            f"error: urdfkit failed with {type(error).__name__}: {error}\n"
+            "This is a bug of urdfkit, not of the robot. Please report it, with the file; "
+            "URDFKIT_DEBUG=1 shows where it happened.",
+        )
+
+
+def _run(words: list[str]) -> int:
+    from urdfkit.cli import quick
+
+    values = quick.parse(words)
+    if values is None:
+        from urdfkit.cli.group import run
+
+        return run(words)
+    from urdfkit.cli.checking import run_check
+
+    return run_check(values)
+
+
+def _fail(code: int, message: str) -> int:
+    if sys.stderr is not None:
+        print(message, file=sys.stderr)
+    return code

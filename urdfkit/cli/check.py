@@ -1,0 +1,45 @@
+"""``urdfkit check``, as click has it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from urdfkit.cli.checking import run_check
+from urdfkit.cli.options import CHECK, FILES, Option
+
+
+def _click_option(option: Option) -> click.Option:
+    return click.Option(
+        [option.flag],
+        help=option.help,
+        is_flag=not option.metavar,
+        metavar=option.metavar or None,
+        multiple=option.many,
+        type=click.Choice(option.choices) if option.choices else None,
+        default=None if option.many else option.initial,
+        show_default=bool(option.choices),
+    )
+
+
+def _check(**values: Any) -> int:
+    return run_check(values)
+
+
+command = click.Command(
+    "check",
+    callback=_check,
+    params=[
+        click.Argument([FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
+        *map(_click_option, CHECK),
+    ],
+    help="""Check robots and report what is wrong with them.
+
+    FILE is a URDF or a xacro, whatever its suffix; '-' is standard input.
+    NAME:=VALUE is an argument for xacro.
+
+    Exit codes: 0 nothing found that --fail-on counts, 1 something found, 2 it cannot be done,
+    3 a bug of urdfkit.
+    """,
+)

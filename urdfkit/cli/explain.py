@@ -1,0 +1,52 @@
+"""``urdfkit explain``."""
+
+from __future__ import annotations
+
+from textwrap import fill, indent
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.rules import Need, Rule, find_rule
+
+_NEEDS = {
+    Need.XACRO: "a xacro that expands",
+    Need.MODEL: "a robot that can be read",
+    Need.FILES: "the files that the robot names",
+}
+
+
+@click.command("explain")
+@click.argument("rule", metavar="RULE")
+def command(rule: str) -> int:
+    """Explain a rule: what it finds, why it matters, what to do, with examples.
+
+    RULE is a code such as XML001 or a name such as not-well-formed.
+    """
+    output.write(render(find_rule(rule)))
+    return 0
+
+
+def render(rule: Rule) -> str:
+    """The page of a rule."""
+    fix = "with a fix" if rule.fixable else "without a fix"
+    needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
+    parts = [
+        f"{rule.code} {rule.name} ({rule.severity.value}, {fix})",
+        *map(_fill, rule.explanation.split("\n\n")),
+        f"Needs: {needs or 'the text of the file'}",
+    ]
+    if rule.help:
+        parts.append(f"Help: {rule.help}")
+    for title, which in (("Bad", "BAD"), ("Good", "GOOD"), ("Fixed", "FIXED")):
+        if example := rule.example(which):
+            parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
+    return "\n\n".join(parts) + "\n"
+
+
+def _fill(paragraph: str) -> str:
+    """A paragraph at 80 columns; a list or an example stays as it is."""
+    lines = paragraph.splitlines()
+    if any(line.startswith((" ", "-", "*", "|")) for line in lines):
+        return paragraph
+    return fill(paragraph, 80, break_long_words=False, break_on_hyphens=False)

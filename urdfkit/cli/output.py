@@ -1,0 +1,67 @@
+"""Standard output: whether it has colours, how wide it is, and what can go wrong with it."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from urdfkit.errors import UnwritableFile
+
+
+def has_color(when: str) -> bool:
+    """Whether to write colours: ``always``, ``never``, or ``auto`` for what the place allows.
+
+    https://no-color.org and https://force-color.org: a value that is not empty counts.
+    """
+    if when != "auto":
+        return when == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return _is_terminal() and os.environ.get("TERM") != "dumb"
+
+
+def width() -> int:
+    """Columns of the terminal; 80 where there is none."""
+    if not _is_terminal():
+        return 80
+    try:
+        return os.get_terminal_size(sys.stdout.fileno()).columns or 80
+    except (OSError, ValueError):
+        return 80
+
+
+def _is_terminal() -> bool:
+    return sys.stdout is not None and sys.stdout.isatty()
+
+
+def write(text: str) -> None:
+    """Write to standard output, in UTF-8 unless a terminal wants another encoding.
+
+    A reader that goes away early (``| head``) is no error.
+
+    Raises:
+        UnwritableFile: standard output is closed, or its disk is full.
+    """
+    if sys.stdout is None:
+        raise UnwritableFile("standard output is closed; send it to /dev/null instead")
+    try:
+        binary = getattr(sys.stdout, "buffer", None)
+        if binary is None:  # an in-process caller has put something of its own there
+            sys.stdout.write(text)
+        elif _is_terminal():
+            binary.write(text.encode(sys.stdout.encoding, "replace"))
+        else:
+            binary.write(encode(text))
+        sys.stdout.flush()
+    except OSError as error:
+        # What is left in the buffer must not fail a second time when Python exits.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            raise UnwritableFile(f"standard output: {error.strerror or error}") from error
+
+
+def encode(text: str) -> bytes:
+    """UTF-8; bytes of a file name that are no text become escapes that JSON can hold."""
+    return text.encode("utf-8", "backslashreplace")

@@ -1,0 +1,54 @@
+"""``urdfkit rules``."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.rules import Rule, all_rules
+
+
+@click.command("rules")
+@click.option(
+    "--format",
+    "kind",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="A table for people, or JSON with the whole explanations.",
+)
+def command(kind: str) -> int:
+    """List all rules.
+
+    A line has the code, the severity, 'fix' if there is one, the name, and what the rule finds.
+    """
+    output.write((_json if kind == "json" else _text)(all_rules()))
+    return 0
+
+
+def _text(rules: Sequence[Rule]) -> str:
+    longest = max(len(rule.name) for rule in rules)
+    return "".join(
+        f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
+        f"{rule.name:<{longest}}  {rule.explanation.splitlines()[0]}\n"
+        for rule in rules
+    )
+
+
+def _json(rules: Sequence[Rule]) -> str:
+    document = [
+        {
+            "code": rule.code,
+            "name": rule.name,
+            "severity": rule.severity.value,
+            "needs": sorted(need.value for need in rule.needs),
+            "fixable": rule.fixable,
+            "help": rule.help,
+            "explanation": rule.explanation,
+        }
+        for rule in rules
+    ]
+    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"

@@ -1,0 +1,186 @@
+"""For people: every finding with its line of source, at 80 columns or in the log of a CI run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+
+from urdfkit.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
+from urdfkit.document import Step
+from urdfkit.formats._layout import columns, frame, printable, wrap
+from urdfkit.source import Span
+
+#: Calls of one macro, and steps of one way, that are shown.
+MAX_CALLS = 8
+
+_COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
+_STEPS = {"macro": "called by <xacro:{}> at", "include": "included at", "launch": "started at"}
+_GUTTER = 8  # columns before a line of source
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """All findings, then the crashed rules, then the summary."""
+    page = _Page(color, width)
+    blocks = [page.diagnostic(diagnostic) for diagnostic in report.diagnostics]
+    blocks += [page.crash(crash) for crash in report.crashed]
+    if report.diagnostics:
+        blocks.append(f"More about a code: urdfkit explain {report.diagnostics[0].code}\n")
+    return "\n".join(blocks) + summary(report, color=color, width=width)
+
+
+def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """The last line: how much was found, and which rules did not get to look."""
+    page = _Page(color, width)
+    counts = {severity: report.count(severity) for severity in Severity}
+    found = [_many(count, severity.value) for severity, count in counts.items() if count]
+    text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
+    reasons = [f"{_many(n, 'rule')} skipped: {why}" for why, n in _skipped(report).items()]
+    if report.crashed:
+        reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
+    if reasons:
+        text += f" ({'; '.join(reasons)})"
+    text = page.wrap(text, indent=2)
+    for severity, count in counts.items():
+        if count:
+            words = _many(count, severity.value)
+            text = text.replace(words, page.paint(words, _COLORS[severity]), 1)
+    return text + "\n"
+
+
+def _skipped(report: Report) -> dict[str, int]:
+    """How many rules were skipped, by reason."""
+    codes: dict[str, set[str]] = {}
+    for skip in report.skipped:
+        codes.setdefault(skip.reason, set()).add(skip.code)
+    return {reason: len(codes[reason]) for reason in sorted(codes)}
+
+
+def _many(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+class _Page:
+    """Lays out findings for one width, with colours or without."""
+
+    def __init__(self, color: bool, width: int) -> None:
+        self.color = color
+        self.width = max(width, 40)
+        self._paths: dict[str, str] = {}
+
+    def diagnostic(self, diagnostic: Diagnostic) -> str:
+        blocks = [
+            self._head(diagnostic),
+            *self._frame(diagnostic.span, diagnostic.severity),
+            *self._ways(diagnostic),
+            *(self._labelled("note", self._note(related)) for related in diagnostic.related),
+        ]
+        if diagnostic.help:
+            blocks.append(self._labelled("help", diagnostic.help))
+        if diagnostic.fix and diagnostic.fix.title != diagnostic.help:
+            blocks.append(self._labelled("fix", diagnostic.fix.title))
+        return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
+
+    def crash(self, crash: Crashed) -> str:
+        text = (
+            f"{self.path(crash.path)}: {crash.code} failed with {crash.error}. This is a bug of "
+            "urdfkit, not of the robot: please report it, with the file."
+        )
+        return self.wrap(text, indent=4) + "\n"
+
+    def _head(self, diagnostic: Diagnostic) -> str:
+        place, severity = self.place(diagnostic.span), diagnostic.severity
+        message = diagnostic.message
+        if diagnostic.confidence is not Confidence.MEASURED:
+            message += f" ({diagnostic.confidence.value})"
+        used = columns(f"{place}: {severity.value} {diagnostic.code} ")
+        kind = f"{self.paint(severity.value, _COLORS[severity])} {self.paint(diagnostic.code, '1')}"
+        return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
+
+    def _note(self, related: Related) -> str:
+        return f"{self.place(related.span)}: {related.message}"
+
+    def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
+        line, carets = frame(span, self.width - _GUTTER)
+        if line:
+            yield f"{span.line:>5} | {line}"
+            yield f"      | {self.paint(carets, _COLORS[severity])}"
+
+    def _labelled(self, label: str, text: str) -> str:
+        used = 2 + len(f"{label}: ")
+        return f"  {self.paint(f'{label}:', '1')} {self.wrap(text, indent=used, used=used)}"
+
+    def _ways(self, diagnostic: Diagnostic) -> Iterator[str]:
+        """How expansion arrived at the place, from there outwards.
+
+        Steps that all calls share are told once: the inner ones before the calls, the outer
+        ones after them.
+        """
+        ways = [call.via[::-1] for call in diagnostic.calls]
+        if not any(ways):
+            return
+        inner = _shared(ways)
+        own = [way[inner:] for way in ways]
+        outer = _shared([way[::-1] for way in own])
+        yield from self._steps(ways[0][:inner])
+        if len(ways) > 1:
+            what = "calls lead here" if any(own) else "findings here"
+            yield f"  {len(ways)} {what}:"
+            for call, way in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
+                yield self._call(call, way[: len(way) - outer], diagnostic)
+            if len(ways) > MAX_CALLS:
+                yield f"    and {len(ways) - MAX_CALLS} more"
+        yield from self._steps(own[0][len(own[0]) - outer :])
+
+    def _call(self, call: Call, way: Sequence[Step], diagnostic: Diagnostic) -> str:
+        """One of several calls: where it is, and what it says that the finding has not said."""
+        places = [
+            "line {}:{}".format(*step.span.source.position(step.span.start))
+            if step.span.source.path == diagnostic.span.source.path
+            else self.place(step.span)
+            for step in way[:MAX_CALLS]
+        ]
+        text = call.element if call.message == diagnostic.message else call.message
+        where = ", from ".join(places)
+        return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4)
+
+    def _steps(self, way: Sequence[Step]) -> Iterator[str]:
+        for number, step in enumerate(way):
+            if MAX_CALLS <= number < len(way) - 1:  # the outermost is where a person looks
+                if number == MAX_CALLS:
+                    yield f"  ... {_many(len(way) - MAX_CALLS - 1, 'more call')} ..."
+                continue
+            yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
+
+    def place(self, span: Span) -> str:
+        line, column = span.source.position(span.start)
+        return f"{self.path(span.source.path)}:{line}:{column}"
+
+    def path(self, path: str) -> str:
+        """A path as it is, or relative to the current folder where that is shorter."""
+        if path not in self._paths:
+            self._paths[path] = printable(_shorter(path))
+        return self._paths[path]
+
+    def wrap(self, text: str, *, indent: int, used: int = 0) -> str:
+        return wrap(printable(text), self.width, indent=indent, used=used)
+
+    def paint(self, text: str, code: str) -> str:
+        return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
+
+
+def _shorter(path: str) -> str:
+    if not os.path.isabs(path):
+        return path
+    try:
+        relative = os.path.relpath(path)
+    except (OSError, ValueError):  # the current folder is gone; another drive
+        return path
+    return min(relative, path, key=len)
+
+
+def _shared(ways: Sequence[Sequence[Step]]) -> int:
+    """How many first steps all ways share."""
+    shared = min(map(len, ways))
+    while any(way[:shared] != ways[0][:shared] for way in ways):
+        shared -= 1
+    return shared
