@@ -150,6 +150,7 @@ class Attribute:
 
     @property
     def via(self) -> tuple[Step, ...]:
+        """The calls that led to its element."""
         return self.element.via
 
     @property

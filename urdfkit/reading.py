@@ -219,7 +219,8 @@ def syntax_problems(source: Source) -> list[Problem]:
         if entry.type_name.startswith("NS_"):
             continue
         at = source.offset(entry.line, entry.column)
-        problems.append(Problem("XML001", Span(source, at, at), entry.message.strip()))
+        code = "XML006" if entry.type_name == "ERR_DOCUMENT_END" else "XML001"
+        problems.append(Problem(code, Span(source, at, at), entry.message.strip()))
     return problems or [_expat_problem(source)]
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
-from xml.dom import minidom
 from xml.parsers.expat import ExpatError
 
 from urdfkit.document import Document, Frame
@@ -17,6 +17,7 @@ from urdfkit.expand import describe, dom
 from urdfkit.expand.engine import activated, load_xacro
 from urdfkit.expand.errors import root_cause
 from urdfkit.expand.run import Definition, Message, Run
+from urdfkit.expand.usage import Usage, usage
 from urdfkit.reading import Problem, TooMuch, encoding_problems, syntax_problems
 from urdfkit.source import Source, Span
 
@@ -51,10 +52,26 @@ class Xacro:
         self.sources = tuple(run.sources.values())
         self.data_files = tuple(dict.fromkeys(run.data_files))
         self.first_error = first_error
+        self._included = frozenset(run.included)
         self._dom = run.document if first_error is None else None
         self.document: Document | None = None
         if self._dom is not None:
             self.document = dom.to_document(self._dom, self.sources)
+
+    @cached_property
+    def usage(self) -> Usage:
+        """What the files mention, evaluated or not."""
+        return usage(self.sources)
+
+    @property
+    def is_complete(self) -> bool:
+        """True if every include of the files was read, so that nothing else can use a name."""
+        return self.usage.includes <= self._included
+
+    @property
+    def is_library(self) -> bool:
+        """True if the file only defines macros for others."""
+        return self.document is not None and not self.document.root.child("link")
 
     def text(self) -> str:
         """The expanded document as the ``xacro`` command prints it.
@@ -142,14 +159,17 @@ def _structural(run: Run, error: BaseException) -> tuple[list[Problem], dom.Node
     traceback = error.__traceback__
     while traceback is not None and traceback.tb_next is not None:
         traceback = traceback.tb_next
-    node, local = describe.node_in(traceback.tb_frame if traceback else None)
+    node, _ = describe.node_in(traceback.tb_frame if traceback else None)
+    if "*" in run.lost and str(error).startswith("unknown macro name") and node is not None:
+        return [], node
     code, message, help = describe.classify(run, error)
     if code == "XAC013" or node is None or node.parentNode is None:
         at = node.tag_at.span if node is not None else Span(run.source, 0, 0)
         frame = node.frame if node is not None else None
         return [Problem(code, at, message, help, frame)], None
     at = _at(node, message)
-    return [Problem(code, at, message, help, node.frame)], _to_take_out(node)
+    message, notes = describe.with_macro(error, message)
+    return [Problem(code, at, message, help, node.frame, notes)], node
 
 
 def _at(node: dom.Node, message: str) -> Span:
@@ -158,25 +178,17 @@ def _at(node: dom.Node, message: str) -> Span:
     if node.tagName == "xacro:include":
         return spans.get("filename", node.tag_at.span)
     for name in spans:
-        if f'Invalid parameter "{name}"' in message or f"conditional \"{name}\"" in message:
+        if f'Invalid parameter "{name}"' in message or f'conditional "{name}"' in message:
             return spans[name]
     if node.tagName in ("xacro:if", "xacro:unless"):
         return spans.get("value", node.tag_at.span)
     return spans.get("name", node.tag_at.name_span) if "name" in message else node.tag_at.name_span
 
 
-def _to_take_out(node: dom.Node) -> dom.Node | None:
-    parent = node.parentNode
-    return node if isinstance(parent, (dom.Node, minidom.Element)) else None
-
-
 def _names_lost(node: dom.Node) -> set[str]:
-    """Names that may be missing once a tag is taken out; ``*`` stands for any."""
-    if node.tagName == "xacro:include":
-        return {"*"}
+    """Names that lack once a tag is taken out; an include says so itself when its turn comes."""
     if node.tagName in ("xacro:property", "xacro:macro"):
-        name = node.getAttribute("name")
-        return {name} if name else {"*"}
+        return {node.getAttribute("name")}
     return set()
 
 
@@ -191,4 +203,4 @@ def _not_well_formed(run: Run, error: ExpatError) -> tuple[list[Problem], dom.No
     return found, run.including[-1] if run.including else None
 
 
-__all__ = ["Definition", "Message", "Xacro", "expand", "load_xacro", "root_cause", "TooMuch"]
+__all__ = ["Definition", "Message", "TooMuch", "Xacro", "expand", "load_xacro", "root_cause"]

@@ -33,8 +33,10 @@ def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
     while frame is not None:
         local = frame.f_locals
         node = local.get("elt", local.get("node"))
-        if node is not None and hasattr(node, "nodeType") and "_urdfkit_xacro" in str(
-            frame.f_globals.get("__name__")
+        if (
+            node is not None
+            and hasattr(node, "nodeType")
+            and "_urdfkit_xacro" in str(frame.f_globals.get("__name__"))
         ):
             holder = node if isinstance(node, Node) else node.parentNode
             if isinstance(holder, Node):
@@ -54,14 +56,13 @@ def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> P
         definer = table.places.get(key, (None,))[0]
         if isinstance(definer, Node):
             used = _span(node, local, located) if node is not None else None
-            via = definer.frame
             notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
-            at = _span(definer, {}, located)
-            return _make(run, error, located, at, via, notes)
+            made = _made(run, error, located, _span(definer, {}, located))
+            return made._replace(frame=definer.frame, related=notes)
     if node is None:
-        return _make(run, error, located, Span(run.source, 0, 0), None, ())
-    at = _span(node, local, located)
-    return _make(run, error, located, at, node.frame, _definitions(local, located))
+        return _made(run, error, located, Span(run.source, 0, 0))
+    made = _made(run, error, located, _span(node, local, located))
+    return made._replace(frame=node.frame, related=_definitions(local, located))
 
 
 def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]:
@@ -109,13 +110,11 @@ def _inside(span: Span, located: Located) -> Span:
     return Span(span.source, start, start + len(located.token.encode()))
 
 
-def _make(
-    run: Run, error: Exception, located: Located, at: Span, frame: Any, notes: tuple[Related, ...]
-) -> Problem:
+def _made(run: Run, error: Exception, located: Located, at: Span) -> Problem:
     code, message, help = classify(run, error)
-    token = located.token if located.token.startswith("$") else ""
-    where = f" in {token}" if token and code in ("XAC001", "XAC009", "XAC013") else ""
-    return Problem(code, at, message + where, help, frame, notes)
+    if located.token.startswith("$") and code in ("XAC001", "XAC009", "XAC013"):
+        message += f" in {located.token}"
+    return Problem(code, at, message, help)
 
 
 def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
@@ -165,6 +164,17 @@ def _nearest_name(cause: BaseException) -> str:
     if name is None or not isinstance(cause, NameError):
         return ""
     return f"define the property '{name.group(1)}' before its use, or mend its name"
+
+
+def with_macro(error: BaseException, message: str) -> tuple[str, tuple[Related, ...]]:
+    """An error of a call, with the macro's name and the place of its definition."""
+    macros = getattr(error, "macros", [])
+    body = getattr(macros[0], "body", None) if macros else None
+    if not isinstance(body, Node):
+        return message, ()
+    name = body.getAttribute("name")
+    notes = related(body.tag_at.span, f"macro '{name}' is defined here")
+    return f"macro '{name}': {message}", notes
 
 
 def warning(text: str, node: Node) -> Problem:

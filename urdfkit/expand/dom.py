@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 from xml.dom import expatbuilder, minidom
+from xml.parsers import expat
 
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.reading import Problem, TooMuch, entity_problem
@@ -22,7 +23,13 @@ CDATA = minidom.Node.CDATA_SECTION_NODE
 MAX_NODES = 1_000_000
 
 
-class Node(minidom.Element):
+# minidom's stubs describe the DOM, not the attributes that its own code works with.
+_StockElement: Any = minidom.Element
+_StockBuilder: Any = expatbuilder.ExpatBuilderNS
+Dom = Any  #: a ``minidom.Document`` whose elements are Nodes
+
+
+class Node(_StockElement):  # type: ignore[misc]
     """An element of a xacro file.
 
     Attributes:
@@ -90,7 +97,7 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     if node._attrs:
         copy._ensure_attributes()
         for name, attribute in node._attrs.items():
-            twin = minidom.Attr(
+            twin: Any = minidom.Attr(
                 name, attribute.namespaceURI, attribute.localName, attribute.prefix
             )
             twin.ownerDocument = node.ownerDocument
@@ -99,12 +106,10 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
             twin.specified = attribute.specified
             copy._attrs[name] = twin
             copy._attrsNS[twin.namespaceURI, twin.localName] = twin
-    previous = None
+    previous: Any = None
     for child in node.childNodes:
         twin = (
-            _clone(child, frame, keep=keep)
-            if child.nodeType == ELEMENT
-            else child.cloneNode(True)
+            _clone(child, frame, keep=keep) if child.nodeType == ELEMENT else child.cloneNode(True)
         )
         twin.parentNode = copy
         twin.previousSibling = previous
@@ -115,7 +120,7 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     return copy
 
 
-class _Builder(expatbuilder.ExpatBuilderNS):
+class _Builder(_StockBuilder):  # type: ignore[misc]
     """The stock builder, whose elements become Nodes."""
 
     def __init__(self, source: Source, frame: Frame | None, copies: list[int]) -> None:
@@ -152,14 +157,14 @@ class _Builder(expatbuilder.ExpatBuilderNS):
 
     def createParser(self) -> Any:  # noqa: N802
         # Source has settled the encoding; what the declaration says no longer counts.
-        parser = expatbuilder.expat.ParserCreate("utf-8", namespace_separator=" ")
+        parser = expat.ParserCreate("utf-8", namespace_separator=" ")
         parser.namespace_prefixes = True
         return parser
 
 
 def parse(
     source: Source, frame: Frame | None, copies: list[int]
-) -> tuple[minidom.Document, list[Problem], list[Node]]:
+) -> tuple[Dom, list[Problem], list[Node]]:
     """Parse one xacro file.
 
     Returns:
@@ -178,7 +183,7 @@ def parse(
     return document, builder.problems, builder.arguments
 
 
-def to_document(dom: minidom.Document, sources: tuple[Source, ...]) -> Document:
+def to_document(dom: Dom, sources: tuple[Source, ...]) -> Document:
     """The expanded DOM as a Document."""
     root = _to_element(dom.documentElement, None)
     stack = [(dom.documentElement, root)]

@@ -13,6 +13,7 @@ import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
@@ -54,19 +55,16 @@ POISON = Poison()
 
 _codes: dict[tuple[str, bool], CodeType] = {}
 _tokens: dict[str, list[tuple[str, str, int]]] = {}
-_xacro: Any = None
 
 
+@lru_cache(maxsize=1)
 def load_xacro() -> Any:
     """The private copy of xacro, instrumented; loaded at the first call.
 
     Raises:
         UrdfkitError: the xacro on the path is not one of the supported versions.
     """
-    global _xacro
-    if _xacro is None:
-        _xacro = _instrument(_private_copy())
-    return _xacro
+    return _instrument(_private_copy())
 
 
 def _private_copy() -> Any:
@@ -76,7 +74,8 @@ def _private_copy() -> Any:
     private = spec_from_file_location(
         _PRIVATE_NAME, spec.origin, submodule_search_locations=spec.submodule_search_locations
     )
-    assert private is not None and private.loader is not None
+    assert private is not None
+    assert private.loader is not None
     module = module_from_spec(private)
     # xacro's own command line is never used here, and its optparse costs 4 ms.
     command_line = ModuleType(f"{_PRIVATE_NAME}.cli")
@@ -138,6 +137,9 @@ def _instrument(xacro: Any) -> Any:
         return False if value is POISON else stock_boolean(value, condition)
 
     def process_include(elt: Node, macros: Any, symbols: Any, func: Any) -> None:
+        if _Active.run.leaves_out(elt):
+            elt.parentNode.removeChild(elt)
+            return
         _Active.run.including.append(elt)
         stock_include(elt, macros, symbols, func)
         _Active.run.including.pop()
@@ -158,7 +160,7 @@ def _instrument(xacro: Any) -> Any:
     xacro.parse = lambda inp, filename=None: _Active.run.parse(filename)
     xacro.eval_text = eval_text
     xacro.safe_eval = safe_eval
-    xacro.load_yaml = lambda filename: _Active.run.load_yaml(filename)
+    xacro.load_yaml = lambda filename: _Active.run.load_yaml(filename)  # noqa: PLW0108 - late
     xacro.warning = lambda *words, **_: _Active.run.warn(" ".join(map(str, words)))
     xacro.error = lambda *words, **_: _Active.run.say("error", " ".join(map(str, words)))
     xacro.message = lambda *words, **_: _Active.run.say("", " ".join(map(str, words)))
@@ -267,16 +269,17 @@ def _evaluate(run: Run, text: str, symbols: Any) -> Any:
             values.append(token[1:])
         else:
             try:
-                inner = eval_text(token[2:-1], symbols)
-                if kind == "expression":
-                    values.append(_expression(run, inner, symbols))
-                else:
-                    values.append(run.substitute(str(inner), symbols))
-            except Tainted:
-                raise
+                values.append(_value(run, kind, eval_text(token[2:-1], symbols), symbols))
             except Exception as error:
-                run.locate(error, text, offset, token)
-                raise
+                if not isinstance(error, Tainted):
+                    run.locate(text, offset, token)
+                if run.depth > 1:
+                    raise
+                values.append(POISON)
+                if not isinstance(error, Tainted):
+                    run.report(error, text, sys._getframe(2))  # and on to the next one
+    if any(value is POISON for value in values):
+        return POISON
     if len(values) == 1:
         return values[0]
     joined = "".join(map(str, values))
@@ -284,7 +287,11 @@ def _evaluate(run: Run, text: str, symbols: Any) -> Any:
     return joined
 
 
-def _expression(run: Run, text: str, symbols: Any) -> Any:
+def _value(run: Run, kind: str, inner: Any, symbols: Any) -> Any:
+    return _expression(inner, symbols) if kind == "expression" else run.substitute(inner, symbols)
+
+
+def _expression(text: str, symbols: Any) -> Any:
     try:
         return safe_eval(text, symbols)
     except Tainted:

@@ -70,9 +70,7 @@ def compile_expression(text: str, *, trust: bool = False) -> CodeType:
     needs_guard = False
     for node in ast.walk(tree):
         _refuse(node)
-        needs_guard = needs_guard or isinstance(
-            node, (ast.BinOp, ast.comprehension, ast.Call)
-        )
+        needs_guard = needs_guard or isinstance(node, (ast.BinOp, ast.comprehension, ast.Call))
     if not needs_guard:
         return compile(text, "<expression>", "eval")
     guarded = ast.fix_missing_locations(_Guard().visit(tree))
@@ -95,15 +93,15 @@ def _refuse(node: ast.AST) -> None:
 class _Guard(ast.NodeTransformer):
     """Replaces what may grow without bound by calls of the functions below."""
 
-    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:  # noqa: N802 - ast's name
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
         guard = _GUARDED_OPERATORS.get(type(node.op))
-        if guard is None or _is_small(node.left) or _is_small(node.right):
-            if not isinstance(node.op, (ast.Pow, ast.LShift, ast.Mod)):
-                return node
-        return _call(guard, [node.left, node.right]) if guard else node
+        harmless = isinstance(node.op, ast.Mult) and (_is_small(node.left) or _is_small(node.right))
+        if guard is None or harmless:
+            return node
+        return _call(guard, [node.left, node.right])
 
-    def visit_Call(self, node: ast.Call) -> ast.AST:  # noqa: N802
+    def visit_Call(self, node: ast.Call) -> ast.AST:
         self.generic_visit(node)
         function = node.func
         if isinstance(function, ast.Attribute) and function.attr in _GUARDED_METHODS:

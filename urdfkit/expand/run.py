@@ -7,12 +7,11 @@ import sys
 import time
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
-from xml.dom import minidom
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
 from urdfkit.expand import describe, dom
-from urdfkit.expand.dom import Node
+from urdfkit.expand.dom import Dom, Node
 from urdfkit.expand.engine import load_xacro
 from urdfkit.expand.errors import EscapesRoots, MissingArgument, root_cause
 from urdfkit.expand.expressions import MAX_LENGTH, TooLarge
@@ -70,6 +69,7 @@ class Run:
         messages: of xacro and of the model, in order.
         sources: the xacro files by path, the checked one first.
         data_files: YAML files that were read.
+        included: places of the include tags that were carried out, as (path, offset).
         declared: every ``xacro:arg`` of the files, evaluated or not.
         first_error: text of the first error, as stock xacro words it.
     """
@@ -91,16 +91,17 @@ class Run:
         self.trust = trust
         self.root_dir = root_dir
         self.without = without
-        self.lost = lost
+        self.lost = set(lost)
         self.problems: list[Problem] = []
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
         self.messages: list[Message] = []
         self.sources: dict[str, Source] = {source.path: source}
+        self.included: set[tuple[str, int]] = set()
         self.data_files: list[str] = []
         self.first_error: str | None = None
         self.declared: list[Definition] = []
-        self.document: minidom.Document | None = None
+        self.document: Dom | None = None
         # What the instrumented engine is doing at the moment.
         self.depth = 0
         self.resolving: list[tuple[Any, str]] = []
@@ -113,12 +114,13 @@ class Run:
 
     # ------------------------------------------------------------------ files
 
-    def parse(self, filename: str) -> minidom.Document:
+    def parse(self, filename: str) -> Dom:
         """A file as DOM; the counterpart of ``xacro.parse``."""
         include = self.including[-1] if self.including else None
         if include is None:
             frame, source = None, self.source
         else:
+            self.included.add((include.tag_at.source.path, include.tag_at.start))
             frame = Frame("include", filename, include.tag_at, None, include.frame)
             source = self._read(filename)
         try:
@@ -135,17 +137,30 @@ class Run:
             self.document = document
         return document
 
-    def _drop_reported(self, document: minidom.Document) -> None:
-        """Take out the tags that failed in an earlier run and were reported."""
+    def _drop_reported(self, document: Dom) -> None:
+        """Take out the tags that failed in an earlier run and were reported.
+
+        An include stays until its turn comes: what precedes it cannot suffer from its lack.
+        """
         if not self.without:
             return
         stack: list[Any] = [document.documentElement]
         while stack:
             node = stack.pop()
-            if (node.tag_at.source.path, node.tag_at.start) in self.without:
+            if self._is_reported(node) and node.tagName != "xacro:include":
                 node.parentNode.removeChild(node)
             else:
                 stack.extend(child for child in node.childNodes if isinstance(child, Node))
+
+    def _is_reported(self, node: Node) -> bool:
+        return (node.tag_at.source.path, node.tag_at.start) in self.without
+
+    def leaves_out(self, include: Node) -> bool:
+        """True for an include that failed in an earlier run; from here on anything may lack."""
+        if self._is_reported(include):
+            self.lost.add("*")
+            return True
+        return False
 
     def _read(self, filename: str) -> Source:
         path = os.path.join(self.root_dir, filename)
@@ -305,7 +320,7 @@ class Run:
 
     # ----------------------------------------------------------------- errors
 
-    def locate(self, error: Exception, text: str, offset: int, token: str) -> None:
+    def locate(self, text: str, offset: int, token: str) -> None:
         """Note where an error arose; the innermost property and its outermost text count."""
         here = Located(text, offset, token, tuple(self.resolving))
         before = self._location

@@ -72,9 +72,7 @@ def substitute(content: str, context: Context) -> str:
         return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
     if command == "dirname":
         return os.path.abspath(context.folder)
-    raise SubstitutionError(
-        f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}"
-    )
+    raise SubstitutionError(f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}")
 
 
 def _only(command: str, arguments: list[str]) -> str:

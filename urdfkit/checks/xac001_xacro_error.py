@@ -1,0 +1,41 @@
+"""xacro cannot expand the file.
+
+A property that is not defined, a macro that is not there or is called with other parameters than
+it has, an include that does not exist, an expression that Python cannot evaluate. xacro stops at
+the first of them and names no line; here all are listed, each at its expression. Where the
+expression is in a property, the place is the property's definition, with its use beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="${prefix}base"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="prefix" value="left_"/>
+  <link name="${prefix}base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC001",
+    "xacro-error",
+    Severity.ERROR,
+    needs=(),
+    help="mend the expression or the call; the related places show what it refers to",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC001")

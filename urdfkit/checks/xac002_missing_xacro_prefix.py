@@ -1,0 +1,47 @@
+"""A macro is called without the `xacro:` prefix.
+
+xacro leaves the element as it is and says nothing. The links of the macro are then missing, and
+the next program reports an unknown parent link, or nothing at all. Write `<xacro:name .../>`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit import schema
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="arm" params="side"><link name="${side}_arm"/></xacro:macro>
+  <link name="base"/>
+  <arm side="left"/>
+</robot>
+"""
+GOOD = BAD.replace("<arm", "<xacro:arm")
+
+#: xacro's own tags; without their prefix they do nothing since ROS Jade.
+_OWN_TAGS = frozenset("include property macro insert_block arg unless".split())
+
+
+@rule(
+    "XAC002",
+    "missing-xacro-prefix",
+    Severity.ERROR,
+    needs=(Need.XACRO,),
+    help="write the tag with the prefix, as <xacro:...>",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    macros = {macro.name for macro in subject.xacro.macros}
+    for element in subject.document.root.children:
+        if element.tag in schema.ROBOT.children:
+            continue
+        if element.tag in macros:
+            yield Finding(element, f"<{element.tag}> is a macro, called without its prefix")
+        elif element.tag in _OWN_TAGS:
+            yield Finding(element, f"<{element.tag}> is a tag of xacro, without its prefix")

@@ -1,0 +1,43 @@
+"""A plain URDF holds an expression that only xacro understands.
+
+`${...}` and `$(...)` are xacro's. In a plain URDF nobody replaces them: numbers become unreadable
+and names keep the text as it stands. The file is a xacro without saying so, or was saved before it
+was expanded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<link name="base"/>\n<link name="${side}_arm"/>'
+GOOD = '<link name="base"/>\n<link name="left_arm"/>'
+
+
+@rule(
+    "XAC003",
+    "unexpanded-expression",
+    Severity.ERROR,
+    help="expand the file with xacro first; a xacro declares "
+    'xmlns:xacro="http://www.ros.org/wiki/xacro"',
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    data = subject.source.data
+    if subject.reading.xacro or (b"${" not in data and b"$(" not in data):
+        return
+    for element in subject.document.root.walk():
+        for attribute in element.attributes.values():
+            if _is_expression(attribute.value):
+                yield Finding(attribute, f'{attribute.name}="{attribute.value}" is not expanded')
+        if not element.children and _is_expression(element.text):
+            yield Finding(element, f"<{element.tag}>{element.text.strip()} is not expanded")
+
+
+def _is_expression(text: str) -> bool:
+    return "${" in text or "$(" in text

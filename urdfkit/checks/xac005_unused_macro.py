@@ -1,0 +1,55 @@
+"""A macro is defined and never called.
+
+It may be left over. A macro of a library that other files include is no finding: the package is
+searched for files that include this one.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.includes import is_included
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="arm" params="side"><link name="${side}_arm"/></xacro:macro>
+  <link name="base"/>
+</robot>
+"""
+GOOD = BAD.replace("</robot>", '  <xacro:arm side="left"/>\n</robot>')
+
+
+@rule(
+    "XAC005",
+    "unused-macro",
+    Severity.INFO,
+    needs=(Need.XACRO, Need.FILES),
+    help="delete it, or call it with <xacro:...>",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    xacro = subject.xacro
+    if xacro.is_library or not xacro.is_complete or "call" in xacro.usage.calls:
+        return
+    unused = [
+        macro
+        for macro in xacro.macros
+        if macro.tag.source is subject.source and macro.name not in xacro.usage.calls
+    ]
+    if unused and not is_included(subject.source.path, _package(subject)):
+        for macro in unused:
+            place = Written(macro.tag.span, macro.frame)
+            yield Finding(place, f"macro '{macro.name}' is never called")
+
+
+def _package(subject: Subject) -> str:
+    """The folder of the package that holds the file, else the file's own folder."""
+    path = subject.source.path
+    package = subject.resolver.packages.enclosing(path)
+    return package[1] if package else os.path.dirname(os.path.abspath(path))

@@ -1,0 +1,58 @@
+"""A property repeats the constant pi, with fewer digits.
+
+Expressions have `pi` built in, exact to the last bit. A wheel that is turned by an own pi of eight
+digits is off by a few nanometres, which does no harm until somebody compares two frames; an own
+3.14 is off by a millimetre at one metre. Write `${pi}`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import pi
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Edit, Fix, Severity
+from urdfkit.model import number
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="PI" value="3.1415926"/>
+  <link name="base_${PI}"/>
+</robot>
+"""
+FIXED = BAD.replace("3.1415926", "${pi}")
+GOOD = BAD.replace('"PI" value="3.1415926"', '"width" value="3.2"')
+
+#: So near to pi that no other meaning is likely, whatever the name.
+_CERTAIN = 1e-4
+#: So near that it is meant as pi if the name says so.
+_NAMED = 2e-2
+
+
+@rule(
+    "XAC007",
+    "own-pi",
+    Severity.INFO,
+    needs=(Need.XACRO,),
+    help="write ${pi}, which expressions know",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for definition in subject.xacro.properties:
+        value = number(definition.attributes.get("value"))
+        if value is None or value == pi:
+            continue
+        named = re.search(r"(?i)(^|_|\b)m?_?pi($|_)", definition.name) is not None
+        if abs(value - pi) < (_NAMED if named else _CERTAIN):
+            span = definition.tag.attribute_spans()["value"]
+            yield Finding(
+                Written(definition.tag.span, definition.frame),
+                f"property '{definition.name}' is {value}, {abs(value - pi):.1e} off the "
+                "built-in pi",
+                fix=Fix("use the built-in pi", (Edit(span, "${pi}"),)),
+            )

@@ -1,0 +1,36 @@
+"""A property is defined twice in the same block before its first value is used.
+
+The first definition has no effect, so one of the two is left over or was meant to have another
+name. A conditional default (`<xacro:if>`) and a property that is used in between are no findings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="width" value="0.3"/>
+  <xacro:property name="width" value="0.4"/>
+  <link name="base_${width}"/>
+</robot>
+"""
+GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
+
+
+@rule(
+    "XAC008",
+    "redefined-property",
+    Severity.WARNING,
+    needs=(),
+    help="delete one of the two, or use default= where a value may already be given",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC008")

@@ -1,0 +1,39 @@
+"""The model needs an argument that was not given and has no default.
+
+xacro stops with "Undefined substitution argument". Give it on the command line as `name:=value`,
+or give the `<xacro:arg>` a default, so that the model can be looked at on its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="$(arg prefix)base"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="prefix" default=""/>
+  <link name="$(arg prefix)base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC010",
+    "argument-without-value",
+    Severity.ERROR,
+    needs=(),
+    help="pass it as name:=value, or give the <xacro:arg> a default",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC010")

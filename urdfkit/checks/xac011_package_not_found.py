@@ -1,0 +1,39 @@
+"""A ROS package that the xacro needs was not found.
+
+The expansion cannot go on without it. That the package is not on this machine does not mean that
+the model is wrong: the message lists what was searched. Name the folder, put the package into the
+workspace, or source the ROS installation that has it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="$(find no_such_package)/urdf/arm.xacro"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC011",
+    "package-not-found",
+    Severity.ERROR,
+    needs=(),
+    help="name its folder with --package NAME=DIR, or add the package to the workspace",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC011")

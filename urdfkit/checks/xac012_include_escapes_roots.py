@@ -1,0 +1,38 @@
+"""A file outside the workspace and the packages is included or loaded.
+
+A model from somebody else could read any file of this machine that way, and a model that reaches
+outside its package does not work anywhere else either.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="/etc/hostname"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC012",
+    "include-escapes-roots",
+    Severity.ERROR,
+    needs=(),
+    help="move the file into a package, or add --trust if you trust the model's author",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC012")

@@ -1,0 +1,43 @@
+"""The expansion needs more than any robot does.
+
+Macros that call themselves, includes in a circle, a number with a million digits: bounds on depth,
+number of elements, size of values and time stop them, so that a hostile or broken file cannot
+hang the machine that checks it. The largest public robot stays a hundred times below.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="again" params="n"><xacro:again n="${n + 1}"/></xacro:macro>
+  <xacro:again n="0"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="again" params="n">
+    <xacro:if value="${n &lt; 3}"><xacro:again n="${n + 1}"/></xacro:if>
+  </xacro:macro>
+  <xacro:again n="0"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC013",
+    "budget-exceeded",
+    Severity.ERROR,
+    needs=(),
+    help="look for a macro, an include or a property that refers to itself",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC013")

@@ -1,0 +1,36 @@
+"""xacro itself warns of this element.
+
+An attribute that the xacro tag does not know, an include whose pattern matches no file, or a
+warning that the model's author wrote with `xacro.warning()`. xacro goes on, and the line is easily
+lost in the output of a launch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="a" value="1" unit="m"/>
+  <link name="l${a}"/>
+</robot>
+"""
+GOOD = BAD.replace(' unit="m"', "")
+
+
+@rule(
+    "XAC017",
+    "xacro-warning",
+    Severity.WARNING,
+    needs=(),
+    help="see the message; xacro ignores what it does not know",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC017")

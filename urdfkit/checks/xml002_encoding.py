@@ -1,0 +1,31 @@
+"""A byte of the file is not text in the encoding that the file declares.
+
+xacro stops with a UnicodeDecodeError, and strict XML readers refuse the file. It happens when an
+editor on Windows saves a comment as GBK, Latin-1 or CP-1252 while the file says UTF-8, which is
+also what XML assumes where nothing is declared. Save the file as UTF-8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = b'<robot name="r"><!-- gr\xf6\xdfe --><link name="a"/></robot>'
+GOOD = BAD.decode("latin-1").encode()
+
+
+@rule(
+    "XML002",
+    "encoding",
+    Severity.ERROR,
+    needs=(),
+    help="save the file as UTF-8, or declare its real encoding in the first line",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XML002")

@@ -1,0 +1,35 @@
+"""The file declares XML entities.
+
+No robot needs them, and they are the usual way to make a small file fill the memory of whoever
+reads it or to pull in other files. urdfdom knows none and leaves the references as they are, so
+the same file means different things to different readers. Write the text out, or use a xacro
+property.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<!DOCTYPE robot [<!ENTITY base "base_link">]>
+<robot name="r"><link name="&base;"/></robot>
+"""
+GOOD = '<robot name="r"><link name="base_link"/></robot>'
+
+
+@rule(
+    "XML003",
+    "entity-declaration",
+    Severity.WARNING,
+    needs=(),
+    help="write the text out, or use an <xacro:property>",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XML003")

@@ -1,0 +1,35 @@
+"""A xacro file uses a prefix that it does not declare.
+
+xacro reads XML with name spaces and stops with "unbound prefix". Mostly the root element of an
+included file lacks its `xmlns:xacro`. Declare the prefix on the root element.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="a" value="1"/>
+  <gz:link name="b"/>
+</robot>
+"""
+GOOD = BAD.replace("gz:", "")
+
+
+@rule(
+    "XML004",
+    "namespace-unbound",
+    Severity.ERROR,
+    needs=(),
+    help='declare it on the root element, such as xmlns:xacro="http://www.ros.org/wiki/xacro"',
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XML004")

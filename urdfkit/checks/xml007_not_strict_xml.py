@@ -1,0 +1,31 @@
+"""The file is no strict XML, though urdfdom reads it.
+
+urdfdom (and with it robot_state_publisher and Pinocchio) forgives text before the XML
+declaration, a version other than 1.0 and undeclared prefixes. Python's readers, xacro, yourdfpy,
+browsers and newer releases of urdfdom do not: the robot works here and fails there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
+GOOD = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
+
+
+@rule(
+    "XML007",
+    "not-strict-xml",
+    Severity.WARNING,
+    needs=(),
+    help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XML007")

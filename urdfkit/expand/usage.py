@@ -1,0 +1,51 @@
+"""Which names the expressions of xacro files mention, whether or not they were evaluated."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from urdfkit.source import Source
+
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_EXPRESSION = re.compile(rb"\$\{([^}]*)\}|\$\(([^)]*)\)")
+_WORD = re.compile(rb"[A-Za-z_]\w*")
+_FORWARDED = re.compile(rb"(\w+)\s*:?=\s*\^")
+_INSERTED = re.compile(rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)""")
+_CALL = re.compile(rb"<xacro:([\w.]+)")
+_INCLUDE = re.compile(rb"<xacro:include\b")
+
+
+class Usage(NamedTuple):
+    """What the files mention.
+
+    Attributes:
+        names: every word in an expression, forwarded parameters and inserted blocks.
+        calls: the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call.
+        includes: places of the include tags, as (path, offset).
+    """
+
+    names: frozenset[str]
+    calls: frozenset[str]
+    includes: frozenset[tuple[str, int]]
+
+
+def usage(sources: Iterable[Source]) -> Usage:
+    """What some xacro files mention outside comments."""
+    names: set[bytes] = set()
+    calls: set[bytes] = set()
+    includes: set[tuple[str, int]] = set()
+    for source in sources:
+        data = _COMMENT.sub(lambda match: b" " * len(match.group()), source.data)
+        for expression in _EXPRESSION.findall(data):
+            names.update(_WORD.findall(b" ".join(expression)))
+        names.update(_FORWARDED.findall(data))
+        names.update(_INSERTED.findall(data))
+        calls.update(tag.rpartition(b".")[2] for tag in _CALL.findall(data))
+        includes.update((source.path, match.start()) for match in _INCLUDE.finditer(data))
+    return Usage(
+        frozenset(name.decode() for name in names),
+        frozenset(call.decode() for call in calls),
+        frozenset(includes),
+    )
