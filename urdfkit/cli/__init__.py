@@ -14,6 +14,7 @@ Results go to standard output, everything else to standard error.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -28,6 +29,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: without the name of the program; those of the process if None.
     """
     words = sys.argv[1:] if arguments is None else list(arguments)
+    # Reading a robot makes many objects that all stay: to look for garbage among them is vain.
+    gc.set_threshold(100_000)
     try:
         return _run(words)
     except UrdfkitError as error:

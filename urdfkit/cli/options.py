@@ -8,9 +8,10 @@ both give the same values. Commands that are typed by hand now and then use clic
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from urdfkit import formats
 from urdfkit.errors import UrdfkitError
 
 
@@ -86,111 +87,65 @@ class UsageError(UrdfkitError):
     """The command line asks for something that cannot be."""
 
 
-class Output(NamedTuple):
-    """A format, and the file it is for; None is standard output."""
-
-    format: str
-    file: str | None
-
-
-class CheckOptions(NamedTuple):
-    """What ``urdfkit check`` is asked to do."""
-
-    files: tuple[str, ...]
-    arguments: Mapping[str, str]
-    packages: Mapping[str, str]
-    outputs: tuple[Output, ...]
-    select: tuple[str, ...]
-    ignore: tuple[str, ...]
-    fail_on: str
-    exit_zero: bool
-    trust: bool
-    color: str
-    stdin_filename: str
-
-    @classmethod
-    def read(cls, values: Mapping[str, Any]) -> CheckOptions:
-        """What the values of a command line mean.
-
-        Raises:
-            UsageError: one of them means nothing.
-        """
-        files = [word for word in values[FILES] if ":=" not in word]
-        return cls(
-            _files(files),
-            _arguments(word for word in values[FILES] if ":=" in word),
-            _packages(values["package"]),
-            _outputs(values["format"], values["statistics"]),
-            _codes(values["select"]),
-            _codes(values["ignore"]),
-            values["fail_on"],
-            values["exit_zero"],
-            values["trust"],
-            values["color"],
-            values["stdin_filename"] or "<stdin>",
-        )
-
-
-def _files(files: list[str]) -> tuple[str, ...]:
-    if not files:
+def files(values: Mapping[str, Any]) -> list[str]:
+    """The files to check, as typed; '-' is standard input."""
+    found = [word for word in values[FILES] if ":=" not in word]
+    if not found:
         raise UsageError("no file to check; name a URDF or xacro file, or '-' for standard input")
-    if files.count("-") > 1:
-        raise UsageError("'-' stands for standard input, which can be read once only")
-    for file in files:
+    if found.count("-") > 1:
+        raise UsageError("'-' stands for standard input, which can be read only once")
+    for file in found:
         name, equals, value = file.partition("=")
         if equals and not os.path.exists(file):
             raise UsageError(
                 f"{file}: there is no such file; a xacro argument is written {name}:={value}"
             )
-    return tuple(files)
+    return found
 
 
-def _arguments(words: Iterable[str]) -> dict[str, str]:
-    arguments = {}
-    for word in words:
-        name, _, value = word.partition(":=")
-        if not name:
-            raise UsageError(f"'{word}' has no name before ':='")
-        arguments[name] = value
-    return arguments
+def arguments(values: Mapping[str, Any]) -> dict[str, str]:
+    """The arguments for xacro; the last of a name wins."""
+    found = {}
+    for word in values[FILES]:
+        name, is_argument, value = word.partition(":=")
+        if is_argument:
+            if not name:
+                raise UsageError(f"'{word}' has no name before ':='")
+            found[name] = value
+    return found
 
 
-def _packages(words: Iterable[str]) -> dict[str, str]:
-    packages = {}
-    for word in words:
+def packages(values: Mapping[str, Any]) -> dict[str, str]:
+    """The folders of packages."""
+    found = {}
+    for word in values["package"]:
         name, equals, folder = word.partition("=")
         if not (name and equals):
             raise UsageError(f"--package {word}: write the name of the package, '=' and its folder")
         if not os.path.isdir(folder):
             raise UsageError(f"--package {word}: there is no folder '{folder}'")
-        packages[name] = folder
-    return packages
+        found[name] = folder
+    return found
 
 
-def _codes(lists: Iterable[str]) -> tuple[str, ...]:
-    words = (word.strip() for words in lists for word in words.split(","))
-    return tuple(word for word in words if word)
+def codes(values: Mapping[str, Any], key: str) -> list[str]:
+    """The words of the comma lists of ``--select`` or ``--ignore``."""
+    return [word.strip() for words in values[key] for word in words.split(",") if word.strip()]
 
 
-def _outputs(words: Iterable[str], statistics: bool) -> tuple[Output, ...]:
-    """The reports that are asked for; statistics take the place of the text for people."""
-    from urdfkit import formats
-
-    outputs = []
-    for word in words or ("text",):
+def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """The formats, each with the file it is for; an empty name is standard output."""
+    found: list[tuple[str, str]] = []
+    for word in values["format"] or ("text",):
         name, colon, file = word.partition(":")
         if name not in formats.names():
-            raise UsageError(
-                f"--format {word}: there is no format '{name}', only {', '.join(formats.names())}"
-            )
+            known = ", ".join(formats.names())
+            raise UsageError(f"--format {word}: there is no format '{name}', only {known}")
         if colon and not file:
             raise UsageError(f"--format {word}: write the name of a file after the colon")
-        outputs.append(
-            Output("statistics" if statistics and name == "text" else name, file or None)
-        )
-    destinations = [output.file for output in outputs]
-    for destination in destinations:
-        if destinations.count(destination) > 1:
-            where = destination or "standard output"
+        if file in (other for _, other in found):
+            where = file or "standard output"
             raise UsageError(f"two formats for {where}; give one of them a file, as NAME:FILE")
-    return tuple(outputs)
+        # Statistics take the place of the text for people; JSON has the counts anyway.
+        found.append(("statistics" if name == "text" and values["statistics"] else name, file))
+    return found

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfkit.source import Span
 
 #: A tab in a frame, where its true width cannot be known.
 _TAB = "    "
+#: What is shown for one character, the columns that it takes, and whether a caret is below.
+_Cell = tuple[str, int, bool]
 #: Stands for what was cut off.
 _CUT = "..."
 
@@ -87,14 +87,6 @@ def frame(span: Span, width: int) -> tuple[str, str]:
     return _cut(cells, width)
 
 
-class _Cell(NamedTuple):
-    """What is shown for one character, and its columns."""
-
-    text: str
-    size: int
-    marked: bool
-
-
 def _last_line(data: bytes) -> bytes:
     return data[max(data.rfind(b"\n"), data.rfind(b"\r")) + 1 :]
 
@@ -109,26 +101,26 @@ def _text(data: bytes) -> str:
 
 def _cells(text: str, *, marked: bool) -> list[_Cell]:
     shown = (_TAB if char == "\t" else _printable(char) for char in text)
-    return [_Cell(cell, columns(cell), marked) for cell in shown]
+    return [(cell, columns(cell), marked) for cell in shown]
 
 
 def _cut(cells: list[_Cell], width: int) -> tuple[str, str]:
     """The piece of a line that shows its marked cells, and the carets."""
-    total = sum(cell.size for cell in cells)
+    total = sum(size for _, size, _ in cells)
     begin, end = 0, total
     if total > width:
-        first = next(number for number, cell in enumerate(cells) if cell.marked)
-        left = sum(cell.size for cell in cells[:first])
-        marked = sum(cell.size for cell in cells if cell.marked)
+        first = next(number for number, (_, _, mark) in enumerate(cells) if mark)
+        left = sum(size for _, size, _ in cells[:first])
+        marked = sum(size for _, size, mark in cells if mark)
         # The carets in the middle; of a long span, the beginning and something before it.
         spare = max(width - marked, width // 4)
         begin = min(max(0, left - spare // 2), total - width)
         end = begin + width
     cut_left, cut_right = _CUT * (begin > 0), _CUT * (end < total)
     line, carets, column = cut_left, " " * len(cut_left), 0
-    for cell in cells:
-        if begin + len(cut_left) <= column and column + cell.size <= end - len(cut_right):
-            line += cell.text
-            carets += ("^" if cell.marked else " ") * cell.size
-        column += cell.size
+    for text, size, mark in cells:
+        if begin + len(cut_left) <= column and column + size <= end - len(cut_right):
+            line += text
+            carets += ("^" if mark else " ") * size
+        column += size
     return (line + cut_right).rstrip(), carets.rstrip()
