@@ -12,11 +12,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
-from urdfkit.document import Document, Frame
+from urdfkit.document import Attribute, Document, Frame
 from urdfkit.expand import describe, dom
 from urdfkit.expand.engine import activated, load_xacro
 from urdfkit.expand.errors import root_cause
 from urdfkit.expand.run import Definition, Message, Run
+from urdfkit.expand.trace import Origin, inputs_of
 from urdfkit.expand.usage import Usage, usage
 from urdfkit.reading import Problem, TooMuch, encoding_problems, syntax_problems
 from urdfkit.source import Source, Span
@@ -73,6 +74,11 @@ class Xacro:
         """True if the file only defines macros for others."""
         return self.document is not None and not self.document.root.child("link")
 
+    def inputs(self, attribute: Attribute) -> tuple[Origin, ...]:
+        """The names that the expression of an attribute looked up, if the run was traced."""
+        assert self._dom is not None
+        return inputs_of(self._dom, attribute.element, attribute.name)
+
     def text(self) -> str:
         """The expanded document as the ``xacro`` command prints it.
 
@@ -91,6 +97,7 @@ def expand(
     *,
     trust: bool = False,
     root_dir: str = os.curdir,
+    traced: bool = False,
 ) -> Xacro:
     """Expand a xacro file.
 
@@ -103,11 +110,13 @@ def expand(
         arguments: values of ``xacro:arg`` by name.
         trust: run expressions unfenced, read any file and variable.
         root_dir: relative paths of the command line start there.
+        traced: note where every value comes from, for ``Xacro.inputs``; slower.
     """
     collecting = gc.isenabled()
     gc.disable()  # the trees are large and live until the end
     try:
-        return _expand(source, resolver, dict(arguments or {}), trust=trust, root_dir=root_dir)
+        options = {"trust": trust, "root_dir": root_dir, "traced": traced}
+        return _expand(source, resolver, dict(arguments or {}), **options)
     finally:
         if collecting:
             gc.enable()

@@ -53,7 +53,7 @@ def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> P
     node, local = node_in(frame)
     if located.resolving:
         table, key = located.resolving[-1]
-        definer = table.places.get(key, (None,))[0]
+        definer = _places(table).get(key, (None,))[0]
         if isinstance(definer, Node):
             used = _span(node, local, located) if node is not None else None
             notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
@@ -71,15 +71,21 @@ def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]
     table = local.get("symbols", local.get("table"))
     for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
         scope = table
-        while scope is not None and hasattr(scope, "places"):
-            if name in scope.places:
-                definer = scope.places[name][0]
+        while scope is not None:
+            if name in _places(scope):
+                definer = _places(scope)[name][0]
                 span = definer.tag_at.span
                 if definer.tagName == "xacro:property":
                     found.append(Related(span, f"'{name}' is defined here"))
                 break
-            scope = getattr(scope, "parent", None)
+            scope = getattr(scope, "__dict__", {}).get("parent")
     return tuple(found)
+
+
+def _places(table: Any) -> dict[str, Any]:
+    """Who defined the names of a table; not by getattr, which a name space answers itself."""
+    places: dict[str, Any] = getattr(table, "__dict__", {}).get("places", {})
+    return places
 
 
 def _span(node: Node, local: dict[str, Any], located: Located) -> Span:

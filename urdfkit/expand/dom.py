@@ -7,13 +7,16 @@ xacro rewrites a ``minidom`` tree in place and copies pieces of it with ``cloneN
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.dom import expatbuilder, minidom
 from xml.parsers import expat
 
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.reading import Problem, TooMuch, entity_problem
 from urdfkit.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.expand.trace import Origin
 
 ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE
@@ -37,6 +40,7 @@ class Node(_StockElement):  # type: ignore[misc]
         raw: names and values of its attributes as written, alternating.
         frame: the innermost macro call or include that led here.
         given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
+        traces: what the expressions of its attributes looked up, if the run is traced.
         copies: the count of copied nodes that the whole expansion shares.
     """
 
@@ -44,6 +48,7 @@ class Node(_StockElement):  # type: ignore[misc]
     raw: list[str]
     frame: Frame | None
     given: dict[str, Tag] | None
+    traces: dict[str, tuple[Origin, ...]] | None
     copies: list[int]
 
     def cloneNode(self, deep: bool) -> Any:  # noqa: N802 - the name of the DOM
@@ -92,7 +97,7 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     copy = Node(node.tagName, node.namespaceURI, node.prefix)
     copy.ownerDocument = node.ownerDocument
     copy.tag_at, copy.raw, copy.copies = node.tag_at, node.raw, node.copies
-    copy.given = node.given
+    copy.given, copy.traces = node.given, node.traces
     copy.frame = node.frame if keep else frame
     if node._attrs:
         copy._ensure_attributes()
@@ -138,7 +143,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.__class__ = Node
         start = self._parser.CurrentByteIndex
         node.tag_at = Tag(self._source, start, start)
-        node.raw, node.frame, node.given = raw, self._frame, None
+        node.raw, node.frame = raw, self._frame
+        node.given = node.traces = None
         node.copies = self._copies
         if node.tagName == "xacro:arg":
             self.arguments.append(node)
@@ -173,6 +179,7 @@ def parse(
     Args:
         source: the file.
         frame: the include that asks for it; None for the checked file.
+        traces: what the expressions of its attributes looked up, if the run is traced.
         copies: the count of nodes that the expansion shares.
 
     Raises:

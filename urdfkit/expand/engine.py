@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
@@ -79,7 +79,7 @@ def _private_copy() -> Any:
     module = module_from_spec(private)
     # xacro's own command line is never used here, and its optparse costs 4 ms.
     command_line = ModuleType(f"{_PRIVATE_NAME}.cli")
-    command_line.process_args = None  # type: ignore[attr-defined]
+    vars(command_line)["process_args"] = None
     sys.modules[command_line.__name__] = command_line
     sys.modules[_PRIVATE_NAME] = module
     stock_writexml = minidom.Element.writexml
@@ -166,11 +166,23 @@ def _instrument(xacro: Any) -> Any:
     xacro.message = lambda *words, **_: _Active.run.say("", " ".join(map(str, words)))
     for shown in ("warning", "error", "message"):
         getattr(xacro, shown).__name__ = shown  # the names under which models call them
+    xacro.YamlListWrapper.wrap = staticmethod(_noting(xacro.YamlListWrapper.wrap))
     xacro.print_location = lambda: None
     xacro.print_location.__name__ = "print_location"
     xacro.Table._resolve_ = _resolve
     xacro.Table._setitem = _setitem
     return xacro
+
+
+def _noting(wrap: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """xacro's access to YAML values, which also tells the tracer."""
+
+    def noting(item: Any) -> Any:
+        if _Active.run.tracer is not None:
+            _Active.run.tracer.yaml_value(item)
+        return wrap(item)
+
+    return noting
 
 
 def _setitem(table: Any, key: str, value: Any, unevaluated: bool) -> None:
@@ -181,6 +193,8 @@ def _setitem(table: Any, key: str, value: Any, unevaluated: bool) -> None:
     frame = sys._getframe(1)
     definer = frame.f_locals.get("elt") or frame.f_locals.get("node")
     run.note_definition(table, key, definer)
+    if run.tracer is not None and not unevaluated:
+        run.tracer.defined(table, key)
     value = POISON if value is POISON else table._eval_literal(value)
     dict.__setitem__(table, key, value)
     if unevaluated and isinstance(value, str):
@@ -209,9 +223,13 @@ def _resolve(table: Any, key: str) -> Any:
             run.resolving.pop()
         dict.__setitem__(table, key, value)
         table.unevaluated.remove(key)
+        if run.tracer is not None:
+            run.tracer.defined(table, key)
     value = dict.__getitem__(table, key)
     if value is POISON:
         raise Tainted(key)
+    if run.tracer is not None:
+        run.tracer.looked_up(table, key, value)
     return value
 
 
@@ -245,6 +263,8 @@ def eval_text(text: str, symbols: Any) -> Any:
         return text
     run = _Active.run
     run.depth += 1
+    if run.tracer is not None:
+        run.tracer.begin()
     try:
         return _evaluate(run, text, symbols)
     except Tainted:
@@ -258,6 +278,8 @@ def eval_text(text: str, symbols: Any) -> Any:
         return POISON
     finally:
         run.depth -= 1
+        if run.tracer is not None:
+            run.tracer.end(text, sys._getframe(1))
 
 
 def _evaluate(run: Run, text: str, symbols: Any) -> Any:

@@ -16,6 +16,7 @@ from urdfkit.expand.engine import load_xacro
 from urdfkit.expand.errors import EscapesRoots, MissingArgument, root_cause
 from urdfkit.expand.expressions import MAX_LENGTH, TooLarge
 from urdfkit.expand.substitution import Context, SubstitutionError, substitute
+from urdfkit.expand.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Source, Span
 
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
 
 MAX_MACRO_DEPTH = 150
 MAX_SECONDS = 60.0
+MAX_PROBLEMS = 500
+#: Uses of one failing property that are worth naming.
+MAX_RELATED = 5
 MAX_YAML_BYTES = 8 * 1024 * 1024
 
 
@@ -82,6 +86,7 @@ class Run:
         *,
         trust: bool,
         root_dir: str = os.curdir,
+        traced: bool = False,
         without: frozenset[tuple[str, int]] = frozenset(),
         lost: frozenset[str] = frozenset(),
     ) -> None:
@@ -102,6 +107,7 @@ class Run:
         self.first_error: str | None = None
         self.declared: list[Definition] = []
         self.document: Dom | None = None
+        self.tracer = Tracer(self) if traced else None
         # What the instrumented engine is doing at the moment.
         self.depth = 0
         self.resolving: list[tuple[Any, str]] = []
@@ -199,7 +205,11 @@ class Run:
             raise TooLarge(f"{path} is larger than {MAX_YAML_BYTES // 2**20} MiB")
         xacro.filestack.append(filename)
         try:
-            value = values.load(text, lambda e: xacro.safe_eval(e, xacro._global_symbols))
+            value = values.load(
+                text,
+                lambda e: xacro.safe_eval(e, xacro._global_symbols),
+                marked_as=path if self.tracer else None,
+            )
         except SyntaxError as error:
             raise xacro.XacroException(f"invalid expression: {error.text}") from error
         finally:
@@ -239,6 +249,8 @@ class Run:
         values = load_xacro().substitution_args_context["arg"]
         if name not in values:
             values[name] = self._later_default(name, symbols)
+        if self.tracer is not None:
+            self.tracer.argument(name, values[name])
         return str(values[name])
 
     def _later_default(self, name: str, symbols: Any) -> str:
@@ -335,7 +347,19 @@ class Run:
         self.first_error = self.first_error or str(error) or repr(error)
         located = located or Located(text, 0, text, ())
         if not self._is_consequence(error, located):
-            self.problems.append(describe.problem(self, error, located, frame))
+            self._add(describe.problem(self, error, located, frame))
+
+    def _add(self, problem: Problem) -> None:
+        """Keep a problem; the same one met again only adds the place that met it."""
+        if len(self.problems) >= MAX_PROBLEMS:
+            return
+        for number, known in enumerate(self.problems):
+            if known._replace(related=()) == problem._replace(related=()):
+                if len(known.related) < MAX_RELATED:
+                    related = (*known.related, *problem.related)
+                    self.problems[number] = known._replace(related=related)
+                return
+        self.problems.append(problem)
 
     def _is_consequence(self, error: Exception, located: Located) -> bool:
         """True if the error follows from one that was already reported."""

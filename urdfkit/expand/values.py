@@ -7,6 +7,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
+from urdfkit.expand.trace import Mark
+
 #: Scalars of one YAML file, counted as often as aliases repeat them.
 MAX_VALUES = 100_000
 
@@ -45,18 +47,51 @@ def _loader() -> Any:
     return Loader
 
 
-def load(text: str, evaluate: Callable[[str], Any]) -> Any:
+class _MarkedFloat(float):
+    mark: Mark
+
+
+class _MarkedInt(int):
+    mark: Mark
+
+
+class _MarkedText(str):
+    mark: Mark
+
+
+_MARKED: dict[type, Any] = {float: _MarkedFloat, int: _MarkedInt, str: _MarkedText}
+
+
+def _marking(base: Any, path: str) -> Any:
+    """A loader whose numbers and texts know where they stand."""
+
+    class Marking(base):  # type: ignore[misc]
+        def construct_object(self, node: Any, deep: bool = False) -> Any:
+            value = super().construct_object(node, deep)
+            marked = _MARKED.get(type(value))
+            if marked is None:
+                return value
+            value = marked(value)
+            value.mark = Mark(path, node.start_mark.line + 1, node.start_mark.column + 1)
+            return value
+
+    return Marking
+
+
+def load(text: str, evaluate: Callable[[str], Any], *, marked_as: str | None = None) -> Any:
     """The value of a YAML text.
 
     Args:
         text: of the file.
         evaluate: gives the value of an expression behind a unit, such as ``!degrees 90/2``.
+        marked_as: a path; numbers and texts then carry their place as ``mark``.
 
     Raises:
         yaml.YAMLError: it is not YAML.
         YamlTooLarge: its aliases multiply it.
     """
-    loader = _loader()(text)
+    kind = _loader() if marked_as is None else _marking(_loader(), marked_as)
+    loader = kind(text)
     loader.evaluate = evaluate
     try:
         node = loader.get_single_node()
