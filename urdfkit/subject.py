@@ -11,7 +11,7 @@ from urdfkit.reading import Problem, is_xacro, read_xml
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.expand import Xacro
+    from urdfkit.expansion import Xacro
     from urdfkit.files import Files
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
@@ -64,7 +64,7 @@ class Subject:
         if not is_xacro(self.source):
             document, problems = read_xml(self.source)
             return Reading(document, tuple(problems), None)
-        from urdfkit.expand import expand
+        from urdfkit.expansion import expand
 
         xacro = expand(self.source, self.resolver, self.arguments, trust=self.trust)
         return Reading(xacro.document, xacro.problems, xacro)

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.document import Attribute, Document, Frame
-from urdfkit.expand import describe, dom
-from urdfkit.expand.engine import activated, load_xacro
-from urdfkit.expand.errors import root_cause
-from urdfkit.expand.run import Definition, Message, Run
-from urdfkit.expand.trace import Origin, inputs_of
-from urdfkit.expand.usage import Usage, usage
+from urdfkit.expansion import describe, dom
+from urdfkit.expansion.engine import activated, load_xacro
+from urdfkit.expansion.errors import root_cause
+from urdfkit.expansion.run import Definition, Message, Run
+from urdfkit.expansion.trace import Origin, inputs_of
+from urdfkit.expansion.usage import Usage, usage
 from urdfkit.reading import Problem, TooMuch, encoding_problems, syntax_problems
 from urdfkit.source import Source, Span
 

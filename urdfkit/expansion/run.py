@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
-from urdfkit.expand import describe, dom
-from urdfkit.expand.dom import Dom, Node
-from urdfkit.expand.engine import load_xacro
-from urdfkit.expand.errors import EscapesRoots, MissingArgument, root_cause
-from urdfkit.expand.expressions import MAX_LENGTH, TooLarge
-from urdfkit.expand.substitution import Context, SubstitutionError, substitute
-from urdfkit.expand.trace import Tracer
+from urdfkit.expansion import describe, dom
+from urdfkit.expansion.dom import Dom, Node
+from urdfkit.expansion.engine import load_xacro
+from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
+from urdfkit.expansion.expressions import MAX_LENGTH, TooLarge
+from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
+from urdfkit.expansion.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Source, Span
 
@@ -194,7 +194,7 @@ class Run:
 
     def load_yaml(self, filename: str) -> Any:
         """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""
-        from urdfkit.expand import values
+        from urdfkit.expansion import values
 
         xacro = load_xacro()
         filename = xacro.abs_filename_spec(filename)

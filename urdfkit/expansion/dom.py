@@ -16,7 +16,7 @@ from urdfkit.reading import Problem, TooMuch, entity_problem
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.expand.trace import Origin
+    from urdfkit.expansion.trace import Origin
 
 ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE

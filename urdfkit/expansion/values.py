@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
-from urdfkit.expand.trace import Mark
+from urdfkit.expansion.trace import Mark
 
 #: Scalars of one YAML file, counted as often as aliases repeat them.
 MAX_VALUES = 100_000

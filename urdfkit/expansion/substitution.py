@@ -11,7 +11,7 @@ import os
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
-from urdfkit.expand.expressions import GUARDS, bounded_range, compile_expression
+from urdfkit.expansion.expressions import GUARDS, bounded_range, compile_expression
 
 #: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
 ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")

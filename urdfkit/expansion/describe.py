@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.errors import PackageNotFound
-from urdfkit.expand.dom import Node
-from urdfkit.expand.errors import EscapesRoots, MissingArgument, root_cause
-from urdfkit.expand.expressions import TooLarge, UnsafeExpression
-from urdfkit.expand.substitution import EnvironmentRefused
-from urdfkit.expand.values import YamlTooLarge
+from urdfkit.expansion.dom import Node
+from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
+from urdfkit.expansion.expressions import TooLarge, UnsafeExpression
+from urdfkit.expansion.substitution import EnvironmentRefused
+from urdfkit.expansion.values import YamlTooLarge
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.expand.run import Located, Run
+    from urdfkit.expansion.run import Located, Run
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")

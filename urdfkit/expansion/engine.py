@@ -20,11 +20,11 @@ from typing import TYPE_CHECKING, Any
 from xml.dom import minidom
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.expand.dom import Node
-from urdfkit.expand.expressions import GUARDS, bounded_range, compile_expression
+from urdfkit.expansion.dom import Node
+from urdfkit.expansion.expressions import GUARDS, bounded_range, compile_expression
 
 if TYPE_CHECKING:
-    from urdfkit.expand.run import Run
+    from urdfkit.expansion.run import Run
 
 _PRIVATE_NAME = "_urdfkit_xacro"
 #: What the instrumentation builds on; other versions of xacro lack some of it.

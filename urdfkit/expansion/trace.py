@@ -9,12 +9,12 @@ from __future__ import annotations
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from urdfkit.expand.dom import ELEMENT, Dom, Node
+from urdfkit.expansion.dom import ELEMENT, Dom, Node
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
-    from urdfkit.expand.run import Run
+    from urdfkit.expansion.run import Run
 
 
 class Origin(NamedTuple):
