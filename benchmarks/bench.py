@@ -262,7 +262,7 @@ def measure(bench: Bench, shared: Path, rounds: int) -> int:
         print(f"\nNot measured, because {bench.peers} has not got them: {', '.join(missing)}")
     robots = list(corpus(shared))
     if robots:
-        show(f"{len(robots)} models of the corpus", bench.sum(robots), OURS)
+        show(f"{len(robots)} models of the corpus, whole process", bench.sum(robots), OURS)
     print("\nBudgets, whole process", *kept, sep="\n")
     return int(any(line.startswith("OVER") for line in kept))
 
