@@ -12,7 +12,7 @@ from urdfkit.cli.options import UsageError
 
 #: ``urdfkit.cli.<name>`` has each of them as ``command``, a click.Command that returns the
 #: exit code.
-COMMANDS = ("check", "explain", "rules")
+COMMANDS = ("check", "expand", "trace", "explain", "rules")
 
 
 class LazyGroup(click.Group):

@@ -41,6 +41,7 @@ class Xacro:
         messages: of xacro and of the model, in order.
         sources: the xacro files that were read, the checked one first.
         data_files: paths of the YAML files that were read.
+        dependencies: included and loaded files, as the models spell them.
         first_error: text of the first error, as stock xacro words it; None without one.
     """
 
@@ -52,6 +53,7 @@ class Xacro:
         self.messages: tuple[Message, ...] = tuple(run.messages)
         self.sources = tuple(run.sources.values())
         self.data_files = tuple(dict.fromkeys(run.data_files))
+        self.dependencies = tuple(dict.fromkeys(load_xacro().all_includes))
         self.first_error = first_error
         self._included = frozenset(run.included)
         self._dom = run.document if first_error is None else None
@@ -140,7 +142,7 @@ def _expand(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
         first_error = first_error or run.first_error
         if error is None:
             break
-        first_error = first_error or str(error) or repr(error)
+        first_error = first_error or _stock_text(error)
         found, node = _structural(run, error)
         structural += [problem for problem in found if problem not in structural]
         if node is None or len(without) >= MAX_RUNS:
@@ -159,6 +161,13 @@ def _attempt(run: Run) -> BaseException | None:
         except (Exception, RecursionError, MemoryError) as error:
             return error
     return None
+
+
+def _stock_text(error: BaseException) -> str:
+    """An error in the words of the ``xacro`` command."""
+    if isinstance(error, ExpatError):
+        return f"XML parsing error: {error}"
+    return str(error) or repr(error)
 
 
 def _structural(run: Run, error: BaseException) -> tuple[list[Problem], dom.Node | None]:

@@ -356,7 +356,7 @@ class Run:
         for number, known in enumerate(self.problems):
             if known._replace(related=()) == problem._replace(related=()):
                 if len(known.related) < MAX_RELATED:
-                    related = (*known.related, *problem.related)
+                    related = tuple(dict.fromkeys((*known.related, *problem.related)))
                     self.problems[number] = known._replace(related=related)
                 return
         self.problems.append(problem)

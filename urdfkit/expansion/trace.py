@@ -68,8 +68,9 @@ class Tracer:
 
     def defined(self, table: Any, key: str) -> None:
         """A name got the value of the text that was evaluated last."""
-        table.__dict__.setdefault("inputs", {})[key] = self._last
-        self._last = ()
+        definer = table.__dict__.get("places", {}).get(key, (None,))[0]
+        if isinstance(definer, Node) and "$" in _definition(definer, key)[2]:
+            table.__dict__.setdefault("inputs", {})[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
         """An expression used a name."""

@@ -1,0 +1,142 @@
+"""``urdfkit expand``: the ``xacro`` command without ROS."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import click
+
+from urdfkit import atomic
+from urdfkit.cli import options, output
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import get
+from urdfkit.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.expansion import Xacro
+    from urdfkit.reading import Problem
+
+
+@click.command("expand")
+@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@click.option("-o", "target", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option("--deps", is_flag=True, help="Print the files that it depends on instead.")
+@click.option("--map", "map_file", metavar="FILE", help="Write where every element comes from.")
+@click.option("--root-dir", metavar="FOLDER", default=os.curdir, help="Relative paths start here.")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+@click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
+@click.option("-v", "verbose", count=True, help="Accepted for compatibility with xacro.")
+@click.option("--verbosity", type=int, metavar="LEVEL", help="0 is -q, as with xacro.")
+@click.option("-i", "--inorder", is_flag=True, help="Accepted for compatibility with xacro.")
+def command(
+    words: tuple[str, ...],
+    target: str | None,
+    deps: bool,
+    map_file: str | None,
+    root_dir: str,
+    package: tuple[str, ...],
+    trust: bool,
+    quiet: bool,
+    verbose: int,
+    verbosity: int | None,
+    inorder: bool,
+) -> int:
+    """Expand a xacro file, as the xacro command does, without ROS.
+
+    The result is that of xacro byte for byte. Of a file with errors all are told, each at its
+    place. --map writes JSON: for every element of the result its file, line and column, and the
+    macro calls and includes that led there; '-' is standard output, in place of the result.
+
+    Exit codes: 0 done, 2 it cannot be expanded, 3 a bug of urdfkit.
+    """
+    from urdfkit.expansion import expand
+    from urdfkit.resolve import Resolver
+
+    values = {options.FILES: words, "package": package}
+    files = options.files(values)
+    if len(files) != 1:
+        raise options.UsageError("expand takes one file; xacro arguments are written name:=value")
+    source = _read(files[0], root_dir)
+    xacro = expand(
+        source,
+        Resolver(options.packages(values)),
+        options.arguments(values),
+        trust=trust,
+        root_dir=root_dir,
+    )
+    _tell(xacro, quiet=quiet or verbosity == 0)
+    if xacro.document is None:
+        return 2
+    if map_file is not None:
+        _write_map(xacro, map_file)
+    if map_file != "-":
+        text = " ".join(xacro.dependencies) if deps else xacro.text()
+        _write(text, target)
+    return 0
+
+
+def _read(file: str, root_dir: str) -> Source:
+    if file == "-":
+        return Source("<stdin>", sys.stdin.buffer.read())
+    source = Source.read(os.path.join(root_dir, file))
+    source.path = file  # the banner names the file as it was typed
+    return source
+
+
+def _tell(xacro: Xacro, *, quiet: bool) -> None:
+    """Warnings, and errors with their places, on standard error."""
+    for message in () if quiet else xacro.messages:
+        where = f" ({message.span})" if message.span else ""
+        kind = f"{message.kind}: " if message.kind else ""
+        print(f"{kind}{message.text}{where}", file=sys.stderr)
+    if xacro.document is not None:
+        return
+    print(f"error: {xacro.first_error}", file=sys.stderr)
+    for problem in _errors(xacro):
+        print(f"{problem.span}: {problem.code} {problem.message}", file=sys.stderr)
+        steps = problem.frame.steps() if problem.frame else ()
+        for step in reversed(steps):
+            print(f"  in {step.kind} {step.name}, called at {step.span}", file=sys.stderr)
+        for related in problem.related:
+            print(f"  {_note(related)}", file=sys.stderr)
+        if problem.help:
+            print(f"  help: {problem.help}", file=sys.stderr)
+
+
+def _errors(xacro: Xacro) -> Iterator[Problem]:
+    """The errors, each of a place once; warnings were printed as xacro words them."""
+    told = set()
+    for problem in xacro.problems:
+        key = (problem.code, problem.span, problem.message)
+        is_error = get(problem.code).severity is Severity.ERROR
+        if is_error and key not in told:
+            told.add(key)
+            yield problem
+
+
+def _note(related: Related) -> str:
+    return f"{related.span}: {related.message}"
+
+
+def _write_map(xacro: Xacro, file: str) -> None:
+    import json
+
+    from urdfkit.places import place_map
+
+    assert xacro.document is not None
+    text = json.dumps(place_map(xacro.document), indent=1, ensure_ascii=False) + "\n"
+    _write(text, None if file == "-" else file)
+
+
+def _write(text: str, target: str | None) -> None:
+    if target is None:
+        output.write(text)
+        return
+    folder = os.path.dirname(target)
+    if folder:
+        os.makedirs(folder, exist_ok=True)  # as xacro does
+    atomic.write(target, output.encode(text))

@@ -1,0 +1,103 @@
+"""``urdfkit trace``: where a value comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.document import Attribute, Element, Step
+from urdfkit.errors import ExpansionFailed
+from urdfkit.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.expansion.trace import Origin
+
+#: Levels of definitions that are printed; real models need seven.
+MAX_LEVELS = 20
+
+
+@click.command("trace")
+@click.argument("file")
+@click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")
+@click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+def command(
+    file: str,
+    address: str,
+    arguments: tuple[str, ...],
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell where an element or a value comes from.
+
+    ELEMENT is a path below the robot such as link/base_link/inertial/inertia; findings name it.
+    With @ATTRIBUTE the names in its expression are followed through macro arguments and
+    properties down to the number, in a xacro or a YAML file.
+
+    Exit codes: 0 done, 2 there is no such element or the file does not expand.
+    """
+    from urdfkit.expansion import expand
+    from urdfkit.places import find
+    from urdfkit.resolve import Resolver
+
+    values = {options.FILES: (file, *arguments), "package": package}
+    xacro = expand(
+        Source.read(file),
+        Resolver(options.packages(values)),
+        options.arguments(values),
+        trust=trust,
+        traced=True,
+    )
+    if xacro.document is None:
+        raise ExpansionFailed(
+            f"{file} does not expand: {xacro.first_error}; 'urdfkit check' tells where"
+        )
+    found = find(xacro.document, address)
+    inputs = xacro.inputs(found) if isinstance(found, Attribute) else ()
+    output.write("\n".join(render(found, inputs)) + "\n")
+    return 0
+
+
+def render(found: Element | Attribute, inputs: tuple[Origin, ...]) -> Iterator[str]:
+    """The lines that tell where something comes from."""
+    if isinstance(found, Attribute):
+        yield f"{found.path} = {found.value}"
+        yield f'  {found.span}  {found.name}="{found.span.text}"'
+    else:
+        yield found.path
+        yield f"  {found.span}  {_one_line(found.span)}"
+    for origin in _telling(inputs):
+        yield from _origin(origin, 2)
+    yield from _calls(found.via)
+
+
+def _origin(origin: Origin, level: int) -> Iterator[str]:
+    place = f"  {origin.span}" if origin.span else ""
+    yield f"{'  ' * level}{origin.name} = {origin.value}  ({origin.kind}){place}"
+    if origin.text and origin.text != origin.value:
+        yield f"{'  ' * level}    {' '.join(origin.text.split())}"
+    if level < MAX_LEVELS:
+        for deeper in _telling(origin.inputs):
+            yield from _origin(deeper, level + 1)
+
+
+def _telling(inputs: tuple[Origin, ...]) -> Iterator[Origin]:
+    """The inputs without the tables that a YAML value among them was taken from."""
+    from_yaml = any(origin.kind == "YAML" for origin in inputs)
+    for origin in inputs:
+        if not (from_yaml and origin.value.startswith(("{", "["))):
+            yield origin
+
+
+def _calls(via: tuple[Step, ...]) -> Iterator[str]:
+    for step in reversed(via):
+        verb = "included" if step.kind == "include" else "called"
+        yield f"  {verb} at {step.span}  {_one_line(step.span)}"
+
+
+def _one_line(span: Span) -> str:
+    return " ".join(span.text.split())
