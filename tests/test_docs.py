@@ -19,6 +19,13 @@ def test_the_pages_of_the_rules_are_up_to_date() -> None:
     assert written == generate.pages(), "run: python docs/generate.py"
 
 
+def test_the_report_in_readme_is_up_to_date(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)  # the paths in it are those of a user who stands there
+    readme = generate.README.read_text(encoding="utf-8")
+    assert readme == generate.with_excerpt(readme), "run: python docs/generate.py"
+    assert all(code in generate.excerpt() for code in generate.SHOWN)
+
+
 def test_every_rule_has_a_page() -> None:
     assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rules.codes()}
 
