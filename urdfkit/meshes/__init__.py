@@ -1,0 +1,1 @@
+"""Mesh files: judged from their bytes, without a mesh library."""

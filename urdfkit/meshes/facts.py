@@ -1,0 +1,84 @@
+"""What is known of a mesh file before it is loaded."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+BINARY_STL = "binary STL"
+ASCII_STL = "ASCII STL"
+COLLADA = "COLLADA"
+OBJ = "OBJ"
+PLY = "PLY"
+GLB = "GLB"
+GLTF = "glTF"
+
+#: The formats that a suffix promises; consumers choose their reader by the suffix.
+BY_SUFFIX = {
+    ".stl": (BINARY_STL, ASCII_STL),
+    ".stlb": (BINARY_STL,),
+    ".stla": (ASCII_STL,),
+    ".dae": (COLLADA,),
+    ".obj": (OBJ,),
+    ".ply": (PLY,),
+    ".glb": (GLB,),
+    ".gltf": (GLTF,),
+}
+
+
+class Kind(Enum):
+    """What is wrong with a mesh file; a rule for each."""
+
+    EMPTY = "empty"
+    NOT_A_MESH = "not a mesh"
+    TRUNCATED = "truncated"
+    UNREADABLE = "unreadable"
+
+
+class Defect(NamedTuple):
+    """Why a mesh file cannot be used.
+
+    Attributes:
+        kind: which rule tells it.
+        reason: a predicate whose subject is the file: ``holds no triangles``.
+    """
+
+    kind: Kind
+    reason: str
+
+
+class MeshFacts(NamedTuple):
+    """What the bytes of a mesh file say.
+
+    Attributes:
+        format: by content, such as ``binary STL``; empty if it is none that is known.
+        size: in bytes.
+        defect: why it cannot be used, or None.
+        non_finite: which coordinate is not finite, in words; empty if all are.
+    """
+
+    format: str
+    size: int
+    defect: Defect | None = None
+    non_finite: str = ""
+
+
+def empty(reason: str) -> Defect:
+    return Defect(Kind.EMPTY, reason)
+
+
+def not_a_mesh(reason: str) -> Defect:
+    return Defect(Kind.NOT_A_MESH, reason)
+
+
+def truncated(reason: str) -> Defect:
+    return Defect(Kind.TRUNCATED, reason)
+
+
+def unreadable(reason: str) -> Defect:
+    return Defect(Kind.UNREADABLE, reason)
+
+
+def counted(number: int, thing: str) -> str:
+    """``1 triangle``, ``12 triangles``."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"
