@@ -110,7 +110,8 @@ def excerpt() -> str:
 
 def block(language: str, text: str) -> str:
     """A block of code, fenced."""
-    return f"```{language}\n{text.strip()}\n```"
+    shown = text.strip().encode("utf-8", "backslashreplace").decode("utf-8")
+    return f"```{language}\n{shown}\n```"
 
 
 def main() -> None:

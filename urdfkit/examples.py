@@ -36,5 +36,8 @@ def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "wb") as file:
                 file.write(data)
-        source = Source(os.path.join(folder, "example.urdf"), whole_robot(text).encode())
+        source = Source(
+            os.path.join(folder, "example.urdf"),
+            whole_robot(text).encode("utf-8", "surrogateescape"),
+        )
         return diagnose(rule, list(rule.check(Subject(source, Resolver({})))))

@@ -110,9 +110,12 @@ class Rule(NamedTuple):
         return (sys.modules[self.module].__doc__ or "").strip()
 
     def example(self, which: str) -> str | None:
-        """The robot in ``BAD``, ``GOOD`` or ``FIXED`` of the rule's file."""
-        text: str | None = getattr(sys.modules[self.module], which, None)
-        return text
+        """The robot in ``BAD``, ``GOOD`` or ``FIXED`` of the rule's file.
+
+        Bytes that are no text become surrogates, as in file names.
+        """
+        example: str | bytes | None = getattr(sys.modules[self.module], which, None)
+        return example.decode("utf-8", "surrogateescape") if isinstance(example, bytes) else example
 
 
 def rule(

@@ -33,9 +33,14 @@ def _text(rules: Sequence[Rule]) -> str:
     longest = max(len(rule.name) for rule in rules)
     return "".join(
         f"{rule.code}  {rule.severity.value:<7}  {'fix' if rule.fixable else '   '}  "
-        f"{rule.name:<{longest}}  {rule.explanation.splitlines()[0]}\n"
+        f"{rule.name:<{longest}}  {_summary(rule)}\n"
         for rule in rules
     )
+
+
+def _summary(rule: Rule) -> str:
+    """The first paragraph of the explanation, on one line."""
+    return " ".join(rule.explanation.partition("\n\n")[0].split())
 
 
 def _json(rules: Sequence[Rule]) -> str:

@@ -1,0 +1,255 @@
+from __future__ import annotations
+
+import io
+import json
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit import engine
+from urdfkit.cli import main
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Rule
+from urdfkit.subject import Subject
+
+GOOD = str(MODELS / "good" / "gripper.urdf")
+LINK_TO_ITSELF = """\
+<robot name="r">
+  <link name="a"/>
+  <joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>
+</robot>
+"""
+
+
+@pytest.fixture
+def bad(tmp_path: Path) -> str:
+    """A robot of which TRE006 says something."""
+    file = tmp_path / "bad.urdf"
+    file.write_text(LINK_TO_ITSELF, encoding="utf-8")
+    return str(file)
+
+
+class Screen:
+    """Runs ``urdfkit check`` in this process."""
+
+    def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
+        self.capsys = capsys
+
+    def __call__(self, *words: str) -> tuple[int, str, str]:
+        code = main(["check", *words])
+        captured = self.capsys.readouterr()
+        return code, captured.out, captured.err
+
+
+@pytest.fixture
+def check(capsys: pytest.CaptureFixture[str]) -> Screen:
+    return Screen(capsys)
+
+
+def codes(out: str) -> list[str]:
+    return [found["code"] for found in json.loads(out)["diagnostics"]]
+
+
+def test_select_and_ignore(check: Screen, bad: str) -> None:
+    for words, found in [
+        (["--select", "TRE006"], ["TRE006"]),
+        (["--select", "tre"], ["TRE006"]),
+        (["--select", "joint-to-itself"], ["TRE006"]),
+        (["--select", "XML"], []),
+        (["--select", "XML,TRE", "--ignore", "TRE006"], []),
+        (["--select", "TRE006", "--select", "XML001"], ["TRE006"]),
+    ]:
+        assert codes(check(bad, "--format", "json", *words)[1]) == found, words
+
+
+def fake(severity: Severity) -> Rule:
+    def find(subject: Subject):  # type: ignore[no-untyped-def]
+        yield Finding(subject.document.root, "it is there")
+
+    return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__)
+
+
+@pytest.mark.parametrize(
+    ("severity", "fails"),
+    [
+        (Severity.ERROR, {"error", "warning", "info", None}),
+        (Severity.WARNING, {"warning", "info", None}),
+        (Severity.INFO, {"info"}),
+    ],
+)
+def test_fail_on(
+    severity: Severity, fails: set[str | None], check: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(engine, "applicable", lambda *_: [fake(severity)])
+    for level in ("error", "warning", "info", None):
+        words = ["--fail-on", level] if level else []
+        assert check(GOOD, *words)[0] == int(level in fails)
+        assert check(GOOD, "--exit-zero", *words)[0] == 0
+
+
+def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
+    check: Screen, bad: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def crash(subject: Subject):  # type: ignore[no-untyped-def]
+        raise ValueError("boom")
+
+    rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]
+    monkeypatch.setattr(engine, "applicable", lambda *_: rules)
+    monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
+    code, out, err = check(bad, "--exit-zero")
+    assert (code, err) == (3, "")
+    assert "error ABC123 it is there" in " ".join(out.split())
+    assert "ABC001 failed with ValueError: boom. This is a bug of urdfkit" in " ".join(out.split())
+    monkeypatch.setenv("URDFKIT_DEBUG", "1")
+    code, again, err = check(bad, "--exit-zero")
+    assert again == out
+    assert err.startswith("Traceback ")
+    assert "in crash" in err
+
+
+def test_several_files_make_one_report(check: Screen, bad: str) -> None:
+    code, out, _ = check(bad, GOOD, "--format", "json")
+    assert code == 1
+    assert json.loads(out)["summary"]["files"] == [bad, GOOD]
+    assert check(bad, GOOD)[1].endswith(" in 2 files\n")
+
+
+def test_several_formats(check: Screen, bad: str, tmp_path: Path) -> None:
+    file = tmp_path / "report.json"
+    code, out, _ = check(bad, "--format", f"json:{file}", "--format", "text")
+    assert code == 1
+    assert "error TRE006" in out
+    assert codes(file.read_text(encoding="utf-8")) == codes(check(bad, "--format", "json")[1])
+    assert check(bad, "--format", f"text:{file}") == (1, "", "")
+    assert file.read_text(encoding="utf-8") == out
+
+
+def test_nothing_is_printed_if_a_file_cannot_be_written(check: Screen, bad: str) -> None:
+    code, out, err = check(bad, "--format", "text", "--format", "json:/no/such/folder/r.json")
+    assert (code, out) == (2, "")
+    assert err.startswith("error: /no/such/folder/r.json: ")
+
+
+def test_statistics(check: Screen, bad: str) -> None:
+    code, out, _ = check(bad, "--select", "TRE006", "--statistics")
+    assert (code, out) == (1, "     1  TRE006  error    joint-to-itself\n1 error in 1 file\n")
+
+
+def stdin(monkeypatch: pytest.MonkeyPatch, data: bytes) -> None:
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(data)))
+
+
+def test_standard_input(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
+    for words, name in [([], "<stdin>"), (["--stdin-filename", "arm.urdf"], "arm.urdf")]:
+        stdin(monkeypatch, LINK_TO_ITSELF.encode())
+        out = check("-", "--select", "TRE006", "--format", "json", *words)[1]
+        assert [found["path"] for found in json.loads(out)["diagnostics"]] == [name]
+
+
+def test_standard_input_has_a_bound(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("urdfkit.cli.checking.MAX_BYTES", 2**20)
+    stdin(monkeypatch, b" " * (2**20 + 1))
+    assert check("-") == (2, "", "error: standard input: larger than 1 MiB\n")
+
+
+def test_what_is_asked_for_reaches_the_library(
+    monkeypatch: pytest.MonkeyPatch, check: Screen, tmp_path: Path
+) -> None:
+    asked: list[tuple[tuple[object, ...], dict[str, object]]] = []
+
+    def record(*files: object, **options: object) -> object:
+        asked.append((files, options))
+        return engine.check()
+
+    monkeypatch.setattr("urdfkit.cli.checking.check", record)
+    check(
+        "a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}", "--select=A", "--ignore=B,C"
+    )
+    check("a.urdf")
+    assert asked == [
+        (
+            ("a.urdf", "b"),
+            {
+                "arguments": {"p": "1"},
+                "packages": {"x": str(tmp_path)},
+                "select": ["A"],
+                "ignore": ["B", "C"],
+                "trust": True,
+            },
+        ),
+        (
+            ("a.urdf",),
+            {"arguments": {}, "packages": {}, "select": [], "ignore": [], "trust": False},
+        ),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "environment", "coloured"),
+    [
+        ([], {}, False),
+        (["--color", "auto"], {}, False),
+        (["--color", "always"], {}, True),
+        (["--color", "always"], {"NO_COLOR": "1"}, True),
+        (["--color", "never"], {"FORCE_COLOR": "1"}, False),
+        ([], {"FORCE_COLOR": "1"}, True),
+        ([], {"FORCE_COLOR": ""}, False),
+        ([], {"FORCE_COLOR": "1", "NO_COLOR": "1"}, False),
+        ([], {"FORCE_COLOR": "1", "NO_COLOR": ""}, True),
+    ],
+)
+def test_color(
+    words: list[str],
+    environment: dict[str, str],
+    coloured: bool,
+    check: Screen,
+    bad: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for name in ("NO_COLOR", "FORCE_COLOR"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    assert ("\x1b[" in check(bad, *words)[1]) is coloured
+
+
+def test_a_file_never_has_colours(check: Screen, bad: str, tmp_path: Path) -> None:
+    check(bad, "--color", "always", "--format", f"text:{tmp_path / 'out'}")
+    assert "\x1b" not in (tmp_path / "out").read_text(encoding="utf-8")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no pseudo terminals on Windows")
+def test_a_terminal_has_colours_and_its_own_width(bad: str) -> None:
+    import fcntl
+    import pty
+    import struct
+    import subprocess
+    import termios
+
+    from tests.conftest import ROOT
+
+    parent, child = pty.openpty()
+    fcntl.ioctl(child, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 50, 0, 0))
+    environment = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR")}
+    subprocess.run(
+        [sys.executable, "-m", "urdfkit", "check", bad, "--select", "TRE006"],
+        check=False,
+        cwd=ROOT,
+        stdout=child,
+        env={**environment, "TERM": "xterm"},
+        timeout=60,
+    )
+    os.close(child)
+    text = b""
+    try:
+        while chunk := os.read(parent, 4096):
+            text += chunk
+    except OSError:  # Linux says so at the end
+        pass
+    os.close(parent)
+    assert b"\x1b[1;31merror\x1b[0m" in text
+    frame = next(line for line in text.decode().splitlines() if line.startswith("    3 | "))
+    assert frame == '    3 | ...ent link="a"/><child link="a"/></joint>'

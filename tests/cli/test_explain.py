@@ -1,0 +1,42 @@
+from __future__ import annotations
+
+import pytest
+
+from urdfkit import rules
+from urdfkit.cli import main
+from urdfkit.cli.explain import render
+
+
+@pytest.mark.parametrize("word", ["TRE006", "tre006", "joint-to-itself", "Joint-To-Itself"])
+def test_a_rule_is_found_by_code_and_by_name(word: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", word]) == 0
+    assert capsys.readouterr().out == render(rules.get("TRE006"))
+
+
+def test_the_page_of_a_rule() -> None:
+    page = render(rules.get("TRE006"))
+    assert page.startswith("TRE006 joint-to-itself (error, without a fix)\n\nA joint has the same")
+    assert "\n\nNeeds: a robot that can be read\n\nHelp: name the link" in page
+    assert '\n\nBad:\n\n    <link name="base"/>\n' in page
+    assert '\n\nGood:\n\n    <link name="base"/>\n' in page
+    assert "Fixed:" not in page
+    assert page.endswith("</joint>\n")
+
+
+@pytest.mark.parametrize("code", rules.codes())
+def test_every_rule_can_be_explained(code: str) -> None:
+    rule = rules.get(code)
+    page = render(rule)
+    flat = " ".join(page.split())
+    assert flat.startswith(f"{code} {rule.name} ({rule.severity.value}, with")
+    assert " ".join(rule.explanation.split()) in flat
+    assert ("with a fix)" in flat) is rule.fixable
+    assert "\n\nBad:\n\n    " in page
+    assert "\n\nGood:\n\n    " in page
+
+
+def test_paragraphs_fit_80_columns_and_lists_stay() -> None:
+    rule = rules.get("TRE006")
+    page = render(rule)
+    prose = page[: page.index("\n\nNeeds:")]
+    assert max(map(len, prose.splitlines())) <= 80

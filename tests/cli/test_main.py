@@ -1,0 +1,239 @@
+"""The command line as a whole: exit codes, errors, and where what is written."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import urdfkit
+from tests.conftest import MODELS, ROOT
+from urdfkit.cli import checking, main
+
+GOOD = str(MODELS / "good" / "gripper.urdf")
+UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
+
+
+def run(*words: str, **changes: object) -> subprocess.CompletedProcess[bytes]:
+    """``python -m urdfkit`` as its own process."""
+    command = [sys.executable, "-m", "urdfkit", *words]
+    return subprocess.run(
+        command, check=False, cwd=ROOT, capture_output=True, timeout=60, **changes
+    )
+
+
+def test_a_clean_robot_exits_with_0() -> None:
+    done = run("check", GOOD)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.startswith(b"no findings in 1 file")
+
+
+def test_findings_exit_with_1() -> None:
+    done = run("check", "-", input=b"<robot")
+    assert (done.returncode, done.stderr) == (1, b"")
+    assert done.stdout.startswith(b"<stdin>:1:")
+    assert b" error XML001 " in done.stdout
+
+
+def test_the_version_has_one_source() -> None:
+    done = run("--version")
+    assert (done.returncode, done.stdout.decode().split()) == (0, ["urdfkit", urdfkit.__version__])
+
+
+def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 0
+    captured = capsys.readouterr()
+    assert all(name in captured.out for name in ("check", "explain", "rules", "--version"))
+    assert captured.err == ""
+
+
+@pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])
+def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*command, "--help"]) == 0
+    assert capsys.readouterr().out.startswith(" ".join(["Usage: urdfkit", *command]) + " ")
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["chek", "a"], "'chek'"),
+        (["--verbose"], "--verbose"),
+        (["check"], "no file to check"),
+        (["check", "a", "--slect", "MSH"], "--select"),
+        (["check", "a", "--fail-on", "fatal"], "'error', 'warning', 'info'"),
+        (["check", "a", "--select"], "--select"),
+        (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
+        (["check", GOOD, "--ignore", "QQQ"], "no rule 'QQQ'"),
+        (["check", "no_such.urdf"], "no_such.urdf: there is no such file"),
+        (["check", GOOD, "no_such.urdf"], "no_such.urdf: there is no such file"),
+        (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
+        (["check", str(MODELS)], f"{MODELS}: is a folder"),
+        (["check", "/no/such/folder/robot.urdf"], "there is no folder '/no/such/folder'"),
+        (["check", GOOD, "--format", "json:/no/such/r.json"], "there is no folder '/no/such'"),
+        (["explain"], "RULE"),
+        (["explain", "XML0001"], "did you mean 'XML001'?"),
+        (["rules", "--format", "yaml"], "'text', 'json'"),
+    ],
+)
+def test_what_cannot_be_done_is_one_line_and_exit_2(
+    words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
+    assert captured.err.count("\n") == 1
+    assert reason in captured.err
+
+
+@UNIX
+@pytest.mark.skipif(getattr(os, "geteuid", lambda: 0)() == 0, reason="root may read everything")
+def test_a_file_without_permission(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_bytes(b"<robot/>")
+    file.chmod(0)
+    assert main(["check", str(file)]) == 2
+    assert "see its permissions" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"   \n",
+        bytes(range(256)) * 20,
+        b"\x7fELF\x02\x01\x01" + bytes(300),
+        "<robot".encode("utf-16"),
+        b"\xff\xfe",
+        b"\xef\xbb\xbf",
+        b'<?xml version="1.0" encoding="no-such"?><robot/>',
+        b"<a>" * 50_000,
+    ],
+    ids=["empty", "blank", "bytes", "elf", "utf-16", "mark-16", "mark-8", "encoding", "deep"],
+)
+def test_rubbish_is_a_finding(
+    data: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_bytes(data)
+    assert main(["check", str(file)]) == 1
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    assert " error XML00" in captured.out
+
+
+def test_a_robot_in_utf_16_is_read_as_in_utf_8(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = Path(GOOD).read_text(encoding="utf-8")
+    outputs = []
+    for encoding in ("utf-8", "utf-16"):
+        file = tmp_path / "robot.urdf"
+        file.write_bytes(text.encode(encoding))
+        outputs.append((main(["check", str(file)]), capsys.readouterr().out))
+    assert outputs[0] == outputs[1]
+
+
+def test_an_exception_of_ours_asks_to_report_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise ValueError("boom")
+
+    monkeypatch.setattr(checking, "check", fail)
+    monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
+    assert main(["check", GOOD]) == 3
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "ValueError: boom" in captured.err
+    assert "bug of urdfkit" in captured.err
+    assert "Traceback" not in captured.err
+    monkeypatch.setenv("URDFKIT_DEBUG", "1")
+    assert main(["check", GOOD]) == 3
+    assert "Traceback" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["check", GOOD], ["check", GOOD, "--", GOOD]])
+def test_ctrl_c_exits_with_130(
+    words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """On the quick way, and on the way through click."""
+
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(checking, "check", stop)
+    assert main(words) == 130
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err.strip()) == ("", "")
+
+
+@UNIX
+@pytest.mark.parametrize("words", [["rules"], ["check", "-"], ["check", "-", "--format", "json"]])
+def test_a_reader_that_goes_away_is_no_error(words: list[str]) -> None:
+    """The exit code is still that of the check."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [sys.executable, "-m", "urdfkit", *words]
+    try:
+        done = subprocess.run(
+            command,
+            check=False,
+            cwd=ROOT,
+            input=b"<robot",
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            timeout=60,
+        )
+    finally:
+        os.close(writer)
+    assert (done.returncode, done.stderr) == (int(words[0] == "check"), b"")
+
+
+@UNIX
+def test_closed_standard_streams() -> None:
+    def shell(redirection: str) -> subprocess.CompletedProcess[bytes]:
+        line = f'"{sys.executable}" -m urdfkit check {redirection}'
+        return subprocess.run(
+            ["sh", "-c", line], check=False, cwd=ROOT, capture_output=True, timeout=60
+        )
+
+    done = shell(f'"{GOOD}" >&-')
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(b"error: standard output is closed")
+    done = shell("- <&-")
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(b"error: standard input is closed")
+    done = shell("no_such.urdf 2>&-")
+    assert (done.returncode, done.stdout) == (2, b"")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
+def test_a_full_disk() -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "urdfkit", "check", GOOD],
+            check=False,
+            cwd=ROOT,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            timeout=60,
+        )
+    assert done.returncode == 2
+    assert done.stderr == b"error: standard output: No space left on device\n"
+
+
+def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
+    name = os.fsencode(tmp_path) + b"/\xff.urdf"
+    try:
+        with open(name, "wb") as file:
+            file.write(b"<robot")
+    except OSError:
+        pytest.skip("this file system wants text")
+    done = run("check", os.fsdecode(name), "--format", "json")
+    assert (done.returncode, done.stderr) == (1, b"")
+    assert b"\\udcff.urdf" in done.stdout
+    assert run("check", os.fsdecode(name)).returncode == 1

@@ -1,0 +1,175 @@
+"""The table of options, the two parsers that read it, and what the values mean."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from urdfkit.cli import options, quick
+from urdfkit.cli.check import command
+from urdfkit.cli.options import CHECK, Option, UsageError
+
+FLAGS = [option.flag for option in CHECK]
+
+
+def by_click(words: list[str]) -> dict[str, Any] | None:
+    """What click makes of a command line; None if it refuses it, or gives help."""
+    try:
+        return command.make_context("check", list(words)).params
+    except (click.UsageError, click.exceptions.Exit):
+        return None
+
+
+def ordinary(option: Option) -> st.SearchStrategy[list[str]]:
+    """An option as people type it."""
+    if not option.metavar:
+        return st.just([option.flag])
+    values = st.sampled_from(option.choices) if option.choices else st.text(max_size=8)
+    values = values.filter(lambda value: not value.startswith("-"))
+    apart = values.map(lambda value: [option.flag, value])
+    joined = values.map(lambda value: [f"{option.flag}={value}"])
+    return apart | joined
+
+
+FILES = st.one_of(
+    st.just("-"), st.text(max_size=8).filter(lambda word: not word.startswith("-"))
+).map(lambda word: [word])
+ORDINARY = st.lists(st.one_of(FILES, *map(ordinary, CHECK)), max_size=8).map(
+    lambda parts: [word for part in parts for word in part]
+)
+MANGLED = [
+    word
+    for flag in FLAGS
+    for word in (flag, f"{flag}=", f"{flag}=x", flag[:-1], flag[1:], flag.upper())
+]
+ODD = st.lists(
+    st.sampled_from(
+        [*MANGLED, *"-- - --help -h -x --- = a a:=b error auto -1".split(), "", "--no-trust"]
+    ),
+    max_size=8,
+)
+
+
+@settings(deadline=None)
+@given(ORDINARY, FILES)
+def test_both_parsers_read_the_ordinary_alike(words: list[str], file: list[str]) -> None:
+    words = words + file
+    values = quick.parse(["check", *words])
+    assert values is not None
+    assert values == by_click(words)
+
+
+@settings(deadline=None, max_examples=500)
+@given(st.one_of(ODD, st.lists(st.text(max_size=8), max_size=5)))
+@example(["a", "--", "--trust"])
+@example(["a", "--select", "--trust"])
+@example(["a", "--trust=yes"])
+@example(["a", "--fail-on", "fatal"])
+@example(["a", "--format"])
+def test_the_quick_parser_never_reads_what_click_reads_otherwise(words: list[str]) -> None:
+    values = quick.parse(["check", *words])
+    if values is not None:
+        assert values == by_click(words)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        [],
+        ["rules"],
+        ["--version"],
+        ["check"],
+        ["check", "--trust"],
+        ["check", "--help", "a"],
+        ["check", "a", "--unknown"],
+        ["check", "a", "-t"],
+        ["check", "a", "--select"],
+        ["check", "a", "--select", "--trust"],
+        ["check", "a", "--color", "red"],
+        ["check", "a", "--trust=1"],
+        ["check", "--", "a"],
+        ["a", "check"],
+    ],
+)
+def test_what_is_out_of_the_ordinary_is_left_to_click(words: list[str]) -> None:
+    assert quick.parse(words) is None
+
+
+def values(*words: str) -> dict[str, Any]:
+    found = quick.parse(["check", *words])
+    assert found is not None
+    return found
+
+
+def test_files_and_arguments_are_told_apart() -> None:
+    found = values("a.urdf", "x:=1", "-", "y:=a=b", "x:=2", "z:=")
+    assert options.files(found) == ["a.urdf", "-"]
+    assert options.arguments(found) == {"x": "2", "y": "a=b", "z": ""}
+
+
+def test_lists_of_codes_may_be_repeated_and_have_commas() -> None:
+    found = values("a", "--select", "MSH, XML001", "--select=TRE,")
+    assert options.codes(found, "select") == ["MSH", "XML001", "TRE"]
+    assert options.codes(found, "ignore") == []
+
+
+def test_packages(tmp_path: Path) -> None:
+    found = values("a", "--package", f"p={tmp_path}", "--package=q=.")
+    assert options.packages(found) == {"p": str(tmp_path), "q": "."}
+
+
+@pytest.mark.parametrize(
+    ("words", "outputs"),
+    [
+        ([], [("text", "")]),
+        (["--format", "json"], [("json", "")]),
+        (["--format", "json:a:b.json", "--format=text"], [("json", "a:b.json"), ("text", "")]),
+        (["--statistics"], [("statistics", "")]),
+        (
+            ["--statistics", "--format", "json", "--format", "text:t"],
+            [("json", ""), ("statistics", "t")],
+        ),
+    ],
+)
+def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
+    assert options.outputs(values("a", *words)) == outputs
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["x:=1"], "no file to check"),
+        (["-", "-"], "can be read only once"),
+        (["a", ":=1"], "':=1' has no name"),
+        (["prefix=left_"], "a xacro argument is written prefix:=left_"),
+        (["a", "--package", "p"], "'=' and its folder"),
+        (["a", "--package", "=."], "'=' and its folder"),
+        (["a", "--package", "p=/no/such"], "there is no folder '/no/such'"),
+        (["a", "--format", "yaml"], "only json, statistics, text"),
+        (["a", "--format", "_layout"], "only json, statistics, text"),
+        (["a", "--format", "json:"], "a file after the colon"),
+        (["a", "--format", "json", "--format", "text"], "two formats for standard output"),
+        (["a", "--format", "json:x", "--format", "text:x"], "two formats for x"),
+    ],
+)
+def test_what_cannot_be_is_said(words: list[str], reason: str) -> None:
+    found = values(*words)
+    reasons = []
+    for read in (options.files, options.arguments, options.packages, options.outputs):
+        try:
+            read(found)
+        except UsageError as error:
+            reasons.append(str(error))
+    assert len(reasons) == 1
+    assert reason in reasons[0]
+
+
+def test_a_file_may_have_an_equals_sign_in_its_name(tmp_path: Path) -> None:
+    file = tmp_path / "a=b.urdf"
+    file.write_bytes(b"")
+    assert options.files(values(str(file))) == [str(file)]

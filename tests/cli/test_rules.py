@@ -1,0 +1,36 @@
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from urdfkit import rules
+from urdfkit.cli import main
+
+
+def test_a_line_for_every_rule(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rules"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == rules.codes()
+    line = next(line for line in lines if line.startswith("TRE006"))
+    words = line.split()
+    assert words[:3] == ["TRE006", "error", "joint-to-itself"]
+    assert line.endswith("  A joint has the same link as parent and child.")
+    for line in lines:
+        assert ("  fix  " in line[:24]) is rules.get(line[:6]).fixable
+
+
+def test_the_same_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rules", "--format", "json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert [entry["code"] for entry in document] == rules.codes()
+    rule = rules.get("TRE006")
+    assert next(entry for entry in document if entry["code"] == "TRE006") == {
+        "code": "TRE006",
+        "name": "joint-to-itself",
+        "severity": "error",
+        "needs": ["model"],
+        "fixable": False,
+        "help": rule.help,
+        "explanation": rule.explanation,
+    }
