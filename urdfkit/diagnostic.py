@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit.document import Step
 from urdfkit.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.targets import Targets
 
 
 class Severity(str, Enum):
@@ -87,6 +90,7 @@ class Diagnostic(NamedTuple):
         related: other places that explain it.
         help: what to do.
         fix: a remedy as text edits, or None.
+        targets: the consumers that the severity is for; empty if it is for all.
     """
 
     code: str
@@ -99,6 +103,7 @@ class Diagnostic(NamedTuple):
     related: tuple[Related, ...]
     help: str
     fix: Fix | None
+    targets: tuple[str, ...] = ()
 
     @property
     def element(self) -> str:
@@ -132,6 +137,7 @@ class Report(NamedTuple):
         skipped: rules that did not run.
         crashed: rules that failed.
         rules: the codes that ran.
+        targets: per file, the consumers that severities were weighed for.
     """
 
     files: tuple[str, ...]
@@ -139,6 +145,7 @@ class Report(NamedTuple):
     skipped: tuple[Skipped, ...]
     crashed: tuple[Crashed, ...]
     rules: tuple[str, ...]
+    targets: tuple[tuple[str, Targets], ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit import rules
 from urdfkit.diagnostic import (
@@ -11,14 +12,16 @@ from urdfkit.diagnostic import (
     Crashed,
     Diagnostic,
     Report,
-    Severity,
     Skipped,
 )
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.resolve import Resolver
-from urdfkit.rules import Finding, Need, Rule, Written
+from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Source, Span
 from urdfkit.subject import Subject, Unavailable
+
+if TYPE_CHECKING:
+    from urdfkit.targets import Targets
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -30,6 +33,7 @@ def check(
     packages: Mapping[str, str] | None = None,
     select: Iterable[str] = (),
     ignore: Iterable[str] = (),
+    targets: Iterable[str] = (),
     trust: bool = False,
 ) -> Report:
     """Check descriptions of robots.
@@ -40,21 +44,35 @@ def check(
         packages: folders of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
+        targets: names of consumers to check for; inferred from each model if empty.
         trust: let expressions of the model run unfenced and read any file.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
         UnknownRule: a word of ``select`` or ``ignore`` means no rule.
+        UnknownTarget: a name is no target.
     """
     chosen = choose(select, ignore)
+    wanted = _given(targets)
     resolver = Resolver(packages or {})
     collector = _Collector()
     names: list[str] = []
     for file in files:
         source = file if isinstance(file, Source) else Source.read(file)
         names.append(source.path)
-        collector.run(Subject(source, resolver, arguments, trust=trust), chosen)
+        subject = Subject(source, resolver, arguments, trust=trust, targets=wanted)
+        collector.run(subject, chosen)
     return collector.report(tuple(names))
+
+
+def _given(names: Iterable[str]) -> Targets | None:
+    """The targets that were asked for; None if none were."""
+    names = tuple(names)
+    if not names:
+        return None
+    from urdfkit.targets import parse
+
+    return parse(names)
 
 
 def choose(select: Iterable[str], ignore: Iterable[str]) -> list[str]:
@@ -78,9 +96,11 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     silent: set[str] = set()
     if reading.xacro is None:
         silent.add("XAC")
+        told.add("XAC003")  # the one among them that is about plain files
     if reading.document is None:
         silent |= {"XAC", "URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"}
     else:
+        told.update(subject.deviations)
         model = subject.model
         if not model.joints:
             silent.add("JNT")
@@ -89,7 +109,10 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     return [
         rules.get(code)
         for code in chosen
-        if code in told or (code[:3] not in silent and code not in rules.TOLD_BY_READING)
+        if code in told
+        or not (
+            code[:3] in silent or code in rules.TOLD_BY_READING or code in rules.TOLD_BY_GRAMMAR
+        )
     ]
 
 
@@ -101,6 +124,7 @@ class _Collector:
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         self.ran: set[str] = set()
+        self.targets: list[tuple[str, Targets]] = []
 
     def run(self, subject: Subject, chosen: Iterable[str]) -> None:
         path = subject.source.path
@@ -116,7 +140,9 @@ class _Collector:
                 self.skipped.append(Skipped(rule.code, path, str(reason)))
             except Exception as error:  # a bug in a rule must not hide the other rules
                 self.crashed.append(_crash(rule, path, error))
-            self.diagnostics += diagnose(rule, findings)
+            self.diagnostics += diagnose(rule, findings, _targets(rule, findings, subject))
+        if "targets" in vars(subject):
+            self.targets.append((path, subject.targets))
 
     def report(self, files: tuple[str, ...]) -> Report:
         once: dict[tuple[object, ...], Diagnostic] = {}
@@ -130,6 +156,7 @@ class _Collector:
             tuple(self.skipped),
             tuple(self.crashed),
             tuple(sorted(self.ran)),
+            tuple(self.targets),
         )
 
 
@@ -144,7 +171,14 @@ def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
     return (span.source.path, span.start, diagnostic.code, diagnostic.message)
 
 
-def diagnose(rule: Rule, findings: Iterable[Finding]) -> list[Diagnostic]:
+def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:
+    """The targets that a rule's findings are weighed for; inferred only where it matters."""
+    return subject.targets.names if findings and rule.by_target else ()
+
+
+def diagnose(
+    rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
+) -> list[Diagnostic]:
     """Stamp findings with their rule; what one macro body caused N times becomes one."""
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for number, finding in enumerate(findings):
@@ -152,17 +186,18 @@ def diagnose(rule: Rule, findings: Iterable[Finding]) -> list[Diagnostic]:
         key: tuple[object, ...] = (span.source.path, span.start, span.end)
         # Only different calls of one macro are one cause; a plain place can have two defects.
         groups.setdefault(key if via else (*key, number), []).append(finding)
-    return [_fold(rule, group) for group in groups.values()]
+    return [_fold(rule, group, targets) for group in groups.values()]
 
 
-def _fold(rule: Rule, group: list[Finding]) -> Diagnostic:
+def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
+    severity, suffering = rule.weigh(targets)
     group.sort(key=lambda finding: -finding.weight)
     worst = group[0]
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,
         rule.name,
-        rule.severity,
+        severity,
         worst.confidence,
         worst.message,
         place(worst)[0],
@@ -170,6 +205,7 @@ def _fold(rule: Rule, group: list[Finding]) -> Diagnostic:
         worst.related,
         worst.help or rule.help,
         worst.fix,
+        suffering,
     )
 
 
@@ -186,6 +222,3 @@ def _path(finding: Finding) -> str:
     if isinstance(at, Written):
         return ""
     return (at if isinstance(at, (Element, Attribute)) else at.at).path
-
-
-__all__ = ["Need", "Severity", "check"]

@@ -8,12 +8,15 @@ from collections.abc import Iterable
 _LONGEST = 200
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
-    """The known word most like ``word``, upper and lower case alike; None if none is like it."""
+def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
+    """The known word most like ``word``, upper and lower case alike; None if none is like it.
+
+    ``likeness`` is the least ratio of common letters, from 0 to 1.
+    """
     from difflib import get_close_matches  # 1 ms, and needed after a slip only
 
     spellings = {candidate.casefold(): candidate for candidate in known}
-    found = get_close_matches(word[:_LONGEST].casefold(), spellings, n=1)
+    found = get_close_matches(word[:_LONGEST].casefold(), spellings, n=1, cutoff=likeness)
     return spellings[found[0]] if found else None
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
@@ -29,6 +29,12 @@ if TYPE_CHECKING:
 TOLD_BY_READING = frozenset(
     "XML001 XML002 XML003 XML004 XML006 XML007 "
     "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016 XAC017".split()
+)
+
+#: Rules that only tell where the document deviates from the grammar; imported likewise.
+TOLD_BY_GRAMMAR = frozenset(
+    "URD001 URD002 URD003 URD004 URD005 URD006 URD007 URD008 URD009 URD010 URD011 URD012 "
+    "URD013 URD014 URD015 URD016".split()
 )
 
 _FILE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)\.py$")
@@ -93,6 +99,7 @@ class Rule(NamedTuple):
         help: what to do, where a finding does not say it.
         fixable: True if findings may carry a fix.
         module: that holds it; its docstring explains the rule.
+        by_target: severities for single targets, where they differ.
     """
 
     code: str
@@ -103,6 +110,18 @@ class Rule(NamedTuple):
     help: str
     fixable: bool
     module: str
+    by_target: Mapping[str, Severity]
+
+    def weigh(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
+        """The severity for some targets, and those of them that suffer most.
+
+        A rule without a severity of its own for any of them keeps its general one.
+        """
+        suffering = {name: self.by_target[name] for name in targets if name in self.by_target}
+        if not suffering:
+            return self.severity, ()
+        worst = min(suffering.values(), key=lambda severity: severity.rank)
+        return worst, tuple(name for name, severity in suffering.items() if severity is worst)
 
     @property
     def explanation(self) -> str:
@@ -126,11 +145,13 @@ def rule(
     needs: tuple[Need, ...] = (Need.MODEL,),
     help: str = "",
     fixable: bool = False,
+    by_target: Mapping[str, Severity] | None = None,
 ) -> Callable[[Check], Rule]:
     """Declare a rule; the decorated function becomes its Rule."""
 
     def declare(check: Check) -> Rule:
-        return Rule(code, name, severity, frozenset(needs), check, help, fixable, check.__module__)
+        module, weights = check.__module__, by_target or {}
+        return Rule(code, name, severity, frozenset(needs), check, help, fixable, module, weights)
 
     return declare
 

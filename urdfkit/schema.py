@@ -1,9 +1,10 @@
 """URDF's grammar as data: which elements and attributes there are, how often, of which type.
 
 Sources: the URDF specification of the ROS wiki (http://wiki.ros.org/urdf/XML), urdfdom's
-parsers and its ``xsd/urdf.xsd``. ``capsule`` is read by urdfdom 5 (REP 2016's version 1.2).
+``xsd/urdf.xsd`` and README, and what its ``check_urdf`` 3.0.1 and 6.0.0 accept when they are tried.
 Only ``<link>``, ``<joint>`` and ``<material>`` subtrees have a grammar here; ``<gazebo>``,
-``<transmission>`` and ``<ros2_control>`` have their own families of rules.
+``<transmission>`` and ``<ros2_control>`` have their own families of rules. What another mainstream
+reader adds to URDF without a prefix (PyBullet, MuJoCo, Drake) is known here, but not looked into.
 """
 
 from __future__ import annotations
@@ -16,17 +17,29 @@ LINK = "link"  # the name of a link
 JOINT = "joint"  # the name of a joint
 TEXT = "text"
 FLOAT = "number"
-XYZ = "3 numbers"
-RGBA = "4 numbers"
-SCALE = "1 or 3 numbers"
+XYZ = "x y z"
+RGBA = "red green blue alpha"
+QUATERNION = "x y z w"
 
-#: How many numbers a vector attribute has.
-LENGTHS = {FLOAT: (1,), XYZ: (3,), RGBA: (4,), SCALE: (3,)}
+#: How many numbers a vector attribute has. One scale for all three axes is refused, too.
+LENGTHS = {XYZ: 3, RGBA: 4, QUATERNION: 4}
+
+#: The versions that ``<robot version>`` may name, oldest first; without one it is the first.
+VERSIONS = ("1.0", "1.1", "1.2")
 
 
 class AttributeRule(NamedTuple):
+    """What an attribute holds.
+
+    Attributes:
+        type: one of the constants above.
+        required: True if readers refuse the element without it.
+        since: the first URDF version that has it.
+    """
+
     type: str
     required: bool = False
+    since: str = VERSIONS[0]
 
 
 class Grammar(NamedTuple):
@@ -38,6 +51,9 @@ class Grammar(NamedTuple):
         required: tags that must occur.
         many: tags that may occur more than once.
         open: True if anything else may stand here too.
+        choice: True if exactly one of the children stands here, and first.
+        any_of: attributes of which at least one is required.
+        since: the first URDF version that has the element.
     """
 
     attributes: dict[str, AttributeRule]
@@ -45,6 +61,9 @@ class Grammar(NamedTuple):
     required: tuple[str, ...] = ()
     many: tuple[str, ...] = ()
     open: bool = False
+    choice: bool = False
+    any_of: tuple[str, ...] = ()
+    since: str = VERSIONS[0]
 
 
 _REQUIRED_FLOAT = AttributeRule(FLOAT, required=True)
@@ -52,18 +71,25 @@ _OPTIONAL_FLOAT = AttributeRule(FLOAT)
 _LEAF_NAME = AttributeRule(NAME)
 
 ANYTHING = Grammar({}, {}, open=True)
-ORIGIN = Grammar({"xyz": AttributeRule(XYZ), "rpy": AttributeRule(XYZ)}, {})
+ORIGIN = Grammar(
+    {
+        "xyz": AttributeRule(XYZ),
+        "rpy": AttributeRule(XYZ),
+        "quat_xyzw": AttributeRule(QUATERNION, since="1.1"),
+    },
+    {},
+)
 
 SHAPES = {
     "box": Grammar({"size": AttributeRule(XYZ, required=True)}, {}),
     "cylinder": Grammar({"radius": _REQUIRED_FLOAT, "length": _REQUIRED_FLOAT}, {}),
-    "capsule": Grammar({"radius": _REQUIRED_FLOAT, "length": _REQUIRED_FLOAT}, {}),
+    "capsule": Grammar({"radius": _REQUIRED_FLOAT, "length": _REQUIRED_FLOAT}, {}, since="1.1"),
     "sphere": Grammar({"radius": _REQUIRED_FLOAT}, {}),
     "mesh": Grammar(
-        {"filename": AttributeRule(TEXT, required=True), "scale": AttributeRule(SCALE)}, {}
+        {"filename": AttributeRule(TEXT, required=True), "scale": AttributeRule(XYZ)}, {}
     ),
 }
-GEOMETRY = Grammar({}, SHAPES)
+GEOMETRY = Grammar({}, SHAPES, choice=True)
 
 MATERIAL = Grammar(
     {"name": AttributeRule(NAME, required=True)},
@@ -80,7 +106,8 @@ VISUAL = Grammar(
 )
 
 COLLISION = Grammar(
-    {"name": _LEAF_NAME},
+    # PyBullet: collision filter, and a mesh that is not made convex.
+    {"name": _LEAF_NAME, **dict.fromkeys(("group", "mask", "concave"), AttributeRule(TEXT))},
     {"origin": ORIGIN, "geometry": GEOMETRY, "verbose": ANYTHING},
     required=("geometry",),
 )
@@ -98,15 +125,29 @@ INERTIAL = Grammar(
 )
 
 LINK_GRAMMAR = Grammar(
-    {"name": AttributeRule(NAME, required=True), "type": AttributeRule(TEXT)},
-    {"inertial": INERTIAL, "visual": VISUAL, "collision": COLLISION},
+    {
+        "name": AttributeRule(NAME, required=True),
+        "type": AttributeRule(TEXT),
+        "drake_ignore": AttributeRule(TEXT),
+    },
+    {
+        "inertial": INERTIAL,
+        "visual": VISUAL,
+        "collision": COLLISION,
+        "contact": ANYTHING,  # PyBullet: friction, restitution and stiffness
+        "audio_source": ANYTHING,  # PyBullet
+    },
     many=("visual", "collision"),
 )
 
 JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 
 JOINT_GRAMMAR = Grammar(
-    {"name": AttributeRule(NAME, required=True), "type": AttributeRule(TEXT, required=True)},
+    {
+        "name": AttributeRule(NAME, required=True),
+        "type": AttributeRule(TEXT, required=True),
+        "drake_ignore": AttributeRule(TEXT),
+    },
     {
         "origin": ORIGIN,
         "parent": Grammar({"link": AttributeRule(LINK, required=True)}, {}),
@@ -120,7 +161,11 @@ JOINT_GRAMMAR = Grammar(
             },
             {},
         ),
-        "dynamics": Grammar({"damping": _OPTIONAL_FLOAT, "friction": _OPTIONAL_FLOAT}, {}),
+        "dynamics": Grammar(
+            {"damping": _OPTIONAL_FLOAT, "friction": _OPTIONAL_FLOAT},
+            {},
+            any_of=("damping", "friction"),
+        ),
         # effort and velocity: JNT002 and JNT021 know for which types they are required.
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
@@ -159,9 +204,29 @@ ROBOT = Grammar(
         "transmission": ANYTHING,
         "ros2_control": ANYTHING,
         "sensor": ANYTHING,
+        "mujoco": ANYTHING,
+        "frame": ANYTHING,  # Drake
+        "loop_joint": ANYTHING,  # Drake, Isaac Sim
+        "collision_filter_group": ANYTHING,  # Drake
+        "deformable": ANYTHING,  # PyBullet
+        "reduced_deformable": ANYTHING,  # PyBullet
     },
-    many=("link", "joint", "material", "gazebo", "transmission", "ros2_control", "sensor"),
+    many=("link", "joint", "material"),
 )
+
+#: Tags that Gazebo reads in a ``<gazebo>`` block and nowhere else. Source: what sdformat's URDF
+#: converter handles by name, and the children that SDF's ``<link>``, ``<joint>`` and ``<model>``
+#: have beside those of URDF.
+GAZEBO_TAGS = frozenset(
+    "mu1 mu2 fdir1 kp kd maxVel minDepth maxContacts laserRetro selfCollide turnGravityOff "
+    "dampingFactor canonicalBody static stopCfm stopErp cfmDamping fudgeFactor provideFeedback "
+    "implicitSpringDamper springReference springStiffness preserveFixedJoint "
+    "disableFixedJointLumping self_collide gravity kinematic enable_wind must_be_base_link "
+    "velocity_decay sensor plugin light projector pose surface friction".split()
+)
+
+#: Tags of xacro, which do nothing without their prefix.
+XACRO_TAGS = frozenset("include property macro insert_block arg if unless".split())
 
 
 def places_of(tag: str) -> list[str]:

@@ -13,8 +13,10 @@ from urdfkit.source import Source
 if TYPE_CHECKING:
     from urdfkit.expansion import Xacro
     from urdfkit.files import Files
+    from urdfkit.grammar import Deviation
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
+    from urdfkit.targets import Targets
     from urdfkit.tree import KinematicTree
 
 
@@ -53,7 +55,9 @@ class Subject:
         arguments: Mapping[str, str] | None = None,
         *,
         trust: bool = False,
+        targets: Targets | None = None,
     ) -> None:
+        self._given_targets = targets
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -98,6 +102,18 @@ class Subject:
         return self.reading.document
 
     @cached_property
+    def deviations(self) -> dict[str, list[Deviation]]:
+        """Where the document deviates from URDF's grammar, by the code of the rule that tells it."""
+        from urdfkit.grammar import deviations
+        from urdfkit.schema import XACRO_TAGS
+
+        xacro = self.reading.xacro
+        if xacro is None:
+            return deviations(self.document, plain=True)
+        claimed = XACRO_TAGS.union(macro.name for macro in xacro.macros)  # XAC002
+        return deviations(self.document, plain=False, claimed=claimed)
+
+    @cached_property
     def model(self) -> RobotModel:
         """The robot in the document."""
         from urdfkit.model import RobotModel
@@ -110,6 +126,13 @@ class Subject:
         from urdfkit.tree import KinematicTree
 
         return KinematicTree(self.model)
+
+    @cached_property
+    def targets(self) -> Targets:
+        """The consumers that it is checked for: as given, else as the model gives away."""
+        from urdfkit.targets import infer
+
+        return infer(self) if self._given_targets is None else self._given_targets
 
     @cached_property
     def files(self) -> Files:

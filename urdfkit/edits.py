@@ -1,0 +1,88 @@
+"""Text edits that mend an element: comments, quotes, indentation and line ends stay as they are.
+
+Only what a file holds literally can be edited, so every function here may answer None: the name or
+the value came out of a xacro expression, and a person must decide where to change it.
+"""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.diagnostic import Edit
+from urdfkit.document import Attribute, Element
+from urdfkit.source import Source, Span
+
+_END_TAG_NAME = re.compile(rb"</\s*([^\s>]+)")
+
+
+def rename_element(element: Element, name: str) -> tuple[Edit, ...] | None:
+    """Give an element another name, in its start tag and its end tag."""
+    tag = element.tag_at
+    if tag.name_span.text != element.tag:
+        return None
+    edits = [Edit(tag.name_span, name)]
+    if end := _END_TAG_NAME.match(tag.source.data, tag.close):
+        edits.append(Edit(Span(tag.source, *end.span(1)), name))
+    return tuple(edits)
+
+
+def rename_attribute(attribute: Attribute, name: str) -> tuple[Edit, ...] | None:
+    """Give an attribute another name and leave its value alone."""
+    tag, value = attribute.element.tag_at, attribute.element.tag_at.attribute_spans()
+    if attribute.written_in is not None or attribute.name not in value:
+        return None
+    before = tag.source.data[tag.start : value[attribute.name].start - 1]
+    end = tag.start + len(before.rstrip().removesuffix(b"=").rstrip())
+    start = end - len(attribute.name.encode())
+    return (Edit(Span(tag.source, start, end), name),)
+
+
+def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
+    """Give an attribute another value."""
+    if not attribute.literal:
+        return None
+    escaped = value.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+    return (Edit(attribute.span, escaped.replace("'", "&apos;")),)
+
+
+def remove_element(element: Element) -> tuple[Edit, ...] | None:
+    """Take an element out, with its line where nothing else stands on it.
+
+    None in a macro, whose other calls may need it.
+    """
+    if from_macro(element):
+        return None
+    whole = element.tag_at.whole_span
+    source, start, end = whole
+    line_start, line_end = _line(source, start, end)
+    alone = not source.data[line_start:start].strip() and not source.data[end:line_end].strip()
+    return (Edit(Span(source, line_start, line_end) if alone else whole, ""),)
+
+
+def insert_before(element: Element, lines: tuple[str, ...]) -> tuple[Edit, ...] | None:
+    """Put lines of XML before an element, indented as it is; None in a macro."""
+    if from_macro(element):
+        return None
+    source, start, end = element.span
+    before = source.data[_line(source, start, end)[0] : start]
+    indent = b"" if before.strip() else before
+    newline = "\r\n" if b"\r\n" in source.data else "\n"
+    separator = newline + indent.decode("ascii", "replace")
+    text = "".join(line + separator for line in lines)
+    return (Edit(Span(source, start, start), text),)
+
+
+def from_macro(element: Element) -> bool:
+    """True if a macro wrote the element, so that one edit would change all of its calls."""
+    frame = element.frame
+    while frame is not None:
+        if frame.kind == "macro":
+            return True
+        frame = frame.outer
+    return False
+
+
+def _line(source: Source, start: int, end: int) -> tuple[int, int]:
+    """The whole lines that hold some bytes, with the last line end."""
+    after = source.data.find(b"\n", end)
+    return source.data.rfind(b"\n", 0, start) + 1, after + 1 or len(source.data)

@@ -1,0 +1,136 @@
+"""Who will read the robot: the consumers that a finding is weighed for.
+
+The same model suffers differently in each: a root link with inertia makes KDL warn while Gazebo
+needs it. Targets are given, or inferred from what the model itself gives away: its plugins and
+the build system of its package.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.nearest import did_you_mean
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+TARGETS = {
+    "ros1": "ROS 1: urdfdom, robot_state_publisher, RViz",
+    "ros2": "ROS 2: urdfdom, robot_state_publisher, RViz, ros2_control",
+    "classic-ros1": "Gazebo Classic with the plugins of ROS 1",
+    "classic-ros2": "Gazebo Classic 11 with the plugins of ROS 2",
+    "gz-fortress": "Gazebo Fortress (Ignition)",
+    "gz-harmonic": "Gazebo Harmonic",
+    "gz-jetty": "Gazebo Jetty",
+    "kdl": "KDL and what builds on kdl_parser",
+    "moveit": "MoveIt 1 and 2",
+    "mujoco": "MuJoCo",
+    "drake": "Drake",
+    "pinocchio": "Pinocchio",
+    "isaac": "Isaac Sim and Isaac Lab",
+}
+
+#: Every Gazebo; they convert URDF to SDF with the same library.
+GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
+
+_CLASSIC_PLUGIN = re.compile(r"(lib)?(gazebo_ros|hector_gazebo|hector|rotors)_")
+_ROS_OF_MANIFEST = (
+    (re.compile(rb"<(buildtool_depend|build_type)>\s*ament"), "ros2"),
+    (re.compile(rb"<(buildtool_depend|build_type)>\s*catkin"), "ros1"),
+)
+
+
+class UnknownTarget(UrdfkitError):
+    """A name that is no target."""
+
+
+class Targets(NamedTuple):
+    """The consumers that a description is checked for.
+
+    Attributes:
+        names: in the order of ``TARGETS``.
+        evidence: why each of them was inferred; empty if they were given.
+    """
+
+    names: tuple[str, ...]
+    evidence: tuple[str, ...] = ()
+
+    def any_of(self, names: Iterable[str]) -> bool:
+        """True if one of some consumers is meant."""
+        return any(name in self.names for name in names)
+
+
+def parse(names: Iterable[str]) -> Targets:
+    """Targets given by name.
+
+    Raises:
+        UnknownTarget: with the nearest.
+    """
+    chosen = set(names)
+    for name in chosen:
+        if name not in TARGETS:
+            hint = did_you_mean(name, TARGETS)
+            raise UnknownTarget(f"there is no target '{name}'{hint} ({', '.join(TARGETS)})")
+    return Targets(tuple(name for name in TARGETS if name in chosen))
+
+
+def infer(subject: Subject) -> Targets:
+    """The targets that a model gives away, each with the reason."""
+    found: dict[str, str] = {}
+    for name, reason in _evidence(subject):
+        found.setdefault(name, reason)
+    names = tuple(name for name in TARGETS if name in found)
+    return Targets(names, tuple(f"{name}: {found[name]}" for name in names))
+
+
+def _evidence(subject: Subject) -> Iterator[tuple[str, str]]:
+    ros = _ros_of_package(subject)
+    if ros:
+        yield ros, "package.xml"
+    if subject.model.ros2_controls:
+        yield "ros2", "<ros2_control>"
+    for element in (*subject.model.gazebo, *subject.model.ros2_controls):
+        for plugin in element.walk():
+            # ros2_control names its hardware plugin in the text
+            name = plugin.get("filename") or plugin.text.strip()
+            if plugin.tag == "plugin" and (target := _target_of_plugin(name, plugin, ros)):
+                yield target, f"plugin {name}"
+
+
+def _ros_of_package(subject: Subject) -> str | None:
+    package = subject.resolver.packages.enclosing(subject.source.path)
+    if package is None:
+        return None
+    try:
+        with open(os.path.join(package[1], "package.xml"), "rb") as file:
+            manifest = file.read(1 << 20)
+    except OSError:
+        return None  # a rosbuild package
+    return next((ros for pattern, ros in _ROS_OF_MANIFEST if pattern.search(manifest)), None)
+
+
+def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None:
+    if "ignition-gazebo" in name or "ign_ros2_control" in name:
+        return "gz-fortress"
+    if "gz-sim" in name or "gz_ros2_control" in name:
+        return "gz-harmonic"
+    if "gazebo_ros2_control" in name:
+        return "classic-ros2"
+    if _CLASSIC_PLUGIN.match(name):
+        return _classic_generation(plugin, ros)
+    return None
+
+
+def _classic_generation(plugin: Element, ros: str | None) -> str:
+    """ROS 2's plugins have a ``<ros>`` block and snake_case tags, ROS 1's have camelCase."""
+    tags = {child.tag for child in plugin.children}
+    if "ros" in tags or any("_" in tag for tag in tags):
+        return "classic-ros2"
+    if any(tag != tag.lower() for tag in tags):
+        return "classic-ros1"
+    return "classic-ros2" if ros == "ros2" else "classic-ros1"
