@@ -2,12 +2,14 @@
 
 A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
-beside the robot, by relative path. Rules of other packages are tested with the same functions.
+beside the robot, by relative path; ``FOLDER`` stands for the folder that holds them all. Rules
+of other packages are tested with the same functions.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import sys
 import tempfile
 from collections.abc import Mapping
@@ -19,10 +21,16 @@ from urdfkit.rules import Rule
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 
+#: In an example, the absolute path of the folder of the robot.
+FOLDER = "/home/student/arm_description"
+
+#: What an example may begin with that is only the inside of a robot.
+_PIECE = re.compile(r"\s*<(link|joint|material|gazebo|transmission|ros2_control)\b")
+
 
 def whole_robot(text: str) -> str:
     """An example as a whole document."""
-    if text.lstrip().startswith("<link") or text.lstrip().startswith("<joint"):
+    if _PIECE.match(text):
         return f'<robot name="example">\n{text}\n</robot>\n'
     return text
 
@@ -36,8 +44,8 @@ def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "wb") as file:
                 file.write(data)
+        robot = whole_robot(text).replace(FOLDER, folder)
         source = Source(
-            os.path.join(folder, "example.urdf"),
-            whole_robot(text).encode("utf-8", "surrogateescape"),
+            os.path.join(folder, "example.urdf"), robot.encode("utf-8", "surrogateescape")
         )
-        return diagnose(rule, list(rule.check(Subject(source, Resolver({})))))
+        return diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))

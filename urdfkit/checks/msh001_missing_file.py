@@ -1,0 +1,61 @@
+"""A mesh file does not exist.
+
+RViz shows the link white or not at all, and turns the robot's status red; Gazebo leaves the shape
+out, so that a link without its collision falls through the floor; Pinocchio and MuJoCo refuse the
+model. The package was found, the file in it was not: look for a slip in the name, a folder that
+has moved, or a file that was never committed. A package that is not found is MSH005, a name that
+differs only in upper and lower case MSH002.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="package://arm_description/meshes/forarm.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forarm", "forearm")
+FIXED = GOOD
+FILES = {
+    "package.xml": b"<package><name>arm_description</name></package>",
+    "meshes/forearm.stl": b"solid\nendsolid\n",
+}
+
+
+@rule(
+    "MSH001",
+    "missing-file",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="make the mesh, or copy it to where the robot looks for it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    files = subject.files
+    for mesh in files.missing:
+        if files.spelt_on_disk(mesh):
+            continue
+        located = mesh.located
+        where = f" in package '{located.package}'" if located.package else ""
+        tried = ", ".join(located.tried)
+        message = f"{mesh.who} does not exist{where}; tried {tried}"
+        meant = files.nearest(mesh)
+        if meant is None:
+            yield Finding(mesh.at, message)
+            continue
+        edits = (
+            replace_value(mesh.literal, meant.reference) if mesh.literal and meant.sure else None
+        )
+        fix = Fix(f"Refer to {meant.reference}", edits) if edits else None
+        yield Finding(mesh.at, message, f"did you mean '{meant.reference}'?", fix)

@@ -1,0 +1,75 @@
+"""The package of a mesh reference is not found on this machine.
+
+Whether the meshes exist cannot be said without it, and no reader can load them here. It is one
+finding for all references to the package. Where the package is installed elsewhere, name its
+folder or source the workspace that has it; where the name is a slip, mend it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.files import MeshReference
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="package:///arm_description/meshes/forearm.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("package:///", "package://")
+FIXED = GOOD
+FILES = {
+    "package.xml": b"<package><name>arm_description</name></package>",
+    "meshes/forearm.stl": b"solid\nendsolid\n",
+}
+
+
+@rule(
+    "MSH005",
+    "package-not-found",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="name its folder with --package NAME=DIR, or source the workspace that has it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for name, meshes in subject.files.without_package.items():
+        if name:
+            yield _not_found(subject, name, meshes)
+            continue
+        for mesh in meshes:
+            yield _not_named(subject, mesh)
+
+
+def _not_found(subject: Subject, name: str, meshes: list[MeshReference]) -> Finding:
+    first = meshes[0]
+    held = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
+    searched = ", ".join(first.located.searched)
+    known = subject.resolver.packages.known(subject.source.path)
+    return Finding(
+        first.at,
+        f"link '{first.link}': package '{name}' is not found on this machine, so {held} of it "
+        f"cannot be checked; searched {searched}",
+        f"name its folder with --package {name}=DIR, or source the workspace that has it"
+        + did_you_mean(name, known),
+    )
+
+
+def _not_named(subject: Subject, mesh: MeshReference) -> Finding:
+    """``package:///name/...``, whose package is the empty text before the third slash."""
+    reference = f"{mesh.located.scheme}://{mesh.located.relative.lstrip('/')}"
+    located = subject.resolver.locate(reference, subject.files.top)
+    edits = replace_value(mesh.literal, reference) if mesh.literal and located.path else None
+    fix = Fix("Remove the third slash", edits) if edits else None
+    scheme = mesh.located.scheme
+    message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
+    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix)

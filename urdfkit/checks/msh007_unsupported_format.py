@@ -1,0 +1,61 @@
+"""A mesh is in a format that the readers of URDF do not load.
+
+By content it is a CAD or scene file (STEP, IGES, Blender, 3DS, VRML, X3D, AMF, 3MF, USD), which
+Gazebo, MuJoCo and Drake do not read at all, or it is a mesh under the suffix of another format:
+readers choose by the suffix and then fail or load nothing. Export it as STL, COLLADA or OBJ.
+PLY, glTF and FBX are not told: RViz, MoveIt and Pinocchio load them through assimp, new Gazebo
+loads glTF and FBX, Gazebo Classic loads none of the three.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import BY_SUFFIX
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forearm.stl", "hand.stl")
+FILES = {
+    "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
+    "hand.stl": b"solid\nendsolid\n",
+}
+
+_NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())
+
+
+@rule(
+    "MSH007",
+    "unsupported-format",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="export it as STL, COLLADA (.dae) or OBJ",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh in subject.files.meshes:
+        facts, path = mesh.facts, mesh.located.path
+        if facts is None or path is None or facts.defect:
+            continue
+        suffix = os.path.splitext(path)[1]
+        if facts.format in _NOT_LOADED:
+            yield Finding(
+                mesh.at, f"{mesh.who} is a {facts.format} file, which Gazebo does not read"
+            )
+        elif _is_mesh(facts.format) and facts.format not in BY_SUFFIX.get(suffix.lower(), ()):
+            message = f"{mesh.who} is {facts.format} by content, and its name ends in '{suffix}'"
+            yield Finding(mesh.at, message, "give the file the suffix of its format")
+
+
+def _is_mesh(form: str) -> bool:
+    return any(form in forms for forms in BY_SUFFIX.values())

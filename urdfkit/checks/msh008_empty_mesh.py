@@ -1,0 +1,51 @@
+"""A mesh file holds no triangles.
+
+It has no bytes at all, as `touch` makes it, or it is a frame without content: no facets, no faces,
+a scene that shows nothing. Readers either refuse it or load it in silence as nothing, and the
+link has no shape. Export the mesh again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import Kind
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="meshes/empty.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("empty", "plate")
+TRIANGLE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+
+FILES = {"meshes/empty.stl": b"", "meshes/plate.stl": TRIANGLE}
+
+
+@rule(
+    "MSH008",
+    "empty-mesh",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="export the mesh again, or copy it from where the robot comes from",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh, reason in subject.files.with_defect(Kind.EMPTY):
+        yield Finding(mesh.at, f"{mesh.who} {reason}")

@@ -1,0 +1,55 @@
+"""A mesh file cannot be read.
+
+It may not be opened, is of no known format, or its content contradicts itself: a corner that is
+not three numbers, a face of a vertex that is not there, XML with a wrong end tag, a reference
+inside a COLLADA file to nothing. Some readers refuse such a file, others load it in silence as
+nothing. Export the mesh again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import Kind
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="meshes/comma.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("comma", "plate")
+TRIANGLE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+
+FILES = {
+    "meshes/comma.stl": TRIANGLE.replace(b"1 0 0", b"1,0 0,0 0,0"),
+    "meshes/plate.stl": TRIANGLE,
+}
+
+
+@rule(
+    "MSH009",
+    "unreadable-mesh",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="export the mesh again, or copy it from where the robot comes from",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh, reason in subject.files.with_defect(Kind.UNREADABLE):
+        yield Finding(mesh.at, f"{mesh.who} {reason}")

@@ -1,0 +1,55 @@
+"""A file that should be a mesh is something else.
+
+Common are a web page that was saved instead of the file it shows, and the pointer that Git LFS
+leaves where `git lfs pull` has not been run; a picture, an archive or a text under the name of a
+mesh do no better. Every reader fails on it, and few say why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import Kind
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="meshes/hokuyo.dae"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("hokuyo.dae", "plate.stl")
+TRIANGLE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+
+FILES = {
+    "meshes/hokuyo.dae": b"<!DOCTYPE html><html><title>hokuyo.dae</title></html>",
+    "meshes/plate.stl": TRIANGLE,
+}
+
+
+@rule(
+    "MSH010",
+    "not-a-mesh",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="fetch the file itself: from the raw link of the page, or with git lfs pull",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh, reason in subject.files.with_defect(Kind.NOT_A_MESH):
+        pull = "run git lfs pull" if "Git LFS" in reason else ""
+        yield Finding(mesh.at, f"{mesh.who} {reason}", pull)

@@ -1,0 +1,52 @@
+"""A mesh file is cut off, or holds more than it declares.
+
+A download or an export broke off: a binary STL has fewer (or more) bytes than its number of
+triangles asks for, a COLLADA file ends before its last tag, a PLY file has fewer faces than it
+declares. Some readers refuse such a file, others load it in silence as nothing or in part. Fetch
+or export the mesh again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import Kind
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="meshes/half.stl"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("half", "plate")
+TRIANGLE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+
+FILES = {"meshes/half.stl": TRIANGLE[:70], "meshes/plate.stl": TRIANGLE}
+
+
+@rule(
+    "MSH011",
+    "truncated-mesh",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="fetch or export the mesh again",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh, reason in subject.files.with_defect(Kind.TRUNCATED):
+        yield Finding(mesh.at, f"{mesh.who} {reason}")

@@ -1,0 +1,247 @@
+"""The mesh files that a model names: where they are, what their bytes say, what was meant."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from typing import NamedTuple
+
+from urdfkit.document import Attribute, Tag
+from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts
+from urdfkit.meshes.sniff import sniff_file
+from urdfkit.model import Body, Placed, RobotModel
+from urdfkit.nearest import nearest
+from urdfkit.resolve import Located, Resolver
+
+#: Folders of a package that are searched for a file of the wanted name.
+MAX_FOLDERS = 2000
+#: Two words are one word misspelt above this ratio of common letters.
+_SLIP = 0.75
+
+_SEPARATORS = re.compile(r"[_\-. ]+")
+_NUMBERS = re.compile(r"\d+")
+
+
+class MeshReference(NamedTuple):
+    """A mesh that a visual or a collision names.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: name of the link.
+        role: ``visual`` or ``collision``.
+        located: where it leads.
+        facts: what the file's bytes say; None if there is no file.
+    """
+
+    at: Placed[str]
+    link: str
+    role: str
+    located: Located
+    facts: MeshFacts | None
+
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
+
+    @property
+    def literal(self) -> Attribute | None:
+        """The attribute, if the source holds this very reference and a fix may edit it."""
+        at = self.at.at
+        return at if isinstance(at, Attribute) and at.literal else None
+
+
+class Suggestion(NamedTuple):
+    """What a reference may have meant.
+
+    Attributes:
+        reference: to write instead.
+        path: the file that it leads to.
+        sure: True if nothing else comes into question.
+    """
+
+    reference: str
+    path: str
+    sure: bool
+
+
+class Files:
+    """The files of one model; every file is found and read once.
+
+    Args:
+        model: that names them.
+        resolver: finds them.
+    """
+
+    def __init__(self, model: RobotModel, resolver: Resolver) -> None:
+        self.resolver = resolver
+        self.top = model.document.sources[0].path
+        self._model = model
+        self._facts: dict[str, MeshFacts] = {}
+        self._below: dict[str, list[str]] = {}
+
+    @cached_property
+    def meshes(self) -> tuple[MeshReference, ...]:
+        """Every mesh reference, in the order of the document.
+
+        References with an unexpanded ``${`` or ``$(`` are left out: they name no file yet.
+        """
+        return tuple(
+            self._mesh(link.name, role, filename)
+            for link in self._model.links
+            for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
+            for filename in _filenames(bodies)
+            if "${" not in filename.value and "$(" not in filename.value
+        )
+
+    @cached_property
+    def missing(self) -> tuple[MeshReference, ...]:
+        """The references that lead to no file, although their package is known."""
+        return tuple(
+            mesh
+            for mesh in self.meshes
+            if mesh.located.path is None
+            and (mesh.located.package is None or mesh.located.folder is not None)
+            and mesh.located.scheme in ("package", "model", "absolute", "relative")
+        )
+
+    def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
+        """The references whose file cannot be used for a reason of this kind, and the reason."""
+        for mesh in self.meshes:
+            defect = mesh.facts.defect if mesh.facts else None
+            if defect and defect.kind is kind:
+                yield mesh, defect.reason
+
+    @cached_property
+    def without_package(self) -> dict[str, list[MeshReference]]:
+        """The references whose package is not found, by its name."""
+        found: dict[str, list[MeshReference]] = {}
+        for mesh in self.meshes:
+            if mesh.located.package is not None and mesh.located.folder is None:
+                found.setdefault(mesh.located.package, []).append(mesh)
+        return found
+
+    def spelt_on_disk(self, mesh: MeshReference) -> Suggestion | None:
+        """For a missing file, the reference with upper and lower case as on disk."""
+        base, relative = self._expected(mesh.located)
+        spelt = self.resolver.folders.find_ignoring_case(base, relative)
+        if spelt is None:
+            return None
+        path = os.path.normpath(os.path.join(base, spelt))
+        return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
+
+    def nearest(self, mesh: MeshReference) -> Suggestion | None:
+        """What a missing file may have been meant to be.
+
+        A file of the same name elsewhere in the package, else one of a similar name in the same
+        folder. It is sure if nothing else comes into question and no other link uses it.
+        """
+        path = self._same_name_elsewhere(mesh.located)
+        if path is None:
+            path, sure = self._similar_name(mesh.located)
+        else:
+            sure = True
+        if path is None:
+            return None
+        sure = sure and path not in self._used
+        return Suggestion(self.reference_to(path, mesh.located), path, sure)
+
+    def reference_to(self, path: str, like: Located) -> str:
+        """A reference to a file, of the same sort as another one if it can be."""
+        if like.folder:
+            return f"{like.scheme}://{like.package}/{_relative(path, like.folder)}"
+        package = self.resolver.packages.enclosing(path)
+        if like.scheme != "relative" and package:
+            return f"package://{package[0]}/{_relative(path, package[1])}"
+        return _relative(path, self._folder) if like.scheme == "relative" else path
+
+    @property
+    def _folder(self) -> str:
+        return os.path.dirname(os.path.abspath(self.top))
+
+    @cached_property
+    def _used(self) -> set[str]:
+        return {mesh.located.path for mesh in self.meshes if mesh.located.path}
+
+    def _mesh(self, link: str, role: str, filename: Placed[str]) -> MeshReference:
+        located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
+        facts = None
+        if located.path:
+            if located.path not in self._facts:
+                self._facts[located.path] = sniff_file(located.path)
+            facts = self._facts[located.path]
+        return MeshReference(filename, link, role, located, facts)
+
+    def _expected(self, located: Located) -> tuple[str, str]:
+        """The folder below which a missing file should be, and its path there."""
+        if located.folder:
+            return located.folder, located.relative
+        if located.scheme == "relative":
+            return self._folder, located.relative
+        return os.path.split(located.tried[0])
+
+    def _same_name_elsewhere(self, located: Located) -> str | None:
+        """The only file of the wanted name in the package; None if there are several."""
+        base = located.folder
+        if base is None:
+            package = self.resolver.packages.enclosing(self.top)
+            base = package[1] if package else self.resolver.packages.workspace(self.top)
+        if base not in self._below:
+            self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
+        wanted = os.path.basename(located.relative).casefold()
+        found = [p for p in self._below[base] if os.path.basename(p).casefold() == wanted]
+        return found[0] if len(found) == 1 else None
+
+    def _similar_name(self, located: Located) -> tuple[str | None, bool]:
+        """A mesh file of a similar name in the same folder, and whether that name is a slip."""
+        base, relative = self._expected(located)
+        folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
+        entries = self.resolver.folders.entries(folder) or {}
+        meshes = [name for name in entries if not entries[name] and _suffix(name) in BY_SUFFIX]
+        name = nearest(wanted, meshes)
+        if name is None:
+            return None, False
+        return os.path.join(folder, name), is_slip(wanted, name)
+
+
+def is_slip(wrong: str, right: str) -> bool:
+    """True if a file name is another one misspelt.
+
+    ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
+    alike for itself, and all numbers equal.
+    """
+    if _suffix(wrong) != _suffix(right) or _NUMBERS.findall(wrong) != _NUMBERS.findall(right):
+        return False
+    words, others = _words(wrong), _words(right)
+    if "".join(words) == "".join(others):
+        return True
+    return len(words) == len(others) and all(
+        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _SLIP))
+        for word, other in zip(words, others, strict=True)
+    )
+
+
+def _words(name: str) -> list[str]:
+    return [word for word in _SEPARATORS.split(os.path.splitext(name)[0].casefold()) if word]
+
+
+def _suffix(name: str) -> str:
+    return os.path.splitext(name)[1].lower()
+
+
+def _relative(path: str, folder: str) -> str:
+    return os.path.relpath(path, folder).replace(os.sep, "/")
+
+
+def _tag(placed: Placed[str]) -> Tag:
+    """The tag that holds the text of a value."""
+    at = placed.at
+    if isinstance(at, Attribute):
+        return at.written_in or at.element.tag_at
+    return at.tag_at
+
+
+def _filenames(bodies: tuple[Body, ...]) -> list[Placed[str]]:
+    return [body.shape.filename for body in bodies if body.shape and body.shape.filename]
