@@ -10,7 +10,7 @@ import tempfile
 from itertools import groupby
 from pathlib import Path
 
-from urdfkit import Source, check
+from urdfkit import Report, Source, check
 from urdfkit.examples import diagnose_example
 from urdfkit.formats import get
 from urdfkit.rules import Rule, all_rules
@@ -102,10 +102,20 @@ def with_excerpt(readme: str) -> str:
 def excerpt() -> str:
     """The findings of the mission's robot that are SHOWN, and the last line of the report."""
     # Under the name that a user types who stands in the folder of the project.
-    source = Source(str(MISSION), (ROOT / MISSION).read_bytes())
-    *findings, last = get("text")(check(source)).strip().split("\n\n")
+    report = check(Source(str(MISSION), (ROOT / MISSION).read_bytes()))
+    *findings, last = get("text")(without_root(report)).strip().split("\n\n")
     shown = [part for part in findings if part.partition("\n")[0].endswith(SHOWN)]
     return "\n\n".join([*shown, last.rpartition("\n")[2]])
+
+
+def without_root(report: Report) -> Report:
+    """The report without the folder that the project happens to lie in."""
+    return report._replace(
+        diagnostics=tuple(
+            found._replace(message=found.message.replace(f"{ROOT}/", ""))
+            for found in report.diagnostics
+        )
+    )
 
 
 def block(language: str, text: str) -> str:
