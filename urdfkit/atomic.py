@@ -35,18 +35,18 @@ def _write(path: str, data: bytes) -> None:
             file.write(data)
         return
     temporary = f"{path}.{os.getpid()}.tmp"
-    with open(temporary, "xb") as file:
-        try:
+    file = open(temporary, "xb")  # noqa: SIM115 - closed before it takes the name
+    try:
+        with file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-            if mode is not None:
-                os.chmod(temporary, stat.S_IMODE(mode))
-        except BaseException:
-            file.close()
-            os.unlink(temporary)
-            raise
-    os.replace(temporary, path)
+        if mode is not None:
+            os.chmod(temporary, stat.S_IMODE(mode))
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
 
 
 def _why_unwritable(path: str | os.PathLike[str], error: OSError) -> str:

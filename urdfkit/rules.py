@@ -184,24 +184,26 @@ def find_rule(word: str) -> Rule:
     """The rule of a code or a name, in small or capital letters.
 
     Raises:
-        UnknownRule: there is none; the message has the nearest.
+        UnknownRule: there is none, or two have that name; the message says which, or the nearest.
     """
     by_name = names()
-    code = by_name.get(word.lower(), word.upper())
-    if code not in _modules:
+    found = by_name.get(word.lower(), [word.upper()])
+    if found[0] not in _modules:
         raise UnknownRule(word, _hint(word, [*_modules, *by_name]))
-    return get(code)
+    if len(found) > 1:
+        raise UnknownRule(word, f" alone: {' and '.join(found)} have that name")
+    return get(found[0])
 
 
 def matching(word: str) -> list[str]:
-    """The codes that begin with a word, or the code of the rule with that name.
+    """The codes that begin with a word, or those of the rules with that name.
 
     Raises:
         UnknownRule: there is none; the message has the nearest.
     """
     by_name = names()
     if named := by_name.get(word.lower()):
-        return [named]
+        return named
     found = [code for code in _modules if word and code.startswith(word.upper())]
     if not found:
         families = {code[:3] for code in _modules}
@@ -213,11 +215,16 @@ def _hint(word: str, known: list[str]) -> str:
     return did_you_mean(word, known) or "; 'urdfkit rules' lists them"
 
 
-def names() -> dict[str, str]:
-    """The code of every rule by its name; read from the file names, nothing is imported."""
+def names() -> dict[str, list[str]]:
+    """The codes of all rules by name; read from the file names, nothing is imported.
+
+    A name may serve two families: a package can be missing for xacro and for a mesh.
+    """
     prefix = len("urdfkit.checks.abc123_")
-    codes()
-    return {module[prefix:].replace("_", "-"): code for code, module in _modules.items()}
+    found: dict[str, list[str]] = {}
+    for code in codes():
+        found.setdefault(_modules[code][prefix:].replace("_", "-"), []).append(code)
+    return found
 
 
 def all_rules() -> list[Rule]:

@@ -69,7 +69,7 @@ def fake(severity: Severity) -> Rule:
     def find(subject: Subject):  # type: ignore[no-untyped-def]
         yield Finding(subject.document.root, "it is there")
 
-    return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__)
+    return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__, {})
 
 
 @pytest.mark.parametrize(
@@ -166,7 +166,8 @@ def test_what_is_asked_for_reaches_the_library(
 
     monkeypatch.setattr("urdfkit.cli.checking.check", record)
     check(
-        "a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}", "--select=A", "--ignore=B,C"
+        *("a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}"),
+        *("--select=A", "--ignore=B,C", "--target", "moveit", "--target=kdl"),
     )
     check("a.urdf")
     assert asked == [
@@ -177,12 +178,20 @@ def test_what_is_asked_for_reaches_the_library(
                 "packages": {"x": str(tmp_path)},
                 "select": ["A"],
                 "ignore": ["B", "C"],
+                "targets": ["moveit", "kdl"],
                 "trust": True,
             },
         ),
         (
             ("a.urdf",),
-            {"arguments": {}, "packages": {}, "select": [], "ignore": [], "trust": False},
+            {
+                "arguments": {},
+                "packages": {},
+                "select": [],
+                "ignore": [],
+                "targets": [],
+                "trust": False,
+            },
         ),
     ]
 

@@ -67,6 +67,7 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
         (["check", "a", "--select"], "--select"),
         (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
         (["check", GOOD, "--ignore", "QQQ"], "no rule 'QQQ'"),
+        (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
         (["check", "no_such.urdf"], "no_such.urdf: there is no such file"),
         (["check", GOOD, "no_such.urdf"], "no_such.urdf: there is no such file"),
         (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),

@@ -114,8 +114,8 @@ def test_files_and_arguments_are_told_apart() -> None:
 
 def test_lists_of_codes_may_be_repeated_and_have_commas() -> None:
     found = values("a", "--select", "MSH, XML001", "--select=TRE,")
-    assert options.codes(found, "select") == ["MSH", "XML001", "TRE"]
-    assert options.codes(found, "ignore") == []
+    assert options.words(found, "select") == ["MSH", "XML001", "TRE"]
+    assert options.words(found, "ignore") == []
 
 
 def test_packages(tmp_path: Path) -> None:

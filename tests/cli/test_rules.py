@@ -29,6 +29,7 @@ def test_the_same_as_json(capsys: pytest.CaptureFixture[str]) -> None:
         "code": "TRE006",
         "name": "joint-to-itself",
         "severity": "error",
+        "by_target": {},
         "needs": ["model"],
         "fixable": False,
         "help": rule.help,

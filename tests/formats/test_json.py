@@ -13,6 +13,7 @@ from tests.formats.made import diagnostic, macro, report, span
 from urdfkit.diagnostic import Call, Confidence, Crashed, Edit, Fix, Related, Severity, Skipped
 from urdfkit.formats.json import VERSION, render
 from urdfkit.source import Source
+from urdfkit.targets import Targets
 
 SCHEMA = json.loads((ROOT / "urdfkit/formats/report.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -33,6 +34,7 @@ FULL = report(
     ),
     skipped=(Skipped("ABC002", "robot.xacro", "b"), Skipped("ABC001", "robot.xacro", "a")),
     crashed=(Crashed("ABC003", "robot.xacro", "ValueError: boom", "Traceback ..."),),
+    targets=(("robot.urdf", Targets(("ros1",), ("ros1: package.xml",))),),
 )
 
 
@@ -102,6 +104,9 @@ def test_every_field() -> None:
         "summary": {
             "files": ["robot.urdf"],
             "rules": ["ABC123"],
+            "targets": [
+                {"path": "robot.urdf", "names": ["ros1"], "evidence": ["ros1: package.xml"]}
+            ],
             "error": 1,
             "warning": 0,
             "info": 0,

@@ -20,6 +20,7 @@ from urdfkit.diagnostic import (
 from urdfkit.document import Step
 from urdfkit.formats.text import render, summary
 from urdfkit.source import Source, Span
+from urdfkit.targets import Targets
 
 PLAIN = Source("robot.urdf", b'<robot name="r">\n  <link name="arm"/>\n</robot>\n')
 
@@ -93,6 +94,17 @@ def test_a_fix_that_the_help_describes_is_told_once() -> None:
 def test_less_than_certain_is_said(confidence: Confidence) -> None:
     text = render(report(diagnostic(span(PLAIN, "arm"), confidence=confidence)))
     assert text.splitlines()[0].endswith(f"2 m is over 1 m ({confidence.value})")
+
+
+def test_for_whom_it_is_weighed_is_said_once_with_the_reason() -> None:
+    found = diagnostic(span(PLAIN, "arm"), targets=("ros1", "kdl"), confidence=Confidence.GUESSED)
+    inferred = Targets(("ros1",), ("ros1: package.xml",))
+    checked = report(found, targets=(("a.urdf", inferred), ("b.urdf", inferred)))
+    text = render(checked, width=100)
+    assert text.splitlines()[0].endswith("2 m is over 1 m (for ros1, for kdl, guessed)")
+    assert text.count("Weighed for ros1: package.xml. Others: --target NAME\n") == 1
+    given = report(found, targets=(("a.urdf", Targets(("ros1",))),))
+    assert "Weighed" not in render(given)
 
 
 def test_an_empty_file_has_no_frame() -> None:

@@ -27,8 +27,9 @@ def run_check(values: Mapping[str, Any]) -> int:
         *(_read_stdin(stdin) if file == "-" else file for file in options.files(values)),
         arguments=options.arguments(values),
         packages=options.packages(values),
-        select=options.codes(values, "select"),
-        ignore=options.codes(values, "ignore"),
+        select=options.words(values, "select"),
+        ignore=options.words(values, "ignore"),
+        targets=options.words(values, "target"),
         trust=values["trust"],
     )
     _show_crashes(report)

@@ -29,10 +29,12 @@ def command(rule: str) -> int:
 
 def render(rule: Rule) -> str:
     """The page of a rule."""
-    fix = "with a fix" if rule.fixable else "without a fix"
+    severities = [rule.severity.value]
+    severities += [f"{severity.value} for {name}" for name, severity in rule.by_target.items()]
+    severities.append("with a fix" if rule.fixable else "without a fix")
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
     parts = [
-        f"{rule.code} {rule.name} ({rule.severity.value}, {fix})",
+        f"{rule.code} {rule.name} ({', '.join(severities)})",
         *map(_fill, rule.explanation.split("\n\n")),
         f"Needs: {needs or 'the text of the file'}",
     ]

@@ -68,6 +68,12 @@ CHECK = (
         ("error", "warning", "info"),
         default="warning",
     ),
+    Option(
+        "--target",
+        "Weigh findings for this program, such as moveit or gz-harmonic. [default: inferred]",
+        "NAMES",
+        many=True,
+    ),
     Option("--exit-zero", "Exit with 0 whatever is found."),
     Option("--statistics", "Instead of the findings, count them by rule."),
     Option("--package", "Where a ROS package is; before every search.", "NAME=FOLDER", many=True),
@@ -128,9 +134,9 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
     return found
 
 
-def codes(values: Mapping[str, Any], key: str) -> list[str]:
-    """The words of the comma lists of ``--select`` or ``--ignore``."""
-    return [word.strip() for words in values[key] for word in words.split(",") if word.strip()]
+def words(values: Mapping[str, Any], key: str) -> list[str]:
+    """The words of an option that takes comma lists."""
+    return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
 
 
 def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:

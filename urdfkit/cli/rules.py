@@ -49,6 +49,7 @@ def _json(rules: Sequence[Rule]) -> str:
             "code": rule.code,
             "name": rule.name,
             "severity": rule.severity.value,
+            "by_target": {name: severity.value for name, severity in rule.by_target.items()},
             "needs": sorted(need.value for need in rule.needs),
             "fixable": rule.fixable,
             "help": rule.help,

@@ -86,6 +86,10 @@ def _summary(report: Report) -> dict[str, Any]:
     return {
         "files": list(report.files),
         "rules": list(report.rules),
+        "targets": [
+            {"path": path, "names": list(targets.names), "evidence": list(targets.evidence)}
+            for path, targets in report.targets
+        ],
         "error": report.count(Severity.ERROR),
         "warning": report.count(Severity.WARNING),
         "info": report.count(Severity.INFO),

@@ -19,12 +19,17 @@ _GUTTER = 8  # columns before a line of source
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """All findings, then the crashed rules, then the summary."""
+    """All findings, then the crashed rules, then where to read more, then the summary."""
     page = _Page(color, width)
     blocks = [page.diagnostic(diagnostic) for diagnostic in report.diagnostics]
     blocks += [page.crash(crash) for crash in report.crashed]
-    if report.diagnostics:
-        blocks.append(f"More about a code: urdfkit explain {report.diagnostics[0].code}\n")
+    hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
+    evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
+    if evidence:
+        text = f"Weighed for {'; '.join(evidence)}. Others: --target NAME"
+        hints.append(page.wrap(text, indent=2))
+    if hints:
+        blocks.append("".join(f"{hint}\n" for hint in hints))
     return "\n".join(blocks) + summary(report, color=color, width=width)
 
 
@@ -89,9 +94,10 @@ class _Page:
 
     def _head(self, diagnostic: Diagnostic) -> str:
         place, severity = self.place(diagnostic.span), diagnostic.severity
-        message = diagnostic.message
+        remarks = [f"for {name}" for name in diagnostic.targets]
         if diagnostic.confidence is not Confidence.MEASURED:
-            message += f" ({diagnostic.confidence.value})"
+            remarks.append(diagnostic.confidence.value)
+        message = diagnostic.message + (f" ({', '.join(remarks)})" if remarks else "")
         used = columns(f"{place}: {severity.value} {diagnostic.code} ")
         kind = f"{self.paint(severity.value, _COLORS[severity])} {self.paint(diagnostic.code, '1')}"
         return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"

@@ -1,0 +1,53 @@
+"""What ``import urdfkit`` promises."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+import urdfkit
+from tests.conftest import MODELS, ROOT
+
+
+def test_every_public_name_is_there_and_nothing_else_is_promised() -> None:
+    homes = " ".join(urdfkit._HOMES.values()).split()
+    assert sorted(homes) == sorted(urdfkit.__all__) == urdfkit.__all__
+    for name in urdfkit.__all__:
+        value = getattr(urdfkit, name)
+        assert value.__name__ == name
+        assert value.__doc__
+    assert set(urdfkit.__all__) <= set(dir(urdfkit))
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="module 'urdfkit' has no attribute 'no_such_name'"):
+        urdfkit.no_such_name  # noqa: B018
+
+
+def test_the_version_is_a_version() -> None:
+    assert re.fullmatch(r"\d+\.\d+\.\d+(\.dev\d+|rc\d+)?", urdfkit.__version__)
+
+
+def test_importing_it_imports_nothing_else() -> None:
+    program = (
+        "import sys; before = set(sys.modules); import urdfkit;"
+        "print(*sorted(set(sys.modules) - before))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.split() == ["__future__", "urdfkit"]
+
+
+def test_the_example_of_the_docstring() -> None:
+    report = urdfkit.check(MODELS / "good" / "gripper.urdf", arguments={"prefix": "left_"})
+    assert isinstance(report, urdfkit.Report)
+    assert [d for d in report.diagnostics if d.severity is not urdfkit.Severity.INFO] == []
+    assert report.ok
+
+
+def test_a_rule_is_found_by_its_code() -> None:
+    assert urdfkit.find_rule("xml001") in urdfkit.all_rules()
