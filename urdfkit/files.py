@@ -190,8 +190,15 @@ class Files:
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         if base not in self._below:
             self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
-        wanted = os.path.basename(located.relative).casefold()
-        found = [p for p in self._below[base] if os.path.basename(p).casefold() == wanted]
+        folder, wanted = os.path.split(located.relative)
+        numbers = _NUMBERS.findall(folder)
+        found = [
+            path
+            for path in self._below[base]
+            if os.path.basename(path).casefold() == wanted.casefold()
+            # The same part of another model of the series is not what was meant.
+            and (not numbers or _NUMBERS.findall(_relative(path, base)) in ([], numbers))
+        ]
         return found[0] if len(found) == 1 else None
 
     def _similar_name(self, located: Located) -> tuple[str | None, bool]:
@@ -199,7 +206,12 @@ class Files:
         base, relative = self._expected(located)
         folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.folders.entries(folder) or {}
-        meshes = [name for name in entries if not entries[name] and _suffix(name) in BY_SUFFIX]
+        numbers = _NUMBERS.findall(wanted)
+        meshes = [
+            name
+            for name, is_folder in entries.items()
+            if not is_folder and _suffix(name) in BY_SUFFIX and _NUMBERS.findall(name) == numbers
+        ]
         name = nearest(wanted, meshes)
         if name is None:
             return None, False
@@ -207,7 +219,7 @@ class Files:
 
 
 def is_slip(wrong: str, right: str) -> bool:
-    """True if a file name is another one misspelt.
+    """True if the name of a file or a package is another one misspelt.
 
     ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
     alike for itself, and all numbers equal.

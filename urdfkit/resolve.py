@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
-from stat import S_ISREG
+from stat import S_ISDIR, S_ISREG
 from typing import NamedTuple
 
 from urdfkit.errors import PackageNotFound
@@ -122,8 +122,8 @@ class Resolver:
         """True if a model may read a file: one of its workspace or of a package.
 
         Symbolic links count as what they lead to, except in packages that the user's
-        environment names: ``colcon build --symlink-install`` fills those with links. What is
-        no regular file (a device, a pipe) is refused.
+        environment names: ``colcon build --symlink-install`` fills those with links. Devices
+        and pipes, which may have no end, are refused.
 
         Args:
             path: the file, which need not exist.
@@ -133,7 +133,8 @@ class Resolver:
         if "\0" in path:
             return False
         try:
-            if not S_ISREG(os.stat(path).st_mode):
+            mode = os.stat(path).st_mode
+            if not S_ISREG(mode) and not S_ISDIR(mode):
                 return False
         except OSError:
             pass  # missing: only its place counts

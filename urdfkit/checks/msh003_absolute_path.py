@@ -32,7 +32,7 @@ FILES = {
     "meshes/forearm.stl": b"solid\nendsolid\n",
 }
 
-_WRITTEN_ABSOLUTE = re.compile(r"(?:file:(?://(?:localhost)?)?)?(?:/|[A-Za-z]:[/\\])")
+_WRITTEN_ABSOLUTE = re.compile(r"(?:file://(?:localhost)?|file:(?!//))?(?:/|[A-Za-z]:[/\\])")
 
 
 @rule(

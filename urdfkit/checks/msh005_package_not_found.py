@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
+from urdfkit.files import is_slip
 from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Need, rule
 
@@ -55,12 +56,12 @@ def _not_found(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     held = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     searched = ", ".join(first.located.searched)
     known = subject.resolver.packages.known(subject.source.path)
+    meant = did_you_mean(name, [package for package in known if is_slip(name, package)])
     return Finding(
         first.at,
         f"link '{first.link}': package '{name}' is not found on this machine, so {held} of it "
         f"cannot be checked; searched {searched}",
-        f"name its folder with --package {name}=DIR, or source the workspace that has it"
-        + did_you_mean(name, known),
+        f"name its folder with --package {name}=DIR, or source the workspace that has it{meant}",
     )
 
 
