@@ -138,6 +138,7 @@ class Report(NamedTuple):
         crashed: rules that failed.
         rules: the codes that ran.
         targets: per file, the consumers that severities were weighed for.
+        suppressed: how many findings ignore comments or the configuration leave out.
     """
 
     files: tuple[str, ...]
@@ -146,6 +147,7 @@ class Report(NamedTuple):
     crashed: tuple[Crashed, ...]
     rules: tuple[str, ...]
     targets: tuple[tuple[str, Targets], ...] = ()
+    suppressed: int = 0
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -1,30 +1,49 @@
-"""check(): rules over a Subject make a Report."""
+"""check(): descriptions of robots make a Report."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit import rules
-from urdfkit.diagnostic import (
-    Call,
-    Crashed,
-    Diagnostic,
-    Report,
-    Skipped,
-)
-from urdfkit.document import Attribute, Element, Step
+from urdfkit.diagnostic import Diagnostic, Report, Skipped
+from urdfkit.judge import Verdict, judge
 from urdfkit.resolve import Resolver
-from urdfkit.rules import Finding, Rule, Written
-from urdfkit.source import Source, Span
-from urdfkit.subject import Subject, Unavailable
+from urdfkit.source import Source
+from urdfkit.subject import Subject
 
 if TYPE_CHECKING:
+    from urdfkit.config import Config
+    from urdfkit.discovery import Found
     from urdfkit.targets import Targets
 
-#: Findings of one rule in one file; more help nobody.
-MAX_FINDINGS = 1000
+
+class Job(NamedTuple):
+    """One description to check.
+
+    Attributes:
+        source: the file.
+        name: of the variant; empty if there is one only.
+        arguments: for xacro.
+        found: True if it was found in a folder, not named.
+    """
+
+    source: Source
+    name: str
+    arguments: dict[str, str]
+    found: bool
+
+
+class Settings(NamedTuple):
+    """What is the same for every job; goes to other processes too."""
+
+    chosen: tuple[str, ...]
+    packages: dict[str, str]
+    targets: Targets | None
+    trust: bool
+    config: Config | None
 
 
 def check(
@@ -35,39 +54,47 @@ def check(
     ignore: Iterable[str] = (),
     targets: Iterable[str] = (),
     trust: bool = False,
+    config: Config | None = None,
+    jobs: int = 1,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Report:
     """Check descriptions of robots.
 
     Args:
-        files: URDF or xacro files, or Sources.
+        files: URDF or xacro files, Sources, or folders, whose entry points are then checked.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of consumers to check for; inferred from each model if empty.
         trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project; the other arguments go before them.
+        jobs: processes that check at the same time.
+        progress: called with the number of descriptions done and of all.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
         UnknownRule: a word of ``select`` or ``ignore`` means no rule.
         UnknownTarget: a name is no target.
     """
-    chosen = choose(select, ignore)
-    wanted = _given(targets)
-    resolver = Resolver(packages or {})
-    collector = _Collector()
-    names: list[str] = []
+    settings = Settings(
+        tuple(choose(select, ignore, config)),
+        {**(config.packages if config else {}), **(packages or {})},
+        _given(targets, config),
+        trust or (config is not None and config.trust),
+        config,
+    )
+    resolver = Resolver(settings.packages)
+    plan = _Plan(resolver, config, arguments or {})
     for file in files:
-        source = file if isinstance(file, Source) else Source.read(file)
-        names.append(source.path)
-        subject = Subject(source, resolver, arguments, trust=trust, targets=wanted)
-        collector.run(subject, chosen)
-    return collector.report(tuple(names))
+        plan.add(file)
+    verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
+    return _report(plan, verdicts)
 
 
-def _given(names: Iterable[str]) -> Targets | None:
+def _given(names: Iterable[str], config: Config | None) -> Targets | None:
     """The targets that were asked for; None if none were."""
-    names = tuple(names)
+    names = tuple(names) or (config.targets if config else ())
     if not names:
         return None
     from urdfkit.targets import parse
@@ -75,7 +102,7 @@ def _given(names: Iterable[str]) -> Targets | None:
     return parse(names)
 
 
-def choose(select: Iterable[str], ignore: Iterable[str]) -> list[str]:
+def choose(select: Iterable[str], ignore: Iterable[str], config: Config | None = None) -> list[str]:
     """The codes that one of ``select`` means and none of ``ignore``.
 
     Raises:
@@ -84,141 +111,139 @@ def choose(select: Iterable[str], ignore: Iterable[str]) -> list[str]:
     """
     selected = {code for word in select for code in rules.matching(word)}
     ignored = {code for word in ignore for code in rules.matching(word)}
+    if config is not None:
+        # What is selected by hand runs, whatever the configuration leaves out.
+        ignored |= config.ignore - selected
+        selected = selected or set(config.select)
     return [
         code for code in rules.codes() if (not selected or code in selected) and code not in ignored
     ]
 
 
-def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
-    """The rules that may have something to say; the others need not even be imported."""
-    reading = subject.reading
-    told = {problem.code for problem in reading.problems}
-    silent: set[str] = set()
-    if reading.xacro is None:
-        silent.add("XAC")
-        told.add("XAC003")  # the one among them that is about plain files
-    if reading.document is None:
-        silent |= {"XAC", "URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"}
-    else:
-        told.update(subject.deviations)
-        model = subject.model
-        if not model.joints:
-            silent.add("JNT")
-        if not any(shape.filename for shape in model.shapes):
-            silent.add("MSH")
-    return [
-        rules.get(code)
-        for code in chosen
-        if code in told
-        or not (
-            code[:3] in silent or code in rules.TOLD_BY_READING or code in rules.TOLD_BY_GRAMMAR
-        )
-    ]
+class _Plan:
+    """Which descriptions to check, with which arguments."""
 
-
-class _Collector:
-    """Gathers the findings of several subjects into one Report."""
-
-    def __init__(self) -> None:
-        self.diagnostics: list[Diagnostic] = []
+    def __init__(
+        self, resolver: Resolver, config: Config | None, arguments: Mapping[str, str]
+    ) -> None:
+        self.resolver = resolver
+        self.config = config
+        self.arguments = dict(arguments)
+        self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
-        self.crashed: list[Crashed] = []
-        self.ran: set[str] = set()
-        self.targets: list[tuple[str, Targets]] = []
 
-    def run(self, subject: Subject, chosen: Iterable[str]) -> None:
-        path = subject.source.path
-        for rule in applicable(subject, chosen):
-            findings: list[Finding] = []
-            try:
-                for finding in rule.check(subject):
-                    findings.append(finding)
-                    if len(findings) >= MAX_FINDINGS:
-                        break
-                self.ran.add(rule.code)
-            except Unavailable as reason:
-                self.skipped.append(Skipped(rule.code, path, str(reason)))
-            except Exception as error:  # a bug in a rule must not hide the other rules
-                self.crashed.append(_crash(rule, path, error))
-            self.diagnostics += diagnose(rule, findings, _targets(rule, findings, subject))
-        if "targets" in vars(subject):
-            self.targets.append((path, subject.targets))
+    def add(self, file: str | os.PathLike[str] | Source) -> None:
+        """A file, with its variants if the configuration has some, or a folder."""
+        if isinstance(file, Source):
+            self._add(file, "", {}, found=False)
+        elif os.path.isdir(file):
+            from urdfkit.config import Config
+            from urdfkit.discovery import discover
 
-    def report(self, files: tuple[str, ...]) -> Report:
-        once: dict[tuple[object, ...], Diagnostic] = {}
-        for diagnostic in self.diagnostics:
+            self.add_found(discover(os.fspath(file), self.config or Config(), self.resolver))
+        else:
+            self._add_file(os.fspath(file))
+
+    def add_found(self, found: Found) -> None:
+        """The entry points of a folder."""
+        for robot in found.robots:
+            path = os.path.relpath(robot.file) if os.path.isabs(robot.file) else robot.file
+            self._add(Source.read(path), robot.name, robot.arguments, found=True)
+        for library in found.libraries:
+            reason = "defines macros only, and no file includes it: check a robot that calls them"
+            self.skipped.append(Skipped("", library, reason))
+
+    def _add_file(self, path: str) -> None:
+        source = Source.read(path)
+        robots = self.config.robots if self.config else ()
+        real = os.path.abspath(path)
+        variants = [robot for robot in robots if robot.file == real]
+        if not variants or self.arguments:
+            self._add(source, "", {}, found=False)
+        for robot in variants if not self.arguments else ():
+            self._add(source, robot.name, robot.arguments, found=False)
+
+    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
+        common = self.config.arguments if self.config else {}
+        every = {**common, **arguments, **self.arguments}
+        self.jobs.append(Job(source, name, every, found))
+
+
+def _verdicts(
+    jobs: list[Job],
+    settings: Settings,
+    resolver: Resolver,
+    processes: int,
+    progress: Callable[[int, int], None] | None,
+) -> list[Verdict]:
+    verdicts: list[Verdict] = []
+    for verdict in _each(jobs, settings, resolver, processes):
+        verdicts.append(verdict)
+        if progress is not None:
+            progress(len(verdicts), len(jobs))
+    return verdicts
+
+
+def _each(
+    jobs: list[Job], settings: Settings, resolver: Resolver, processes: int
+) -> Iterable[Verdict]:
+    if processes <= 1 or len(jobs) <= 1:
+        return (_run(job, settings, resolver) for job in jobs)
+    return _in_processes(jobs, settings, processes)
+
+
+def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[Verdict]:
+    from concurrent.futures import ProcessPoolExecutor
+
+    with ProcessPoolExecutor(min(processes, len(jobs))) as pool:
+        yield from pool.map(_run_alone, jobs, [settings] * len(jobs), chunksize=4)
+
+
+def _run_alone(job: Job, settings: Settings) -> Verdict:
+    return _run(job, settings, Resolver(settings.packages))
+
+
+def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
+    subject = Subject(
+        job.source, resolver, job.arguments, trust=settings.trust, targets=settings.targets
+    )
+    verdict = judge(subject, settings.chosen, settings.config)
+    return _without_arguments(verdict, job) if job.found else verdict
+
+
+def _without_arguments(verdict: Verdict, job: Job) -> Verdict:
+    """A file that was found, not named, and cannot be expanded for want of arguments is skipped."""
+    wanting = [d for d in verdict.diagnostics if d.code == "XAC010"]
+    if not wanting:
+        return verdict
+    names = ", ".join(dict.fromkeys(d.message.split("'")[1] for d in wanting))
+    reason = f"needs arguments ({names}): give them in the configuration, as [[robot]]"
+    return verdict._replace(diagnostics=(), skipped=(Skipped("", job.source.path, reason),))
+
+
+def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
+    once: dict[tuple[object, ...], Diagnostic] = {}
+    for verdict in verdicts:
+        for diagnostic in verdict.diagnostics:
             # Two robots of one run may include the same file; its defect is told once.
             key = (diagnostic.code, diagnostic.span.source.path, *diagnostic.span[1:])
             once.setdefault((*key, diagnostic.message), diagnostic)
-        return Report(
-            files,
-            tuple(sorted(once.values(), key=_reading_order)),
-            tuple(self.skipped),
-            tuple(self.crashed),
-            tuple(sorted(self.ran)),
-            tuple(self.targets),
-        )
-
-
-def _crash(rule: Rule, path: str, error: Exception) -> Crashed:
-    from traceback import format_exc  # 9 ms
-
-    return Crashed(rule.code, path, f"{type(error).__name__}: {error}", format_exc())
+    files = Counter(job.source.path for job in plan.jobs)
+    return Report(
+        tuple(files),
+        tuple(sorted(once.values(), key=_reading_order)),
+        (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
+        tuple(crash for verdict in verdicts for crash in verdict.crashed),
+        tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
+        tuple(
+            (job.source.path, verdict.targets)
+            for job, verdict in zip(plan.jobs, verdicts, strict=True)
+            if verdict.targets is not None
+        ),
+        sum(verdict.suppressed for verdict in verdicts),
+    )
 
 
 def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
     span = diagnostic.span
     return (span.source.path, span.start, diagnostic.code, diagnostic.message)
-
-
-def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:
-    """The targets that a rule's findings are weighed for; inferred only where it matters."""
-    return subject.targets.names if findings and rule.by_target else ()
-
-
-def diagnose(
-    rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
-) -> list[Diagnostic]:
-    """Stamp findings with their rule; what one macro body caused N times becomes one."""
-    groups: dict[tuple[object, ...], list[Finding]] = {}
-    for number, finding in enumerate(findings):
-        span, via = place(finding)
-        key: tuple[object, ...] = (span.source.path, span.start, span.end)
-        # Only different calls of one macro are one cause; a plain place can have two defects.
-        groups.setdefault(key if via else (*key, number), []).append(finding)
-    return [_fold(rule, group, targets) for group in groups.values()]
-
-
-def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
-    severity, suffering = rule.weigh(targets)
-    group.sort(key=lambda finding: -finding.weight)
-    worst = group[0]
-    calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
-    return Diagnostic(
-        rule.code,
-        rule.name,
-        severity,
-        worst.confidence,
-        worst.message,
-        place(worst)[0],
-        calls,
-        worst.related,
-        worst.help or rule.help,
-        worst.fix,
-        suffering,
-    )
-
-
-def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
-    """Where a finding is, and the calls that led there."""
-    at = finding.at
-    if isinstance(at, Written):
-        return at.span, at.frame.steps() if at.frame else ()
-    return at.span, at.via
-
-
-def _path(finding: Finding) -> str:
-    at = finding.at
-    if isinstance(at, Written):
-        return ""
-    return (at if isinstance(at, (Element, Attribute)) else at.at).path

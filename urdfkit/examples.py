@@ -15,7 +15,7 @@ import tempfile
 from collections.abc import Mapping
 
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.engine import diagnose
+from urdfkit.judge import diagnose
 from urdfkit.resolve import Resolver
 from urdfkit.rules import Rule
 from urdfkit.source import Source

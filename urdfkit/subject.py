@@ -11,11 +11,13 @@ from urdfkit.reading import Problem, is_xacro, read_xml
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
+    from urdfkit.diagnostic import Diagnostic
     from urdfkit.expansion import Xacro
     from urdfkit.files import Files
     from urdfkit.grammar import Deviation
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
+    from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
     from urdfkit.tree import KinematicTree
 
@@ -38,6 +40,18 @@ class Reading(NamedTuple):
     xacro: Xacro | None
 
 
+class Outcome(NamedTuple):
+    """What the rules found so far, for the rules about the checking itself.
+
+    Attributes:
+        diagnostics: of the other rules, before suppression.
+        chosen: codes of all rules of this check.
+    """
+
+    diagnostics: tuple[Diagnostic, ...] = ()
+    chosen: frozenset[str] | None = None
+
+
 class Subject:
     """One description, its model and what belongs to it.
 
@@ -46,6 +60,7 @@ class Subject:
         resolver: finds packages and files.
         arguments: ``name:=value`` for xacro.
         trust: True if the model's expressions and files are not fenced in.
+        outcome: what the rules before the present one found; set by the engine alone.
     """
 
     def __init__(
@@ -58,6 +73,7 @@ class Subject:
         targets: Targets | None = None,
     ) -> None:
         self._given_targets = targets
+        self.outcome = Outcome()
         self.source = source
         self.resolver = resolver
         self.arguments = dict(arguments or {})
@@ -103,7 +119,7 @@ class Subject:
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
-        """Where the document deviates from URDF's grammar, by the code of the rule that tells it."""
+        """Where the document deviates from the grammar, by the code of the rule that tells it."""
         from urdfkit.grammar import deviations
         from urdfkit.schema import XACRO_TAGS
 
@@ -126,6 +142,17 @@ class Subject:
         from urdfkit.tree import KinematicTree
 
         return KinematicTree(self.model)
+
+    @cached_property
+    def ignores(self) -> tuple[Ignore, ...]:
+        """The ignore comments in its files."""
+        xacro = self.reading.xacro
+        sources = xacro.sources if xacro else (self.source,)
+        if not any(b"urdfkit" in source.data for source in sources):
+            return ()
+        from urdfkit.suppress import ignores
+
+        return tuple(ignore for source in sources for ignore in ignores(source))
 
     @cached_property
     def targets(self) -> Targets:

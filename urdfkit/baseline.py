@@ -1,0 +1,92 @@
+"""A baseline: the findings that a project had when it began to check, and tolerates until later.
+
+A finding is known again by its rule, its file and the text of its line, not by the line's number
+or the numbers in its message, so that edits elsewhere do not bring it back.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections import Counter
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.errors import UrdfkitError
+
+VERSION = 1
+
+
+class BaselineError(UrdfkitError):
+    """The file is no baseline."""
+
+
+class Fingerprint(NamedTuple):
+    """What a finding is known by.
+
+    Attributes:
+        path: of the file, relative to the baseline's folder, with forward slashes.
+        code: of the rule.
+        text: of the line where the finding is, without indentation.
+    """
+
+    path: str
+    code: str
+    text: str
+
+
+def fingerprint(diagnostic: Diagnostic, folder: str) -> Fingerprint:
+    """What a finding is known by, in a baseline in a folder."""
+    span = diagnostic.span
+    path = os.path.relpath(os.path.abspath(span.source.path), os.path.abspath(folder))
+    text = " ".join(span.source.line(span.line).split())
+    return Fingerprint(path.replace(os.sep, "/"), diagnostic.code, text)
+
+
+def dump(diagnostics: Iterable[Diagnostic], folder: str) -> str:
+    """The text of a baseline of these findings; the same findings give the same text."""
+    counts = Counter(fingerprint(diagnostic, folder) for diagnostic in diagnostics)
+    findings = [{**key._asdict(), "count": count} for key, count in sorted(counts.items())]
+    document = {"version": VERSION, "findings": findings}
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def load(path: str) -> Counter[Fingerprint]:
+    """The findings in a baseline, with how often each is tolerated.
+
+    Raises:
+        BaselineError: it cannot be read, or is no baseline.
+    """
+    try:
+        with open(path, encoding="utf-8") as file:
+            document = json.load(file)
+        if document["version"] != VERSION:
+            raise BaselineError(f"{path}: a baseline of version {document['version']!r}")
+        return Counter(
+            {
+                Fingerprint(entry["path"], entry["code"], entry["text"]): int(entry["count"])
+                for entry in document["findings"]
+            }
+        )
+    except OSError as error:
+        raise BaselineError(f"{path}: {error.strerror}") from error
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise BaselineError(f"{path}: no baseline of urdfkit ({error})") from error
+
+
+def sift(
+    diagnostics: Iterable[Diagnostic], known: Counter[Fingerprint], folder: str
+) -> tuple[list[Diagnostic], int]:
+    """The findings that a baseline does not tolerate, and how many it does."""
+    left = Counter(known)
+    new: list[Diagnostic] = []
+    tolerated = 0
+    for diagnostic in diagnostics:
+        key = fingerprint(diagnostic, folder)
+        if left[key] > 0:
+            left[key] -= 1
+            tolerated += 1
+        else:
+            new.append(diagnostic)
+    return new, tolerated

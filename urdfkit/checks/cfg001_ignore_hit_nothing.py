@@ -1,0 +1,53 @@
+"""An ignore comment suppresses nothing.
+
+The defect it was written for is gone, or its code is misspelt or belongs to another element. A
+comment that hits nothing today hides a new defect tomorrow: delete it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Written, matching, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r">
+  <!-- urdfkit: ignore[TRE006] closed by the gripper -->
+  <link name="a"/>
+</robot>
+"""
+GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
+
+
+@rule(
+    "CFG001",
+    "ignore-hit-nothing",
+    Severity.WARNING,
+    needs=(),
+    help="delete the comment",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    from urdfkit.suppress import sift
+
+    hits = sift(subject.outcome.diagnostics, subject.ignores).hits
+    chosen = subject.outcome.chosen
+    for ignore in subject.ignores:
+        codes = [code for code, _ in ignore.codes]
+        if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
+            place = Written(ignore.span)
+            yield Finding(place, f"nothing here is found by {', '.join(codes) or 'no rule'}")
+
+
+def _ran(words: list[str], chosen: frozenset[str]) -> bool:
+    """True if every rule that the comment names was run; unknown ones are CFG002's."""
+    from urdfkit.errors import UnknownRule
+
+    try:
+        return all(code in chosen for word in words for code in matching(word))
+    except UnknownRule:
+        return False

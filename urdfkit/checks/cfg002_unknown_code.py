@@ -1,0 +1,41 @@
+"""An ignore comment names a rule that does not exist.
+
+It suppresses nothing, and its author believes that it does. `urdfkit rules` lists the codes; the
+beginning of a code stands for all rules that begin with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.errors import UnknownRule
+from urdfkit.rules import Finding, Written, matching, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r">
+  <!-- urdfkit: ignore[TRE999] closed by the gripper -->
+  <link name="a"/>
+</robot>
+"""
+GOOD = BAD.replace("TRE999", "TRE006")
+
+
+@rule(
+    "CFG002",
+    "unknown-code",
+    Severity.WARNING,
+    needs=(),
+    help="name a rule that exists; 'urdfkit rules' lists them",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for ignore in subject.ignores:
+        for word, span in ignore.codes:
+            try:
+                matching(word)
+            except UnknownRule as error:
+                yield Finding(Written(span), str(error))

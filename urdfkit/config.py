@@ -1,0 +1,304 @@
+"""The configuration of a project: ``[tool.urdfkit]`` in pyproject.toml, or ``urdfkit.toml``.
+
+A setting that does not exist is an error with the nearest name: a slip that is passed over would
+check something else than was asked for.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import sys
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from urdfkit import rules
+from urdfkit.diagnostic import Severity
+from urdfkit.errors import UnknownRule, UrdfkitError
+from urdfkit.nearest import did_you_mean
+
+FILES = ("urdfkit.toml", "pyproject.toml")
+
+
+class ConfigError(UrdfkitError):
+    """The configuration cannot be understood; the message names file, setting and remedy."""
+
+
+class FileIgnore(NamedTuple):
+    """Rules that are left out for some files.
+
+    Attributes:
+        files: patterns of paths, relative to the configuration's folder.
+        codes: of the rules.
+        reason: why, for whoever reads the configuration.
+    """
+
+    files: tuple[str, ...]
+    codes: frozenset[str]
+    reason: str
+
+
+class Robot(NamedTuple):
+    """An entry point: a description that is checked, with the arguments it needs.
+
+    Attributes:
+        file: absolute path.
+        name: of the variant; empty if there is one only.
+        arguments: for xacro.
+    """
+
+    file: str
+    name: str
+    arguments: dict[str, str]
+
+
+class Config(NamedTuple):
+    """The settings of a project.
+
+    Attributes:
+        path: of the file; empty if there is none.
+        select, ignore: codes of rules; ``select`` is empty for all.
+        fail_on: the mildest severity that counts.
+        targets: names of consumers; inferred from each model if empty.
+        packages: folders of packages by name, absolute.
+        arguments: for every xacro.
+        severities: other severities by code.
+        file_ignores: rules left out for some files.
+        robots: the entry points; found by the include graph if empty.
+        exclude: patterns of paths that a folder's check passes over.
+        trust: True if models may run any expression and read any file.
+    """
+
+    path: str = ""
+    select: frozenset[str] = frozenset()
+    ignore: frozenset[str] = frozenset()
+    fail_on: Severity = Severity.WARNING
+    targets: tuple[str, ...] = ()
+    packages: Mapping[str, str] = {}
+    arguments: Mapping[str, str] = {}
+    severities: Mapping[str, Severity] = {}
+    file_ignores: tuple[FileIgnore, ...] = ()
+    robots: tuple[Robot, ...] = ()
+    exclude: tuple[str, ...] = ()
+    trust: bool = False
+
+    @property
+    def folder(self) -> str:
+        """The folder that its paths start from."""
+        return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
+
+    def relative(self, path: str) -> str:
+        """A path as the patterns of the configuration see it."""
+        return os.path.relpath(os.path.abspath(path), self.folder).replace(os.sep, "/")
+
+    def ignores(self, code: str, path: str) -> bool:
+        """True if a rule is left out for a file."""
+        return any(
+            code in entry.codes and matches(self.relative(path), entry.files)
+            for entry in self.file_ignores
+        )
+
+
+def matches(path: str, patterns: tuple[str, ...]) -> bool:
+    """True if a path or a folder above it matches a pattern; ``*`` also matches ``/``."""
+    return any(
+        fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")
+        for pattern in patterns
+    )
+
+
+def find(start: str) -> Config:
+    """The configuration for a file or folder: the nearest one upwards.
+
+    Raises:
+        ConfigError: it cannot be understood.
+    """
+    folder = os.path.abspath(start)
+    if not os.path.isdir(folder):
+        folder = os.path.dirname(folder)
+    while True:
+        for name in FILES:
+            path = os.path.join(folder, name)
+            if os.path.isfile(path) and (table := _table(path)) is not None:
+                return _read(path, table)
+        above = os.path.dirname(folder)
+        if above == folder:
+            return Config()
+        folder = above
+
+
+def load(path: str) -> Config:
+    """The configuration in a file.
+
+    Raises:
+        ConfigError: there is none, or it cannot be understood.
+    """
+    table = _table(path)
+    if table is None:
+        raise ConfigError(f"{path}: there is no [tool.urdfkit] in it")
+    return _read(path, table)
+
+
+def _table(path: str) -> dict[str, Any] | None:
+    """urdfkit's settings in a file; None if a pyproject.toml has none."""
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        raise ConfigError(f"{path}: {error.strerror}") from error
+    own_file = os.path.basename(path) != "pyproject.toml"
+    if not own_file and b"tool.urdfkit" not in data:
+        return None
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        document: dict[str, Any] = tomllib.loads(data.decode())
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: not TOML: {error}") from error
+    if own_file:
+        return document
+    table = document.get("tool", {}).get("urdfkit")
+    return table if isinstance(table, dict) else None
+
+
+def _read(path: str, table: dict[str, Any]) -> Config:
+    reader = _Reader(path, table, "")
+    config = Config(
+        path,
+        select=reader.codes("select"),
+        ignore=reader.codes("ignore"),
+        fail_on=reader.severity("fail-on", Severity.WARNING),
+        targets=reader.targets(),
+        packages=reader.packages(),
+        arguments=reader.arguments("arguments"),
+        severities=reader.severities(),
+        file_ignores=tuple(_file_ignore(inner) for inner in reader.tables("per-file-ignores")),
+        robots=tuple(
+            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
+        ),
+        exclude=reader.texts("exclude"),
+        trust=reader.take("trust", bool, False),
+    )
+    reader.finish()
+    return config
+
+
+def _file_ignore(reader: _Reader) -> FileIgnore:
+    entry = FileIgnore(
+        reader.texts("files"), reader.codes("codes"), str(reader.take("reason", str, ""))
+    )
+    reader.finish()
+    if not entry.files or not entry.codes:
+        raise reader.error("it needs 'files' and 'codes'")
+    return entry
+
+
+def _robots(reader: _Reader, folder: str) -> list[Robot]:
+    """The variants of one entry point; every one with the common arguments too."""
+    file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    if not os.path.isfile(file):
+        raise reader.error(f"there is no file '{file}'")
+    common = reader.arguments("arguments")
+    variants = reader.take("variants", dict, {})
+    reader.finish()
+    if not variants:
+        return [Robot(file, "", common)]
+    robots = []
+    for name, arguments in variants.items():
+        inner = _Reader(reader.path, {"arguments": arguments}, f"{reader.where}.variants.{name}")
+        robots.append(Robot(file, name, {**common, **inner.arguments("arguments")}))
+    return robots
+
+
+class _Reader:
+    """Takes settings out of a table one by one; what is left at the end does not exist."""
+
+    def __init__(self, path: str, table: dict[str, Any], where: str) -> None:
+        self.path = path
+        self.folder = os.path.dirname(os.path.abspath(path))
+        self.where = where
+        self._left = dict(table)
+        self._known: list[str] = []
+
+    def error(self, message: str) -> ConfigError:
+        where = f"{self.where}: " if self.where else ""
+        return ConfigError(f"{self.path}: {where}{message}")
+
+    def take(self, key: str, kind: type, default: Any) -> Any:
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        if not isinstance(value, kind):
+            raise self.error(f"'{key}' must be of type {kind.__name__}, not {value!r}")
+        return value
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        values = self.take(key, list, [])
+        for value in values:
+            if not isinstance(value, str):
+                raise self.error(f"'{key}' must hold texts, not {value!r}")
+        return tuple(values)
+
+    def codes(self, key: str) -> frozenset[str]:
+        try:
+            return frozenset(code for word in self.texts(key) for code in rules.matching(word))
+        except UnknownRule as error:
+            raise self.error(f"'{key}': {error}") from error
+
+    def severity(self, key: str, default: Severity) -> Severity:
+        return self._as_severity(key, self.take(key, str, default.value))
+
+    def _as_severity(self, key: str, value: Any) -> Severity:
+        known = [severity.value for severity in Severity]
+        if value not in known:
+            raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
+        return Severity(value)
+
+    def severities(self) -> dict[str, Severity]:
+        table = self.take("severity", dict, {})
+        found: dict[str, Severity] = {}
+        for word, value in table.items():
+            try:
+                codes = rules.matching(word)
+            except UnknownRule as error:
+                raise self.error(f"'severity': {error}") from error
+            found.update(dict.fromkeys(codes, self._as_severity(f"severity.{word}", value)))
+        return found
+
+    def targets(self) -> tuple[str, ...]:
+        from urdfkit.targets import UnknownTarget, parse
+
+        try:
+            return parse(self.texts("targets")).names
+        except UnknownTarget as error:
+            raise self.error(str(error)) from error
+
+    def packages(self) -> dict[str, str]:
+        table = self.take("packages", dict, {})
+        folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
+        for name, folder in folders.items():
+            if not os.path.isdir(folder):
+                raise self.error(f"'packages.{name}': there is no folder '{folder}'")
+        return {name: os.path.normpath(folder) for name, folder in folders.items()}
+
+    def arguments(self, key: str) -> dict[str, str]:
+        """Values as the command line would give them: ``true``, ``0.5``, ``left_``."""
+        table = self.take(key, dict, {})
+        for name, value in table.items():
+            if not isinstance(value, (str, int, float)):
+                raise self.error(f"'{key}.{name}' must be a text, a number or a boolean")
+        return {
+            name: str(value).lower() if isinstance(value, bool) else str(value)
+            for name, value in table.items()
+        }
+
+    def tables(self, key: str) -> list[_Reader]:
+        values = self.take(key, list, [])
+        if not all(isinstance(value, dict) for value in values):
+            raise self.error(f"'{key}' must be tables, written [[{key}]]")
+        return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
+
+    def finish(self) -> None:
+        for key in self._left:
+            raise self.error(f"there is no setting '{key}'{did_you_mean(key, self._known)}")

@@ -1,0 +1,202 @@
+"""The rules over one Subject."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit import rules
+from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
+from urdfkit.document import Attribute, Element, Step
+from urdfkit.rules import Finding, Rule, Written
+from urdfkit.source import Span
+from urdfkit.subject import Outcome, Subject, Unavailable
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+    from urdfkit.targets import Targets
+
+#: Findings of one rule in one file; more help nobody.
+MAX_FINDINGS = 1000
+
+
+class Verdict(NamedTuple):
+    """What the rules say about one description.
+
+    Attributes:
+        diagnostics: in the order of the rules.
+        skipped, crashed: rules that did not run, or failed.
+        ran: codes of the rules that ran.
+        targets: the consumers that severities were weighed for; None if it did not matter.
+        suppressed: how many findings the model's comments or the configuration suppress.
+    """
+
+    diagnostics: tuple[Diagnostic, ...]
+    skipped: tuple[Skipped, ...]
+    crashed: tuple[Crashed, ...]
+    ran: frozenset[str]
+    targets: Targets | None
+    suppressed: int
+
+
+def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None) -> Verdict:
+    """Run rules over a description.
+
+    Args:
+        subject: the description.
+        chosen: codes of the rules.
+        config: changes severities and leaves rules out for single files.
+    """
+    run = _Run(subject, config)
+    # The rules about the checking itself look at what the others found.
+    own = [code for code in chosen if code.startswith("CFG")]
+    run.rules(applicable(subject, [code for code in chosen if code not in own]))
+    subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
+    if subject.ignores:
+        run.rules([rules.get(code) for code in own])
+    return run.verdict()
+
+
+class _Run:
+    """Gathers what the rules say about one subject."""
+
+    def __init__(self, subject: Subject, config: Config | None) -> None:
+        self.subject = subject
+        self.config = config
+        self.diagnostics: list[Diagnostic] = []
+        self.skipped: list[Skipped] = []
+        self.crashed: list[Crashed] = []
+        self.ran: set[str] = set()
+
+    def rules(self, chosen: Iterable[Rule]) -> None:
+        for rule in chosen:
+            findings = self._findings(rule)
+            targets = _targets(rule, findings, self.subject)
+            self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
+
+    def _findings(self, rule: Rule) -> list[Finding]:
+        path = self.subject.source.path
+        findings: list[Finding] = []
+        try:
+            for finding in rule.check(self.subject):
+                findings.append(finding)
+                if len(findings) >= MAX_FINDINGS:
+                    break
+            self.ran.add(rule.code)
+        except Unavailable as reason:
+            self.skipped.append(Skipped(rule.code, path, str(reason)))
+        except Exception as error:  # a bug in a rule must not hide the other rules
+            self.crashed.append(_crash(rule, path, error))
+        return findings
+
+    def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
+        severity = self.config.severities.get(diagnostic.code) if self.config else None
+        return diagnostic if severity is None else diagnostic._replace(severity=severity)
+
+    def verdict(self) -> Verdict:
+        diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
+        left_out = len(self.diagnostics) - len(diagnostics)
+        if self.subject.ignores:
+            from urdfkit.suppress import sift
+
+            sifted = sift(diagnostics, self.subject.ignores)
+            diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
+        targets = self.subject.targets if "targets" in vars(self.subject) else None
+        return Verdict(
+            diagnostics,
+            tuple(self.skipped),
+            tuple(self.crashed),
+            frozenset(self.ran),
+            targets,
+            left_out,
+        )
+
+    def _left_out(self, diagnostic: Diagnostic) -> bool:
+        config = self.config
+        return config is not None and config.ignores(diagnostic.code, diagnostic.span.source.path)
+
+
+def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
+    """The rules that may have something to say; the others need not even be imported."""
+    reading = subject.reading
+    told = {problem.code for problem in reading.problems}
+    silent: set[str] = set()
+    if reading.xacro is None:
+        silent.add("XAC")
+        told.add("XAC003")  # the one among them that is about plain files
+    if reading.document is None:
+        silent |= {"XAC", "URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"}
+    else:
+        told.update(subject.deviations)
+        model = subject.model
+        if not model.joints:
+            silent.add("JNT")
+        if not any(shape.filename for shape in model.shapes):
+            silent.add("MSH")
+    return [
+        rules.get(code)
+        for code in chosen
+        if code in told
+        or not (
+            code[:3] in silent or code in rules.TOLD_BY_READING or code in rules.TOLD_BY_GRAMMAR
+        )
+    ]
+
+
+def _crash(rule: Rule, path: str, error: Exception) -> Crashed:
+    from traceback import format_exc  # 9 ms
+
+    return Crashed(rule.code, path, f"{type(error).__name__}: {error}", format_exc())
+
+
+def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:
+    """The targets that a rule's findings are weighed for; inferred only where it matters."""
+    return subject.targets.names if findings and rule.by_target else ()
+
+
+def diagnose(
+    rule: Rule, findings: Iterable[Finding], targets: tuple[str, ...] = ()
+) -> list[Diagnostic]:
+    """Stamp findings with their rule; what one macro body caused N times becomes one."""
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        span, via = place(finding)
+        key: tuple[object, ...] = (span.source.path, span.start, span.end)
+        # Only different calls of one macro are one cause; a plain place can have two defects.
+        groups.setdefault(key if via else (*key, number), []).append(finding)
+    return [_fold(rule, group, targets) for group in groups.values()]
+
+
+def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
+    severity, suffering = rule.weigh(targets)
+    group.sort(key=lambda finding: -finding.weight)
+    worst = group[0]
+    calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
+    return Diagnostic(
+        rule.code,
+        rule.name,
+        severity,
+        worst.confidence,
+        worst.message,
+        place(worst)[0],
+        calls,
+        worst.related,
+        worst.help or rule.help,
+        worst.fix,
+        suffering,
+    )
+
+
+def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
+    """Where a finding is, and the calls that led there."""
+    at = finding.at
+    if isinstance(at, Written):
+        return at.span, at.frame.steps() if at.frame else ()
+    return at.span, at.via
+
+
+def _path(finding: Finding) -> str:
+    at = finding.at
+    if isinstance(at, Written):
+        return ""
+    return (at if isinstance(at, (Element, Attribute)) else at.at).path

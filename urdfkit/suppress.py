@@ -1,0 +1,140 @@
+"""Ignore comments in a model: findings that its authors have seen and accept.
+
+``<!-- urdfkit: ignore[INE006, MSH] reason -->`` holds for the element that follows it, with
+everything in it. Before the root element it holds for the whole file. A finding in a macro is
+suppressed for all calls by a comment in the macro, and for one call by a comment at the call.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+from xml.parsers import expat
+
+from urdfkit.diagnostic import Call, Diagnostic
+from urdfkit.source import Source, Span
+
+_COMMENT = re.compile(rb"<!--\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\]\s*(.*?)\s*-->", re.DOTALL)
+_CODE = re.compile(rb"[A-Za-z0-9_-]+")
+
+
+class Ignore(NamedTuple):
+    """One ignore comment.
+
+    Attributes:
+        span: of the comment.
+        codes: as written, each with its place; beginnings of codes and names count too.
+        reason: as written.
+        start, end: bytes of the source that it holds for.
+    """
+
+    span: Span
+    codes: tuple[tuple[str, Span], ...]
+    reason: str
+    start: int
+    end: int
+
+    def covers(self, span: Span) -> bool:
+        """True if a place is in the element that the comment is about."""
+        return span.source is self.span.source and self.start <= span.start < self.end
+
+    def names(self, diagnostic: Diagnostic) -> bool:
+        """True if the comment names the rule of a finding."""
+        return any(
+            diagnostic.code.startswith(code.upper()) or diagnostic.name == code
+            for code, _ in self.codes
+        )
+
+
+def ignores(source: Source) -> tuple[Ignore, ...]:
+    """The ignore comments of a file; none of a file that is not well formed."""
+    if b"urdfkit" not in source.data:
+        return ()
+    comments = list(_COMMENT.finditer(source.data))
+    if not comments:
+        return ()
+    starts = _elements(source)
+    found = []
+    for comment in comments:
+        following = next((range_ for range_ in starts if range_[0] >= comment.end()), None)
+        if following is not None:
+            codes = tuple(
+                (code.group().decode(), Span(source, *_shifted(code.span(), comment.start(1))))
+                for code in _CODE.finditer(comment.group(1))
+            )
+            reason = comment.group(2).decode("utf-8", "replace")
+            found.append(Ignore(Span(source, *comment.span()), codes, reason, *following))
+    return tuple(found)
+
+
+def _shifted(span: tuple[int, int], by: int) -> tuple[int, int]:
+    return span[0] + by, span[1] + by
+
+
+def _elements(source: Source) -> list[tuple[int, int]]:
+    """First and last byte of every element, in the order of their start tags."""
+    parser = expat.ParserCreate("utf-8")
+    ranges: list[list[int]] = []
+    open_elements: list[list[int]] = []
+
+    def start(*_: object) -> None:
+        element = [parser.CurrentByteIndex, len(source.data)]
+        ranges.append(element)
+        open_elements.append(element)
+
+    def end(*_: object) -> None:
+        at = source.data.find(b">", parser.CurrentByteIndex)
+        open_elements.pop()[1] = at + 1
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    try:
+        parser.Parse(source.data, True)
+    except expat.ExpatError:
+        return []
+    return [(first, last) for first, last in ranges]
+
+
+class Sifted(NamedTuple):
+    """Findings after suppression.
+
+    Attributes:
+        kept: what remains, with the calls that remain.
+        suppressed: how many findings were suppressed wholly.
+        hits: the comments that suppressed something.
+    """
+
+    kept: tuple[Diagnostic, ...]
+    suppressed: int
+    hits: frozenset[Span]
+
+
+def sift(diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]) -> Sifted:
+    """Take out what comments suppress: whole findings, or single calls of a macro."""
+    kept: list[Diagnostic] = []
+    suppressed = 0
+    hits: set[Span] = set()
+    for diagnostic in diagnostics:
+        naming = [comment for comment in comments if comment.names(diagnostic)]
+        at_place = [comment for comment in naming if comment.covers(diagnostic.span)]
+        hits.update(comment.span for comment in at_place)
+        calls = [] if at_place else _remaining(diagnostic, naming, hits)
+        if not calls:
+            suppressed += 1
+        elif len(calls) == len(diagnostic.calls):
+            kept.append(diagnostic)
+        else:
+            kept.append(diagnostic._replace(calls=tuple(calls), message=calls[0].message))
+    return Sifted(tuple(kept), suppressed, frozenset(hits))
+
+
+def _remaining(diagnostic: Diagnostic, naming: list[Ignore], hits: set[Span]) -> list[Call]:
+    """The calls of a finding on whose way no comment stands."""
+    remaining: list[Call] = []
+    for call in diagnostic.calls:
+        at_call = [c for c in naming if any(c.covers(step.span) for step in call.via)]
+        hits.update(comment.span for comment in at_call)
+        if not at_call:
+            remaining.append(call)
+    return remaining
