@@ -1,0 +1,101 @@
+"""The left and right of a robot: links and joints that are made to be mirror images.
+
+Builders write one side and copy it. What then differs between the two is a slip more often than
+an intention, and the twin that is right tells the value that was meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+
+from urdfkit.spatial import Vector
+
+#: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+
+#: Words for the left, and for the right in their place. Beside the plain ones, the corners of a
+#: vehicle or a quadruped, the side first or last: front, rear, back, hind, middle.
+_RIGHT_OF = {"left": "right", "l": "r"} | {
+    left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
+}
+
+_NUMBER = re.compile(r"\d+")
+
+#: Longer names are nobody's, and taking them apart costs their length squared.
+_LONGEST = 200
+
+
+def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
+    """Names that differ in their side only, each as (left, right), in the order of the lefts.
+
+    A name is in one pair at most. Where it has several sides, such as the left finger of the
+    left hand, the last one that has a counterpart counts: the right finger of the left hand.
+    """
+    known = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
+    taken: set[str] = set()
+    found: list[tuple[str, str]] = []
+    for name in known:
+        for twin in _right_twins(name):
+            if twin in known and name not in taken and twin not in taken:
+                taken.update((name, twin))
+                found.append((name, twin))
+    return found
+
+
+def _right_twins(name: str) -> Iterator[str]:
+    """A name with one of its words for left turned into right, the last word first."""
+    for match in reversed(list(_WORD.finditer(name))):
+        word = match.group()
+        right = _RIGHT_OF.get(word.lower())
+        if right is None and "left" in word.lower():  # leftwheel
+            right = word.lower().replace("left", "right")
+        if right is None:
+            continue
+        if word.isupper():
+            right = right.upper()
+        elif word[0].isupper():
+            right = right.capitalize()
+        yield name[: match.start()] + right + name[match.end() :]
+
+
+def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
+    """Names that differ in one number only and lie as mirror images: ``wheel_1``, ``wheel_2``.
+
+    Two places are mirror images if their y (the lateral axis in ROS) differs in its sign only,
+    and x and z are equal; if no two of a row of names are, then the same for x. A name is in
+    one pair at most.
+
+    Args:
+        places: where each of them is, in m, in a frame with the plane of symmetry as one of its
+            coordinate planes: the parent link for joints, the root link for links. Compared to
+            the micrometre.
+    """
+    rows: dict[tuple[str, str], list[str]] = {}
+    for name in places:
+        if len(name) > _LONGEST:
+            continue
+        for match in _NUMBER.finditer(name):
+            rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
+    taken: set[str] = set()
+    found: list[tuple[str, str]] = []
+    for row in rows.values():
+        free = {name: places[name] for name in row if name not in taken}
+        mirrored = _mirrored(free, 1) or _mirrored(free, 0)
+        found += mirrored
+        taken.update(name for pair in mirrored for name in pair)
+    return found
+
+
+def _mirrored(places: Mapping[str, Vector], axis: int) -> list[tuple[str, str]]:
+    """Pairs of places that differ in the sign of one coordinate only."""
+    waiting: dict[tuple[float, ...], str] = {}
+    found: list[tuple[str, str]] = []
+    for name, place in places.items():
+        key = tuple(round(value, 6) for value in place)
+        image = (*key[:axis], -key[axis], *key[axis + 1 :])
+        if key[axis] and image in waiting:
+            found.append((waiting.pop(image), name))
+        else:
+            waiting.setdefault(key, name)
+    return found
