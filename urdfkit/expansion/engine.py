@@ -132,6 +132,12 @@ def _instrument(xacro: Any) -> Any:
     stock_include = xacro.process_include
     stock_macro = xacro.grab_macro
     stock_call = xacro.handle_macro_call
+    stock_path = xacro.abs_filename_spec
+
+    def abs_filename_spec(filename: str) -> Any:
+        if filename is POISON:
+            raise Tainted(filename)
+        return stock_path(filename)
 
     def get_boolean_value(value: Any, condition: Any) -> bool:
         return False if value is POISON else stock_boolean(value, condition)
@@ -141,7 +147,11 @@ def _instrument(xacro: Any) -> Any:
             elt.parentNode.removeChild(elt)
             return
         _Active.run.including.append(elt)
-        stock_include(elt, macros, symbols, func)
+        try:
+            stock_include(elt, macros, symbols, func)
+        except Tainted:  # its name failed and was reported
+            _Active.run.lost.add("*")
+            elt.parentNode.removeChild(elt)
         _Active.run.including.pop()
 
     def grab_macro(elt: Node, macros: Any) -> None:
@@ -154,6 +164,7 @@ def _instrument(xacro: Any) -> Any:
         return bool(stock_call(node, macros, symbols))
 
     xacro.get_boolean_value = get_boolean_value
+    xacro.abs_filename_spec = abs_filename_spec
     xacro.process_include = process_include
     xacro.grab_macro = grab_macro
     xacro.handle_macro_call = handle_macro_call
