@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from xml.parsers import expat
 
 from urdfkit.meshes.facts import Defect, empty, truncated, unreadable
 
 _TAG = re.compile(rb"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<[^<>]*>", re.DOTALL)
+_SURFACE = re.compile(
+    rb"""<(?:triangles|polylist|polygons|trifans|tristrips)\s[^>]*\bcount\s*=\s*["']0*[1-9]"""
+)
+_REFERENCE = re.compile(
+    rb"""<(?:instance_geometry|accessor|input)\s[^>]*\b(?:url|source)\s*=\s*["']#([^"'&]*)"""
+)
+_ID = re.compile(rb"""\sid\s*=\s*["']([^"'&]*)""")
 _NOT_FINITE = re.compile(rb"[^\s<>]*(?:[nN][aA][nN]|[iI][nN][fFdD])[^\s<>]*")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
@@ -25,6 +33,8 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
         # The tags alone, 4 % of the bytes, are well formed if the whole is.
         tags = b"".join(_TAG.findall(data)).replace(b"<p></p>", b"")
+        if _is_sound(tags) and not any(map(_has_letters, _number_lists(data))):
+            return None, ""
         error = content.parse(tags)
     if error is not None or not content.root:
         content = _Content()
@@ -35,6 +45,20 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
         reason = expat.ErrorString(error.code)
         return unreadable(f"is not well-formed XML: {reason} in line {error.lineno}"), ""
     return content.defect(), _non_finite(data, content)
+
+
+def _is_sound(tags: bytes) -> bool:
+    """True if the tags leave nothing to say: quick, and what all but broken files need."""
+    try:
+        expat.ParserCreate("iso-8859-1").Parse(tags, True)
+    except expat.ExpatError:
+        return False
+    return (
+        bool(_SURFACE.search(tags))
+        and b"<instance_geometry" in tags
+        and b"<instance_visual_scene" in tags
+        and set(_REFERENCE.findall(tags)) <= set(_ID.findall(tags))
+    )
 
 
 def _where_it_ends(content: _Content) -> str:
@@ -114,21 +138,28 @@ class _Content:
         self.open.pop()
 
 
+def _number_lists(data: bytes) -> Iterator[tuple[int, bytes]]:
+    """Offset and text of every ``float_array``."""
+    at = data.find(b"<float_array")
+    while at >= 0:
+        start = data.find(b">", at) + 1
+        end = data.find(b"<", start)
+        if start == 0 or end < 0:
+            return
+        yield start, data[start:end]
+        at = data.find(b"<float_array", end)
+
+
+def _has_letters(numbers: tuple[int, bytes]) -> bool:
+    return b"n" in numbers[1] or b"N" in numbers[1]
+
+
 def _non_finite(data: bytes, content: _Content) -> str:
     """The first number of the vertices that is nan or infinite."""
-    at = 0
-    for source in content.arrays:
-        at = data.find(b"<float_array", at)
-        start = data.find(b">", at) + 1
-        if at < 0 or start == 0:
-            break
-        end = data.find(b"<", start)
-        at = end if end >= 0 else len(data)
-        numbers = data[start:at]
-        if source in content.positions and (b"n" in numbers or b"N" in numbers):
-            match = _NOT_FINITE.search(numbers)
-            if match:
-                line = data.count(b"\n", 0, start + match.start()) + 1
-                word = match.group()[:20].decode("utf-8", "replace")
-                return f"a coordinate in line {line} is {word}"
+    for source, (start, numbers) in zip(content.arrays, _number_lists(data), strict=False):
+        match = _NOT_FINITE.search(numbers) if source in content.positions else None
+        if match:
+            line = data.count(b"\n", 0, start + match.start()) + 1
+            word = match.group()[:20].decode("utf-8", "replace")
+            return f"a coordinate in line {line} is {word}"
     return ""

@@ -12,9 +12,8 @@ import re
 from importlib import import_module
 from stat import S_ISREG
 
-from urdfkit.meshes import facts
+from urdfkit.meshes import binary_stl, facts
 from urdfkit.meshes.facts import Defect, MeshFacts, empty, not_a_mesh, unreadable
-from urdfkit.meshes.stl import is_binary_stl
 
 #: Larger files are recognised by their beginning, and not judged further.
 MAX_BYTES = 128 * 1024 * 1024
@@ -22,27 +21,25 @@ _HEAD = 4096
 _LONG_HEAD = 64 * 1024
 
 _JUDGES = {
-    facts.BINARY_STL: ("urdfkit.meshes.stl", "judge_binary"),
-    facts.ASCII_STL: ("urdfkit.meshes.stl", "judge_ascii"),
-    facts.COLLADA: ("urdfkit.meshes.collada", "judge"),
-    facts.OBJ: ("urdfkit.meshes.obj", "judge"),
-    facts.PLY: ("urdfkit.meshes.ply", "judge"),
-    facts.GLB: ("urdfkit.meshes.gltf", "judge_glb"),
-    facts.GLTF: ("urdfkit.meshes.gltf", "judge_json"),
+    facts.BINARY_STL: ("binary_stl", "judge"),
+    facts.ASCII_STL: ("ascii_stl", "judge"),
+    facts.COLLADA: ("collada", "judge"),
+    facts.OBJ: ("obj", "judge"),
+    facts.PLY: ("ply", "judge"),
+    facts.GLB: ("gltf", "judge_glb"),
+    facts.GLTF: ("gltf", "judge_json"),
 }
 
 _TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 _LFS = b"version https://git-lfs.github.com/spec/"
-_LFS_SIZE = re.compile(rb"\nsize (\d{1,18})\b")
 _XML_ROOT = re.compile(rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)")
 _NOT_ROOT = re.compile(rb"<\?.*?\?>|<!--.*?-->|<![^>]*>", re.DOTALL)
 _HTML_TAGS = frozenset("html head body script meta title div table".split())
-_TITLE = re.compile(rb"<title[^>]*>([^<]{1,200})", re.IGNORECASE)
-_IGES = re.compile(rb"[^\r\n]{72}S[ 0]{0,6}1\s")
-_PLY = re.compile(rb"ply[ \t]*[\r\n]")
-_OBJ = re.compile(
-    rb"(?:\A|\n)[ \t]*(?:vn?[ \t]+[-+.\d]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
+#: A line of OBJ, or a line that names its materials.
+_OBJ = (
+    rb"(?:\A|\n)[ \t]*"
+    rb"(?:vn?[ \t]+[-+.\d]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
 )
 
 #: Formats that say what they are in their first bytes, and that URDF's readers do not all know.
@@ -57,7 +54,8 @@ _MAGIC = (
     (b"#usda", "USD"),
     (b"PXR-USDC", "USD"),
     (b"\x00\x10[MeshSerializer", "Ogre mesh"),
-    (b"OFF", "OFF"),
+    (b"OFF\n", "OFF"),
+    (b"OFF\r", "OFF"),
 )
 _XML_FORMATS = {"COLLADA": facts.COLLADA, "X3D": "X3D", "amf": "AMF"}
 #: Files that are no meshes at all.
@@ -82,7 +80,7 @@ def sniff_file(path: str) -> MeshFacts:
         if not S_ISREG(state.st_mode):  # a device or a pipe might never end
             return MeshFacts("", 0, unreadable("is no regular file"))
         with open(path, "rb") as file:
-            data = file.read(MAX_BYTES if state.st_size <= MAX_BYTES else _HEAD)
+            data = file.read(state.st_size if state.st_size <= MAX_BYTES else _HEAD)
     except OSError as error:
         return MeshFacts("", 0, unreadable(f"cannot be read: {error.strerror or error}"))
     except ValueError as error:  # a NUL in the name
@@ -107,7 +105,7 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
         form = "" if defect else _meant(data, suffix.lower())
     if form in _JUDGES:
         module, function = _JUDGES[form]
-        defect, not_finite = getattr(import_module(module), function)(data)
+        defect, not_finite = getattr(import_module(f"urdfkit.meshes.{module}"), function)(data)
     elif not form and defect is None:
         defect = _unknown(data)
     return MeshFacts(form, len(data), defect, not_finite)
@@ -116,7 +114,7 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
 def recognise(data: bytes, size: int) -> str:
     """The format of a mesh file by its beginning and its size; empty if it is none known."""
     head = data[:_HEAD]
-    if is_binary_stl(head, size):  # before all else: its header may hold any text
+    if binary_stl.is_stl(head, size):  # before all else: its header may hold any text
         return facts.BINARY_STL
     for magic, form in _MAGIC:
         if head.startswith(magic):
@@ -125,7 +123,7 @@ def recognise(data: bytes, size: int) -> str:
         return "3DS"
     if head.startswith(b"PK\x03\x04"):
         return "3MF" if b"3D/3dmodel.model" in data else "USD" if b".usd" in data else ""
-    if _IGES.match(head):
+    if head[72:73] == b"S" and head[73:80].strip(b" 0") == b"1":
         return "IGES"
     return _text_format(data) if _is_text(head) or head.startswith(_UTF_16) else ""
 
@@ -134,13 +132,13 @@ def _text_format(data: bytes) -> str:
     text = data[:_HEAD].lstrip(b"\xef\xbb\xbf \t\r\n")
     if text.startswith((b"<", *_UTF_16)):
         return _XML_FORMATS.get(_xml_root(data), "")
-    if _PLY.match(text):
+    if text.split(maxsplit=1)[:1] == [b"ply"]:
         return facts.PLY
     if text[:5].lower() == b"solid":
         return facts.ASCII_STL
     if text.startswith(b"{"):
         return facts.GLTF
-    return facts.OBJ if _OBJ.search(data[:_LONG_HEAD]) else ""
+    return facts.OBJ if re.search(_OBJ, data[:_LONG_HEAD]) else ""
 
 
 def _xml_root(data: bytes) -> str:
@@ -176,7 +174,7 @@ def _foreign(data: bytes) -> Defect | None:
     if not data.strip():
         return empty("is empty" if not data else "holds nothing but white space")
     if data.startswith(_LFS):
-        size = _LFS_SIZE.search(data[:_HEAD])
+        size = re.search(rb"\nsize (\d{1,18})\b", data[:_HEAD])
         held = f" of {size.group(1).decode()} bytes" if size else ""
         return not_a_mesh(f"is a Git LFS pointer: the mesh{held} itself has not been fetched")
     for magic, thing in _FOREIGN:
@@ -184,7 +182,7 @@ def _foreign(data: bytes) -> Defect | None:
             return not_a_mesh(f"is {thing}")
     root = _xml_root(data) if data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else ""
     if root.lower() in _HTML_TAGS:
-        title = _TITLE.search(data[:_LONG_HEAD])
+        title = re.search(rb"(?i)<title[^>]*>([^<]{1,200})", data[:_LONG_HEAD])
         words = title.group(1).decode("utf-8", "replace").split() if title else []
         return not_a_mesh(f"is a web page{_quoted(' '.join(words))}")
     if root:

@@ -1,34 +1,25 @@
-"""Judging STL files from their bytes.
+"""Judging binary STL files from their bytes.
 
-Binary: 80 bytes of header, the number of triangles (32 bits, little endian), and for each
+80 bytes of header, the number of triangles (32 bits, little endian), and for each
 triangle 50 bytes: normal and three corners as 12 floats of 32 bits, and 2 bytes of colour.
 """
 
 from __future__ import annotations
 
-import re
 from math import isfinite
 from struct import unpack_from
 
-from urdfkit.meshes.facts import Defect, counted, empty, truncated, unreadable
+from urdfkit.meshes.facts import Defect, counted, empty, truncated
 
 HEADER = 84
 TRIANGLE = 50
-
-_NUMBER = rb"[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-_GOOD_VERTEX = re.compile(rb"\svertex(?:%b){3}(?=\s|\Z)" % _NUMBER)
-# The solid's name, in the first and the last line, may hold the word too.
-_BAD_VERTEX = re.compile(
-    rb"(?<=\s)(?<!solid )vertex(?!(?:%b){3}(?:\s|\Z))[ \t]([^\r\n]*)" % _NUMBER
-)
-_NOT_FINITE = re.compile(rb"nan|inf|#", re.IGNORECASE)
 
 # 1 for the bytes that the high byte, or the one below it, of a float has when it is no number.
 _HIGH = bytes(byte & 0x7F == 0x7F for byte in range(256))
 _BELOW = bytes(byte >> 7 for byte in range(256))
 
 
-def is_binary_stl(head: bytes, size: int) -> bool:
+def is_stl(head: bytes, size: int) -> bool:
     """True if the size of a file fits the triangle count in its first 84 bytes."""
     return len(head) >= HEADER and size == HEADER + TRIANGLE * count(head)
 
@@ -39,7 +30,7 @@ def count(data: bytes) -> int:
     return number
 
 
-def judge_binary(data: bytes) -> tuple[Defect | None, str]:
+def judge(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a binary STL, and which coordinate is not finite."""
     size = len(data)
     if size < HEADER:
@@ -79,40 +70,3 @@ def _non_finite_corner(data: bytes, triangles: int) -> str:
     corner = next(i for i, values in enumerate(corners) if not all(map(isfinite, values)))
     values = ", ".join(f"{value:g}" for value in corners[corner])
     return f"corner {corner + 1} of triangle {first + 1} is ({values})"
-
-
-def judge_ascii(data: bytes) -> tuple[Defect | None, str]:
-    """What is wrong with an ASCII STL, and which coordinate is not finite."""
-    text = data.lower()
-    facets = text.count(b"endfacet")
-    vertices = len(_GOOD_VERTEX.findall(text))
-    defect, not_finite = _bad_vertex(text)
-    last = text.rstrip()[-20_000:].rpartition(b"endfacet")[2]
-    if b"endsolid" not in last and b"endsolid" not in text[-20_000:]:
-        held = (
-            f"after {counted(facets, 'whole triangle')}" if facets else "before its first triangle"
-        )
-        return truncated(f"ends {held}, without 'endsolid'"), not_finite
-    if defect:
-        return defect, not_finite
-    if not facets:
-        return empty("holds no triangles"), ""
-    if vertices < 3 * facets and not not_finite:
-        reason = f"holds {counted(facets, 'triangle')} and only {vertices} corners"
-        return unreadable(reason), ""
-    return None, not_finite
-
-
-def _bad_vertex(text: bytes) -> tuple[Defect | None, str]:
-    """The first vertex that is not three finite numbers."""
-    not_finite = ""
-    for match in _BAD_VERTEX.finditer(text):
-        line = text.count(b"\n", 0, match.start()) + 1
-        words = match.group(1)[:60].decode("utf-8", "replace").strip()
-        if not _NOT_FINITE.search(match.group(1)):
-            if match.end() == len(text):  # cut off, which is told otherwise
-                continue
-            return unreadable(f"has 'vertex {words}' in line {line}, not three numbers"), ""
-        not_finite = not_finite or f"the vertex in line {line} is ({', '.join(words.split())})"
-        break
-    return None, not_finite
