@@ -6,7 +6,6 @@ check something else than was asked for.
 
 from __future__ import annotations
 
-import fnmatch
 import os
 import sys
 from collections.abc import Mapping
@@ -101,30 +100,33 @@ class Config(NamedTuple):
 
 def matches(path: str, patterns: tuple[str, ...]) -> bool:
     """True if a path or a folder above it matches a pattern; ``*`` also matches ``/``."""
+    import fnmatch  # not needed where nothing is left out
+
     return any(
         fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")
         for pattern in patterns
     )
 
 
-def find(start: str) -> Config:
-    """The configuration for a file or folder: the nearest one upwards.
-
-    Raises:
-        ConfigError: it cannot be understood.
-    """
+def nearest(start: str) -> str | None:
+    """Path of the nearest configuration upwards of a file or folder, or None."""
     folder = os.path.abspath(start)
-    if not os.path.isdir(folder):
-        folder = os.path.dirname(folder)
     while True:
         for name in FILES:
             path = os.path.join(folder, name)
-            if os.path.isfile(path) and (table := _table(path)) is not None:
-                return _read(path, table)
-        above = os.path.dirname(folder)
-        if above == folder:
-            return Config()
-        folder = above
+            if os.path.isfile(path) and (name != "pyproject.toml" or _mentions_us(path)):
+                return path
+        folder, below = os.path.dirname(folder), folder
+        if folder == below:
+            return None
+
+
+def _mentions_us(path: str) -> bool:
+    try:
+        with open(path, "rb") as file:
+            return b"[tool.urdfkit" in file.read()
+    except OSError:
+        return False
 
 
 def load(path: str) -> Config:
@@ -147,8 +149,6 @@ def _table(path: str) -> dict[str, Any] | None:
     except OSError as error:
         raise ConfigError(f"{path}: {error.strerror}") from error
     own_file = os.path.basename(path) != "pyproject.toml"
-    if not own_file and b"tool.urdfkit" not in data:
-        return None
     if sys.version_info >= (3, 11):
         import tomllib
     else:

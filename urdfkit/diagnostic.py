@@ -138,6 +138,7 @@ class Report(NamedTuple):
         crashed: rules that failed.
         rules: the codes that ran.
         targets: per file, the consumers that severities were weighed for.
+        tolerated: how many findings a baseline holds.
         suppressed: how many findings ignore comments or the configuration leave out.
     """
 
@@ -148,6 +149,7 @@ class Report(NamedTuple):
     rules: tuple[str, ...]
     targets: tuple[tuple[str, Targets], ...] = ()
     suppressed: int = 0
+    tolerated: int = 0
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -24,11 +24,10 @@ SUFFIXES = (".urdf", ".xacro")
 _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^>]*?\bfilename\s*=\s*["']([^"']+)["']""")
-_LOADED = re.compile(rb"""load_yaml\(\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
-_MACRO = re.compile(rb"<xacro:macro\b")
-_CONTENT = re.compile(rb"<(link|joint)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w")
+_EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
+_CONTENT = re.compile(rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w")
 
 
 class Found(NamedTuple):
@@ -36,7 +35,7 @@ class Found(NamedTuple):
 
     Attributes:
         robots: the entry points, sorted by path.
-        libraries: macro files that no file includes.
+        libraries: files of macros, properties or materials that no file includes.
     """
 
     robots: tuple[Robot, ...]
@@ -103,11 +102,15 @@ def _descriptions(folder: str, config: Config) -> Iterator[str]:
         )
         for name in sorted(files):
             path = os.path.join(parent, name)
-            if name.endswith(SUFFIXES) and not matches(config.relative(path), config.exclude):
+            if _is_description(name) and not matches(config.relative(path), config.exclude):
                 count += 1
                 if count > MAX_FILES:
                     raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
                 yield path
+
+
+def _is_description(name: str) -> bool:
+    return name.endswith(SUFFIXES) and not name.endswith((".srdf.xacro", ".sdf.xacro"))
 
 
 class IncludeGraph:
@@ -146,11 +149,16 @@ class IncludeGraph:
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
             yield os.path.realpath(self._existing(path))
             return
-        # An expression in the name stands for anything: `$(arg type).xacro`.
-        pattern = re.escape(os.path.basename(text))
-        pattern = re.sub(r"\\\$(\\\{.*?\\\}|\\\(.*?\\\))|\\\*", ".*", pattern)
+        yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
+
+    def _alike(self, pattern: str, near: str) -> Iterator[str]:
+        """The files of a package that a name with expressions in it, as ``*``, may mean."""
+        words = [re.escape(word) for word in pattern.split("*")]
+        if not any(os.path.splitext(word)[0].strip(".\\") for word in words):
+            return  # nothing but an expression: it may mean any file
+        folder = os.path.join(os.path.realpath(_package_folder(near, self.resolver)), "")
         for path in self._sources:
-            if re.fullmatch(pattern, os.path.basename(path)):
+            if path.startswith(folder) and re.fullmatch(".*".join(words), os.path.basename(path)):
                 yield path
 
     def _existing(self, path: str) -> str:
@@ -181,9 +189,7 @@ class IncludeGraph:
         return found
 
     def is_library(self, path: str) -> bool:
-        """True if a file only defines macros: outside of them it makes no link and calls none."""
+        """True if a file only defines things: outside of macros it makes no link and calls none."""
         data = _COMMENT.sub(b"", self._sources[os.path.realpath(path)].data)
-        if not _MACRO.search(data):
-            return False
         outside = re.sub(rb"<xacro:macro\b.*?</xacro:macro\s*>", b"", data, flags=re.DOTALL)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

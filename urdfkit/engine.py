@@ -55,6 +55,7 @@ def check(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    changed: bool = False,
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
 ) -> Report:
@@ -69,6 +70,8 @@ def check(
         targets: names of consumers to check for; inferred from each model if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project; the other arguments go before them.
+        changed: the files are changed files of any kind; the robots that they are part of are
+            checked, each once.
         jobs: processes that check at the same time.
         progress: called with the number of descriptions done and of all.
 
@@ -86,7 +89,9 @@ def check(
     )
     resolver = Resolver(settings.packages)
     plan = _Plan(resolver, config, arguments or {})
-    for file in files:
+    if changed:
+        plan.add_changed(files)
+    for file in () if changed else files:
         plan.add(file)
     verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, verdicts)
@@ -144,13 +149,21 @@ class _Plan:
         else:
             self._add_file(os.fspath(file))
 
+    def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
+        """The entry points that some changed files are part of."""
+        from urdfkit.config import Config
+        from urdfkit.discovery import affected
+
+        paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
+        self.add_found(affected(paths, self.config or Config(), self.resolver))
+
     def add_found(self, found: Found) -> None:
         """The entry points of a folder."""
         for robot in found.robots:
             path = os.path.relpath(robot.file) if os.path.isabs(robot.file) else robot.file
             self._add(Source.read(path), robot.name, robot.arguments, found=True)
         for library in found.libraries:
-            reason = "defines macros only, and no file includes it: check a robot that calls them"
+            reason = "makes no link itself, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
 
     def _add_file(self, path: str) -> None:

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit import formats
 from urdfkit.errors import UrdfkitError
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
 
 
 class Option(NamedTuple):
@@ -63,10 +66,9 @@ CHECK = (
     Option("--ignore", "Leave these rules out.", "CODES", many=True),
     Option(
         "--fail-on",
-        "The mildest finding that makes the exit code 1.",
+        "The mildest finding that makes the exit code 1. [default: warning]",
         "SEVERITY",
         ("error", "warning", "info"),
-        default="warning",
     ),
     Option(
         "--target",
@@ -85,6 +87,12 @@ CHECK = (
         ("auto", "always", "never"),
         default="auto",
     ),
+    Option("--changed", "FILE are changed files: check the robots that they are part of."),
+    Option("--jobs", "Processes that check at the same time. [default: 1]", "N"),
+    Option("--config", "The configuration. [default: the nearest one upwards]", "FILE"),
+    Option("--isolated", "Take no configuration."),
+    Option("--baseline", "Pass over the findings in FILE.", "FILE"),
+    Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
     Option("--stdin-filename", "The name of what '-' reads.", "FILE"),
 )
 
@@ -107,6 +115,24 @@ def files(values: Mapping[str, Any]) -> list[str]:
                 f"{file}: there is no such file; a xacro argument is written {name}:={value}"
             )
     return found
+
+
+def jobs(values: Mapping[str, Any]) -> int:
+    """The number of processes."""
+    word = values["jobs"] or "1"
+    if not word.isdecimal() or int(word) < 1:
+        raise UsageError(f"--jobs {word}: write a number from 1")
+    return int(word)
+
+
+def config(values: Mapping[str, Any], near: str) -> Config | None:
+    """The configuration that holds for a file."""
+    if values["isolated"]:
+        return None
+    from urdfkit.config import load, nearest
+
+    path = values["config"] or nearest(near)
+    return None if path is None else load(path)
 
 
 def arguments(values: Mapping[str, Any]) -> dict[str, str]:
