@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
-from urdfkit import engine
+from urdfkit import engine, judge
 from urdfkit.cli import main
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, Need, Rule
@@ -83,7 +83,7 @@ def fake(severity: Severity) -> Rule:
 def test_fail_on(
     severity: Severity, fails: set[str | None], check: Screen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(engine, "applicable", lambda *_: [fake(severity)])
+    monkeypatch.setattr(judge, "applicable", lambda *_: [fake(severity)])
     for level in ("error", "warning", "info", None):
         words = ["--fail-on", level] if level else []
         assert check(GOOD, *words)[0] == int(level in fails)
@@ -97,7 +97,7 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
         raise ValueError("boom")
 
     rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]
-    monkeypatch.setattr(engine, "applicable", lambda *_: rules)
+    monkeypatch.setattr(judge, "applicable", lambda *_: rules)
     monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
     code, out, err = check(bad, "--exit-zero")
     assert (code, err) == (3, "")
@@ -170,30 +170,20 @@ def test_what_is_asked_for_reaches_the_library(
         *("--select=A", "--ignore=B,C", "--target", "moveit", "--target=kdl"),
     )
     check("a.urdf")
-    assert asked == [
-        (
-            ("a.urdf", "b"),
-            {
-                "arguments": {"p": "1"},
-                "packages": {"x": str(tmp_path)},
-                "select": ["A"],
-                "ignore": ["B", "C"],
-                "targets": ["moveit", "kdl"],
-                "trust": True,
-            },
-        ),
-        (
-            ("a.urdf",),
-            {
-                "arguments": {},
-                "packages": {},
-                "select": [],
-                "ignore": [],
-                "targets": [],
-                "trust": False,
-            },
-        ),
-    ]
+    given = {
+        "arguments": {"p": "1"},
+        "packages": {"x": str(tmp_path)},
+        "select": ["A"],
+        "ignore": ["B", "C"],
+        "targets": ["moveit", "kdl"],
+        "trust": True,
+    }
+    (files, options), (other_files, others) = asked
+    assert (files, other_files) == (("a.urdf", "b"), ("a.urdf",))
+    assert {name: options[name] for name in given} == given
+    assert {name: others[name] for name in given} == {
+        name: type(value)() for name, value in given.items()
+    }
 
 
 @pytest.mark.parametrize(

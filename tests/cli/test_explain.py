@@ -28,9 +28,13 @@ def test_every_rule_can_be_explained(code: str) -> None:
     rule = rules.get(code)
     page = render(rule)
     flat = " ".join(page.split())
-    assert flat.startswith(f"{code} {rule.name} ({rule.severity.value}, with")
+    assert flat.startswith(f"{code} {rule.name} ({rule.severity.value}, ")
+    head = page.partition("\n")[0]
+    assert all(
+        f", {severity.value} for {target}" in head for target, severity in rule.by_target.items()
+    )
     assert " ".join(rule.explanation.split()) in flat
-    assert ("with a fix)" in flat) is rule.fixable
+    assert head.endswith(", with a fix)" if rule.fixable else ", without a fix)")
     assert "\n\nBad:\n\n    " in page
     assert "\n\nGood:\n\n    " in page
 

@@ -71,7 +71,6 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
         (["check", "no_such.urdf"], "no_such.urdf: there is no such file"),
         (["check", GOOD, "no_such.urdf"], "no_such.urdf: there is no such file"),
         (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
-        (["check", str(MODELS)], f"{MODELS}: is a folder"),
         (["check", "/no/such/folder/robot.urdf"], "there is no folder '/no/such/folder'"),
         (["check", GOOD, "--format", "json:/no/such/r.json"], "there is no folder '/no/such'"),
         (["explain"], "RULE"),

@@ -32,8 +32,9 @@ FULL = report(
         help="make it shorter",
         fix=Fix("write 'leg'", (Edit(span(SOURCE, "轮子"), "leg"),), safe=True),
     ),
-    skipped=(Skipped("ABC002", "robot.xacro", "b"), Skipped("ABC001", "robot.xacro", "a")),
+    skipped=(Skipped("ABC001", "robot.xacro", "b"), Skipped("", "part.xacro", "a")),
     crashed=(Crashed("ABC003", "robot.xacro", "ValueError: boom", "Traceback ..."),),
+    suppressed=2,
     targets=(("robot.urdf", Targets(("ros1",), ("ros1: package.xml",))),),
 )
 
@@ -97,8 +98,8 @@ def test_every_field() -> None:
             }
         ],
         "skipped": [
-            {"code": "ABC001", "path": "robot.xacro", "reason": "a"},
-            {"code": "ABC002", "path": "robot.xacro", "reason": "b"},
+            {"code": "", "path": "part.xacro", "reason": "a"},
+            {"code": "ABC001", "path": "robot.xacro", "reason": "b"},
         ],
         "crashed": [{"code": "ABC003", "path": "robot.xacro", "error": "ValueError: boom"}],
         "summary": {
@@ -110,6 +111,7 @@ def test_every_field() -> None:
             "error": 1,
             "warning": 0,
             "info": 0,
+            "suppressed": 2,
             "codes": {"ABC123": 1},
         },
     }

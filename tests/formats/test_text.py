@@ -75,11 +75,15 @@ def test_notes_and_a_fix() -> None:
     at = span(PLAIN, "arm")
     found = diagnostic(
         at,
-        related=(Related(span(PLAIN, "<robot"), "the robot begins here"),),
+        related=(
+            Related(span(PLAIN, "<robot"), "the robot begins here"),
+            Related(span(XACRO, "<robot"), "another begins here"),
+        ),
         fix=Fix("write 'leg'", (Edit(at, "leg"),)),
     )
     assert body(render(report(found))).splitlines()[3:] == [
-        "  note: robot.urdf:1:1: the robot begins here",
+        "  note: line 1:1: the robot begins here",
+        "  note: robot.xacro:1:1: another begins here",
         "  fix: write 'leg'",
     ]
 
@@ -266,11 +270,15 @@ def test_skipped_rules_are_counted_by_reason() -> None:
             Skipped("ABC001", "b.urdf", "not a xacro"),
             Skipped("ABC002", "a.urdf", "not a xacro"),
             Skipped("ABC003", "a.urdf", "it cannot be read"),
+            Skipped("", "c.xacro", "it needs arguments"),
+            Skipped("", "d.xacro", "it needs arguments"),
         ),
+        suppressed=1,
         files=("a.urdf", "b.urdf"),
     )
     assert render(checked, width=200) == (
-        "no findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a xacro)\n"
+        "no findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a xacro;"
+        " 2 files skipped: it needs arguments; 1 finding suppressed)\n"
     )
 
 

@@ -93,5 +93,6 @@ def _summary(report: Report) -> dict[str, Any]:
         "error": report.count(Severity.ERROR),
         "warning": report.count(Severity.WARNING),
         "info": report.count(Severity.INFO),
+        "suppressed": report.suppressed,
         "codes": dict(sorted(codes.items())),
     }

@@ -39,9 +39,11 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     counts = {severity: report.count(severity) for severity in Severity}
     found = [_many(count, severity.value) for severity, count in counts.items() if count]
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
-    reasons = [f"{_many(n, 'rule')} skipped: {why}" for why, n in _skipped(report).items()]
+    reasons = [f"{what} skipped: {why}" for why, what in _skipped(report)]
     if report.crashed:
         reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
+    if report.suppressed:
+        reasons.append(f"{_many(report.suppressed, 'finding')} suppressed")
     if reasons:
         text += f" ({'; '.join(reasons)})"
     text = page.wrap(text, indent=2)
@@ -52,12 +54,20 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     return text + "\n"
 
 
-def _skipped(report: Report) -> dict[str, int]:
-    """How many rules were skipped, by reason."""
+def _skipped(report: Report) -> list[tuple[str, str]]:
+    """Reasons, and how many rules or whole files were skipped for them."""
     codes: dict[str, set[str]] = {}
+    files: dict[str, set[str]] = {}
     for skip in report.skipped:
-        codes.setdefault(skip.reason, set()).add(skip.code)
-    return {reason: len(codes[reason]) for reason in sorted(codes)}
+        if skip.code:
+            codes.setdefault(skip.reason, set()).add(skip.code)
+        else:
+            files.setdefault(skip.reason, set()).add(skip.path)
+    return [
+        (reason, _many(len(skipped[reason]), noun))
+        for noun, skipped in (("rule", codes), ("file", files))
+        for reason in sorted(skipped)
+    ]
 
 
 def _many(count: int, noun: str) -> str:
@@ -77,7 +87,7 @@ class _Page:
             self._head(diagnostic),
             *self._frame(diagnostic.span, diagnostic.severity),
             *self._ways(diagnostic),
-            *(self._labelled("note", self._note(related)) for related in diagnostic.related),
+            *(self._note(related, diagnostic) for related in diagnostic.related),
         ]
         if diagnostic.help:
             blocks.append(self._labelled("help", diagnostic.help))
@@ -102,8 +112,8 @@ class _Page:
         kind = f"{self.paint(severity.value, _COLORS[severity])} {self.paint(diagnostic.code, '1')}"
         return f"{self.paint(place, '1')}: {kind} {self.wrap(message, indent=4, used=used)}"
 
-    def _note(self, related: Related) -> str:
-        return f"{self.place(related.span)}: {related.message}"
+    def _note(self, related: Related, diagnostic: Diagnostic) -> str:
+        return self._labelled("note", f"{self._near(related.span, diagnostic)}: {related.message}")
 
     def _frame(self, span: Span, severity: Severity) -> Iterator[str]:
         line, carets = frame(span, self.width - _GUTTER)
@@ -139,12 +149,7 @@ class _Page:
 
     def _call(self, call: Call, way: Sequence[Step], diagnostic: Diagnostic) -> str:
         """One of several calls: where it is, and what it says that the finding has not said."""
-        places = [
-            "line {}:{}".format(*step.span.source.position(step.span.start))
-            if step.span.source.path == diagnostic.span.source.path
-            else self.place(step.span)
-            for step in way[:MAX_CALLS]
-        ]
+        places = [self._near(step.span, diagnostic) for step in way[:MAX_CALLS]]
         text = call.element if call.message == diagnostic.message else call.message
         where = ", from ".join(places)
         return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4)
@@ -156,6 +161,13 @@ class _Page:
                     yield f"  ... {_many(len(way) - MAX_CALLS - 1, 'more call')} ..."
                 continue
             yield f"  {_STEPS[step.kind].format(printable(step.name))} {self.place(step.span)}"
+
+    def _near(self, span: Span, diagnostic: Diagnostic) -> str:
+        """A place; without the path if that of the finding has told it."""
+        if span.source.path != diagnostic.span.source.path:
+            return self.place(span)
+        line, column = span.source.position(span.start)
+        return f"line {line}:{column}"
 
     def place(self, span: Span) -> str:
         line, column = span.source.position(span.start)

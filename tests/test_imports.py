@@ -1,0 +1,103 @@
+"""What a check loads: the start of the program is most of the time that a small robot costs."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS, ROOT
+
+PLAIN = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+XACRO = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+#: Not for a plain robot, even though Python brings most of them along.
+SLOW = set(
+    "argparse ast asyncio click coal collada concurrent ctypes dataclasses difflib email hashlib "
+    "importlib.metadata inspect json logging lxml manifold3d multiprocessing numpy optparse "
+    "pathlib pickle pinocchio pkg_resources platform random scipy shutil socket ssl subprocess "
+    "tempfile textwrap threading tokenize traceback trimesh typing_extensions unicodedata urllib "
+    "uuid xacro xml.dom xml.etree xml.sax yaml yourdfpy zipfile".split()
+)
+
+
+def loaded(*words: str) -> set[str]:
+    """What a command line has loaded when it is done, beyond what Python starts with."""
+    program = (
+        "import sys; before = set(sys.modules)\n"
+        "from urdfkit.cli import main\n"
+        "code = main(sys.argv[1:])\n"
+        "assert code in (0, 1), code\n"
+        "print(*sorted(set(sys.modules) - before), file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, *words],
+        check=False,
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    return set(done.stderr.split())
+
+
+def foreign(modules: set[str]) -> set[str]:
+    """The packages among them that belong neither to Python nor to urdfkit."""
+    packages = {module.partition(".")[0] for module in modules}
+    return packages - sys.stdlib_module_names - {"urdfkit"}
+
+
+def slow(modules: set[str]) -> set[str]:
+    return {module for module in modules if any(f"{module}.".startswith(f"{s}.") for s in SLOW)}
+
+
+def test_a_plain_robot_needs_nothing_but_python() -> None:
+    modules = loaded("check", str(PLAIN))
+    assert foreign(modules) == set()
+    assert slow(modules) == set()
+
+
+def test_findings_and_statistics_load_no_more(tmp_path: Path) -> None:
+    bad = tmp_path / "bad.urdf"
+    joint = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
+    bad.write_text(f'<robot name="r"><link name="a"/>{joint}</robot>', encoding="utf-8")
+    for words in ([], ["--statistics"], ["--select", "TRE", "--color", "always"]):
+        modules = loaded("check", str(bad), *words)
+        assert foreign(modules) == set()
+        assert slow(modules) == set()
+
+
+def test_json_costs_json_alone() -> None:
+    modules = loaded("check", str(PLAIN), "--format", "json")
+    assert slow(modules) == {"json", "json.decoder", "json.encoder", "json.scanner"}
+
+
+def test_a_xacro_loads_a_private_copy_of_xacro_and_nothing_else_foreign() -> None:
+    modules = loaded("check", str(XACRO))
+    assert foreign(modules) == {"_urdfkit_xacro"}
+    assert slow(modules) <= {"ast", "glob", "xml.dom", "xml.dom.minidom"}
+
+
+@pytest.mark.parametrize("data", [b"", b"<robot", b"<robot><a></b></robot>", b"\xff"])
+def test_broken_xml_needs_nothing_but_python(data: bytes, tmp_path: Path) -> None:
+    broken = tmp_path / "broken.urdf"
+    broken.write_bytes(data)
+    assert foreign(loaded("check", str(broken))) == set()
+
+
+@pytest.mark.parametrize("words", [["--version"], ["rules"], ["explain", "XML001"]])
+def test_other_commands_load_click_and_nothing_heavy(words: list[str]) -> None:
+    assert foreign(loaded(*words)) == {"click"}
+
+
+def test_only_the_rules_that_may_have_something_to_say_are_loaded(tmp_path: Path) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_text('<robot name="r"><link name="a"/></robot>', encoding="utf-8")
+    modules = loaded("check", str(file))
+    rules = {name.split(".")[-1][:6] for name in modules if name.startswith("urdfkit.checks.")}
+    families = {code[:3] for code in rules - {"xac003"}}  # which is about plain files
+    assert not families & {"xac", "msh", "jnt", "cfg"}
+    assert not rules & {"xml001", "xml002", "urd001"}
