@@ -37,9 +37,15 @@ def rename_attribute(attribute: Attribute, name: str) -> tuple[Edit, ...] | None
     return (Edit(Span(tag.source, start, end), name),)
 
 
+def as_written(attribute: Attribute) -> str:
+    """The value with the white space that it has in the file, which XML turns into spaces."""
+    text = attribute.span.text
+    return text if text.split() == attribute.value.split() else attribute.value
+
+
 def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
     """Give an attribute another value."""
-    if not attribute.literal:
+    if attribute.span.text.split() != attribute.value.split():
         return None
     escaped = value.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
     return (Edit(attribute.span, escaped.replace("'", "&apos;")),)
@@ -63,13 +69,25 @@ def insert_before(element: Element, lines: tuple[str, ...]) -> tuple[Edit, ...] 
     """Put lines of XML before an element, indented as it is; None in a macro."""
     if from_macro(element):
         return None
-    source, start, end = element.span
-    before = source.data[_line(source, start, end)[0] : start]
-    indent = b"" if before.strip() else before
-    newline = "\r\n" if b"\r\n" in source.data else "\n"
-    separator = newline + indent.decode("ascii", "replace")
+    source, start, _ = element.span
+    separator = _newline(source) + (_indent(element) or "")
     text = "".join(line + separator for line in lines)
     return (Edit(Span(source, start, start), text),)
+
+
+def move_after(element: Element, anchor: Element) -> tuple[Edit, ...] | None:
+    """Move an element behind another one that it is in, indented as that one; None in a macro."""
+    removal = remove_element(element)
+    if removal is None:
+        return None
+    source, _, end = anchor.tag_at.whole_span
+    own, new = _indent(element), _indent(anchor)
+    text = element.tag_at.whole_span.text
+    if own is not None and new is not None:
+        newline = _newline(source)
+        lines = [line.removeprefix(own) for line in text.splitlines()]
+        text = "".join(newline + new + line for line in lines)
+    return (*removal, Edit(Span(source, end, end), text))
 
 
 def from_macro(element: Element) -> bool:
@@ -80,6 +98,17 @@ def from_macro(element: Element) -> bool:
             return True
         frame = frame.outer
     return False
+
+
+def _indent(element: Element) -> str | None:
+    """The white space before an element on its line; None if something else stands there."""
+    source, start, end = element.span
+    before = source.data[_line(source, start, end)[0] : start].decode("utf-8", "replace")
+    return None if before.strip() else before
+
+
+def _newline(source: Source) -> str:
+    return "\r\n" if b"\r\n" in source.data else "\n"
 
 
 def _line(source: Source, start: int, end: int) -> tuple[int, int]:

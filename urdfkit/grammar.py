@@ -91,6 +91,11 @@ def is_number(text: str) -> bool:
     return -inf < value < inf and text.isascii() and "_" not in text and not text[-1].isspace()
 
 
+def has_break(text: str) -> bool:
+    """True if a tab or a line break stands between numbers, where urdfdom wants spaces."""
+    return any(character in text.strip() for character in "\t\r\n")
+
+
 def is_expression(text: str) -> bool:
     """True if xacro should have replaced the value, which is XAC003's finding."""
     return "${" in text or "$(" in text
@@ -172,7 +177,9 @@ class _Walk:
                 self._add("URD005", attribute.element, attribute)
         elif length := schema.LENGTHS.get(rule.type):
             parts = [part for part in text.split(" ") if part]
-            good = all(map(is_number, parts)) and not (self._breaks and _has_break(attribute))
+            good = all(map(is_number, parts)) and not (
+                self._breaks and has_break(attribute.span.text)
+            )
             if (good and len(parts) == length) or is_expression(text):
                 return
             self._add("URD006" if good else "URD005", attribute.element, attribute, rule.type)
@@ -243,8 +250,3 @@ class _Walk:
             self._add(code, child, name=meant, meant=meant)
             return meant if meant in needed else ""
         return ""
-
-
-def _has_break(attribute: Attribute) -> bool:
-    """True if a tab or a line break stands between the numbers of a value."""
-    return any(character in attribute.span.text.strip() for character in "\t\r\n")

@@ -186,12 +186,18 @@ class RobotModel:
     @cached_property
     def links_by_name(self) -> dict[str, Link]:
         """The first link of each name."""
-        return {link.name: link for link in reversed(self.links) if link.name}
+        return _first_by_name(self.links)
 
     @cached_property
     def joints_by_name(self) -> dict[str, Joint]:
         """The first joint of each name."""
-        return {joint.name: joint for joint in reversed(self.joints) if joint.name}
+        return _first_by_name(self.joints)
+
+    @property
+    def names(self) -> list[Attribute]:
+        """The names of all links and joints, where they have one."""
+        things = [*(link.at for link in self.links), *(joint.at for joint in self.joints)]
+        return [thing.attributes["name"] for thing in things if "name" in thing.attributes]
 
     @property
     def shapes(self) -> list[Shape]:
@@ -202,6 +208,17 @@ class RobotModel:
             for body in (*link.visuals, *link.collisions)
             if body.shape
         ]
+
+
+Thing = TypeVar("Thing", Link, Joint)
+
+
+def _first_by_name(things: tuple[Thing, ...]) -> dict[str, Thing]:
+    found: dict[str, Thing] = {}
+    for thing in things:
+        if thing.name:
+            found.setdefault(thing.name, thing)
+    return found
 
 
 def number(text: str | None) -> float | None:

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Collection, Iterable
 
 #: Longer words are no slips of a name, and comparing them takes time.
 _LONGEST = 200
+
+#: What tells siblings apart.
+_SIDES = (
+    r"(?i)(?<![a-z])(?:left|right|front|rear|back|upper|lower|inner|outer|[fr][lr]|[lr])(?![a-z])"
+    r"|\d+"
+)
 
 
 def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
@@ -24,3 +31,29 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'arm'?``, or nothing if no known word is like ``word``."""
     found = nearest(word, known)
     return f"; did you mean '{found}'?" if found else ""
+
+
+class Speller:
+    """Finds the names that unknown names were meant to be, within a bound of work.
+
+    Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4``, nor
+    ``left_arm`` to be ``right_arm``.
+    """
+
+    #: Unknown names that are looked at, and known ones that each is compared with.
+    MAX_WORDS = 50
+    MAX_KNOWN = 5000
+
+    def __init__(self, known: Collection[str]) -> None:
+        self._known = known if len(known) <= self.MAX_KNOWN else ()
+        self._found: dict[str, str] = {}
+
+    def meant(self, word: str) -> str:
+        """The known name of which a name is a slip; empty if there is none."""
+        if word not in self._found:
+            if len(self._found) >= self.MAX_WORDS:
+                return ""
+            found = nearest(word, self._known, 0.8) or ""
+            sides, others = re.findall(_SIDES, word), re.findall(_SIDES, found)
+            self._found[word] = "" if sides and others and sides != others else found
+        return self._found[word]

@@ -11,6 +11,11 @@ from functools import cached_property
 from urdfkit.model import Joint, Link, RobotModel
 from urdfkit.spatial import Frame
 
+#: Loops that are listed; a hostile graph has as many as joints, each as long as the robot.
+MAX_LOOPS = 20
+
+_DONE = -1
+
 
 class KinematicTree:
     """Who hangs on whom.
@@ -61,31 +66,30 @@ class KinematicTree:
 
     @cached_property
     def cycles(self) -> tuple[tuple[Joint, ...], ...]:
-        """The closed loops, each as its joints in order; every loop once."""
-        state: dict[str, int] = {}  # 1 on the present way, 2 done
+        """The first ``MAX_LOOPS`` closed loops, each as its joints in order; every loop once."""
+        state: dict[str, int] = {}  # the place on the present way; DONE when it is left
         loops: list[tuple[Joint, ...]] = []
         for start in self.children:
             if start in state:
                 continue
             way: list[Joint] = []
             stack = [(start, iter(self.children[start]))]
-            state[start] = 1
-            while stack:
+            state[start] = 0
+            while stack and len(loops) < MAX_LOOPS:
                 name, joints = stack[-1]
                 joint = next(joints, None)
                 if joint is None:
-                    state[name] = 2
+                    state[name] = _DONE
                     stack.pop()
                     if way:
                         way.pop()
                     continue
                 assert joint.child is not None
                 child = joint.child.value
-                if state.get(child) == 1:
-                    first = next(i for i, entry in enumerate(stack) if entry[0] == child)
-                    loops.append((*way[first:], joint))
+                if state.get(child, _DONE) != _DONE:
+                    loops.append((*way[state[child] :], joint))
                 elif child not in state:
-                    state[child] = 1
+                    state[child] = len(stack)
                     way.append(joint)
                     stack.append((child, iter(self.children[child])))
         return tuple(loops)

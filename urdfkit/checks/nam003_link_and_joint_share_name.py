@@ -1,0 +1,44 @@
+"""A joint has the name of a link.
+
+URDF keeps the two apart, SDF does not: Gazebo (gz sim) reports that the name is not unique and
+does not load the model, and a `<gazebo reference>` of that name goes to both. Add `_joint` to the
+joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="gripper"/>
+<joint name="gripper" type="fixed">
+  <parent link="base"/>
+  <child link="gripper"/>
+</joint>"""
+GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
+
+
+@rule(
+    "NAM003",
+    "link-and-joint-share-name",
+    Severity.WARNING,
+    help="rename the joint, and its name in controllers and launch files",
+    by_target=dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    links = subject.model.links_by_name
+    for joint in subject.model.joints:
+        if joint.name in links:
+            yield Finding(
+                joint.at.attributes["name"],
+                f"joint '{joint.name}' has the name of a link, which Gazebo's SDF does not allow",
+                related=(Related(links[joint.name].at.span, "the link"),),
+            )

@@ -1,0 +1,49 @@
+"""A name holds a character that a program along the way does not take.
+
+White space: Gazebo's topics, command lines and parameter names break at it, and a space at the end
+is a name that nobody finds. `::` separates scopes in SDF, and Gazebo refuses it in a name. `/` in
+the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path. Keep to letters,
+digits and `_`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import is_expression
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<link name="base link"/>'
+GOOD = '<link name="base_link"/>'
+
+
+@rule(
+    "NAM004",
+    "illegal-character",
+    Severity.WARNING,
+    help="keep to letters, digits and _",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for name in subject.model.names:
+        if name.value.isidentifier() or not name.value or is_expression(name.value):
+            continue
+        moves = name.element.tag == "joint" and name.element.get("type") != "fixed"
+        if reason := _reason(name.value, moves=moves):
+            yield Finding(name, f"{name.element.tag} '{name.value}': {reason}")
+
+
+def _reason(name: str, *, moves: bool) -> str | None:
+    if name != name.strip():
+        return "white space at an end of the name"
+    if any(character.isspace() for character in name):
+        return "white space in the name, at which Gazebo topics and command lines break"
+    if "::" in name:
+        return "'::' in the name, which Gazebo's SDF keeps for scopes"
+    if moves and "/" in name:
+        return "'/' in the name of a joint, which ROS parameters read as a path"
+    return None

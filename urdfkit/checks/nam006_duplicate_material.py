@@ -1,0 +1,38 @@
+"""Two materials below `<robot>` have the same name.
+
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake refuse the whole robot, even if both have the
+same colour. It happens when two included files define the same palette. Keep one of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.document import Element
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<material name="blue"><color rgba="0 0 1 1"/></material>
+<material name="blue"><color rgba="0 0 0.8 1"/></material>
+<link name="base"/>"""
+GOOD = """\
+<material name="blue"><color rgba="0 0 1 1"/></material>
+<link name="base"/>"""
+
+
+@rule("NAM006", "duplicate-material", Severity.ERROR, help="keep one of them")
+def check(subject: Subject) -> Iterator[Finding]:
+    first: dict[str, Element] = {}
+    for material in subject.model.materials:
+        name = material.at.attributes.get("name")
+        if name is None:
+            continue
+        if name.value in first:
+            related = (Related(first[name.value].span, "the first"),)
+            yield Finding(name, f"material '{name.value}' is defined again", related=related)
+        first.setdefault(name.value, material.at)

@@ -1,0 +1,70 @@
+"""Visuals give one material name two colours.
+
+A material's name holds for the whole robot. urdfdom (RViz, MoveIt, Gazebo, Pinocchio) keeps the
+colour that it reads first, one defined below `<robot>` before all, and paints every part with it;
+other readers take each part's own. Give each colour its own name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Link, Material, RobotModel
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <visual>
+    <geometry><box size="0.4 0.3 0.1"/></geometry>
+    <material name="body"><color rgba="1 1 1 1"/></material>
+  </visual>
+  <visual>
+    <geometry><sphere radius="0.1"/></geometry>
+    <material name="body"><color rgba="1 0 0 1"/></material>
+  </visual>
+</link>"""
+GOOD = BAD.replace('"body"><color rgba="1 0', '"dome"><color rgba="1 0')
+
+
+@rule("NAM009", "material-redefined", Severity.WARNING, help="give each colour its own name")
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    first: dict[str, Material] = {}
+    for material in model.materials:
+        if material.name and _look(material) != (None, None):
+            first.setdefault(material.name.value, material)
+    for link, material in _of_visuals(model):
+        look = _look(material)
+        if not material.name or not material.name.value or look == (None, None):
+            continue
+        known = first.setdefault(material.name.value, material)
+        if look != _look(known):
+            yield Finding(
+                material.rgba or material.texture or material.at,
+                f"link '{link.name}': material '{material.name.value}' is {_shown(look)} here and "
+                f"{_shown(_look(known))} before; readers keep the first",
+                related=(Related(known.at.span, "the first"),),
+            )
+
+
+def _of_visuals(model: RobotModel) -> Iterator[tuple[Link, Material]]:
+    for link in model.links:
+        for body in link.visuals:
+            if body.material:
+                yield link, body.material
+
+
+def _look(material: Material) -> tuple[tuple[float, ...] | None, str | None]:
+    """Colour and texture; None where there is none to read."""
+    rgba, texture = material.rgba, material.texture
+    return rgba.value if rgba else None, texture.value if texture else None
+
+
+def _shown(look: tuple[tuple[float, ...] | None, str | None]) -> str:
+    rgba, texture = look
+    return texture or " ".join(f"{value:g}" for value in rgba or ())

@@ -1,0 +1,26 @@
+"""A link or a joint has an empty name.
+
+urdfdom reads it, the next program does not: TF ignores a frame without a name, Drake refuses such a
+link and PyBullet crashes. In a xacro the name is mostly a prefix with nothing behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<link name=""/>'
+GOOD = '<link name="base"/>'
+
+
+@rule("NAM010", "empty-name", Severity.ERROR, help="give it a name")
+def check(subject: Subject) -> Iterator[Finding]:
+    for name in subject.model.names:
+        if not name.value.strip():
+            yield Finding(name, f"a {name.element.tag} has an empty name")

@@ -1,0 +1,70 @@
+"""A joint names a link that the model does not have.
+
+Then there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and PyBullet refuse
+the robot. The name is misspelt, a prefix is missing, or the macro that makes the link was not
+called. `world` is no exception: it needs a `<link name="world"/>` like every other link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import insert_before, replace_value
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base_link"/>
+<link name="lid"/>
+<joint name="hinge" type="fixed">
+  <parent link="base_lnk"/>
+  <child link="lid"/>
+</joint>"""
+GOOD = BAD.replace("base_lnk", "base_link")
+FIXED = GOOD
+
+
+@rule(
+    "REF001",
+    "unknown-link",
+    Severity.ERROR,
+    help="correct the name, or add the link",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.links_by_name
+    speller = Speller(known)
+    for joint in subject.model.joints:
+        for role, element in (
+            ("parent", joint.at.child("parent")),
+            ("child", joint.at.child("child")),
+        ):
+            link = element.attributes.get("link") if element else None
+            if link is None or link.value in known or is_expression(link.value):
+                continue
+            meant = speller.meant(link.value)
+            yield Finding(
+                link,
+                f"joint '{joint.name}': {role} link '{link.value}' is not in the model"
+                + (f"; did you mean '{meant}'?" if meant else ""),
+                fix=_fix(joint, link, meant),
+            )
+
+
+def _fix(joint: Joint, link: Attribute, meant: str) -> Fix | None:
+    """The remedy: another name, or the link that is always the same."""
+    if meant:
+        edits = replace_value(link, meant)
+        return Fix(f"rename '{link.value}' to '{meant}'", edits) if edits else None
+    if link.value != "world":
+        return None
+    edits = insert_before(joint.at, ('<link name="world"/>',))
+    return Fix('add <link name="world"/>', edits) if edits else None

@@ -1,0 +1,78 @@
+"""A visual names a material that has no colour and no texture when it is needed.
+
+`<material name="blue"/>` borrows the colour of a material defined below `<robot>`, or of an
+earlier visual with a material of that name. If there is none, urdfdom (RViz, MoveIt, Gazebo)
+warns and the part gets the viewer's own colour. Define the material once, below `<robot>`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.document import Attribute, Element
+from urdfkit.grammar import is_expression, owner
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <visual>
+    <geometry><box size="0.4 0.3 0.1"/></geometry>
+    <material name="blue"/>
+  </visual>
+</link>"""
+GOOD = '<material name="blue">\n  <color rgba="0 0 1 1"/>\n</material>\n' + BAD
+
+
+#: Visuals with the same material that are shown.
+SHOWN = 8
+
+
+@rule(
+    "REF003",
+    "unknown-material",
+    Severity.WARNING,
+    help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    top = {material.at.get("name") for material in model.materials if _is_filled(material.at)}
+    used = [body.material.at for link in model.links for body in link.visuals if body.material]
+    filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
+    defined = set(top)
+    bare: dict[str, list[Attribute]] = {}
+    for material in used:
+        name = material.attributes.get("name")
+        if name is None or not name.value or name.value in defined or is_expression(name.value):
+            continue
+        if _is_filled(material):
+            defined.add(name.value)
+        else:
+            bare.setdefault(name.value, []).append(name)
+    speller = Speller([name for name in (*top, *filled) if name])
+    for word, uses in bare.items():
+        visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
+        message = f"{owner(uses[0].element)}: {visuals} with material '{word}' get no colour"
+        if later := filled.get(word):
+            definition = (Related(later.span, "defined here, too late"),)
+            yield Finding(uses[0], f"{message}; it is defined further down", related=definition)
+        else:
+            related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
+            hint = _hint(word, speller)
+            yield Finding(uses[0], f"{message}; it is defined nowhere{hint}", related=related)
+
+
+def _is_filled(material: Element) -> bool:
+    return material.child("color") is not None or material.child("texture") is not None
+
+
+def _hint(name: str, speller: Speller) -> str:
+    if name.startswith("Gazebo/"):
+        return "; Gazebo's own materials work in <gazebo reference> only"
+    meant = speller.meant(name)
+    return f"; did you mean '{meant}'?" if meant else ""

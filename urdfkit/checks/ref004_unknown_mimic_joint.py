@@ -1,0 +1,66 @@
+"""A joint mimics a joint that the model does not have.
+
+urdfdom does not look, and each program finds out on its own: Drake refuses the robot, MoveIt
+drops the coupling, joint_state_publisher stops with an exception. Correct the name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.document import Attribute
+from urdfkit.edits import replace_value
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="hand"/>
+<link name="left_finger"/>
+<link name="right_finger"/>
+<joint name="left_finger_joint" type="prismatic">
+  <parent link="hand"/>
+  <child link="left_finger"/>
+  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
+</joint>
+<joint name="right_finger_joint" type="prismatic">
+  <parent link="hand"/>
+  <child link="right_finger"/>
+  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
+  <mimic joint="left_fingr_joint"/>
+</joint>"""
+GOOD = BAD.replace("left_fingr_joint", "left_finger_joint")
+FIXED = GOOD
+
+
+@rule(
+    "REF004",
+    "unknown-mimic-joint",
+    Severity.ERROR,
+    help="correct the name, or add the joint",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.joints_by_name
+    speller = Speller(known)
+    for joint in subject.model.joints:
+        leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
+        if leader is None or leader.value in known or is_expression(leader.value):
+            continue
+        meant = speller.meant(leader.value)
+        yield Finding(
+            leader,
+            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model"
+            + (f"; did you mean '{meant}'?" if meant else ""),
+            fix=_renamed(leader, meant),
+        )
+
+
+def _renamed(leader: Attribute, meant: str) -> Fix | None:
+    edits = replace_value(leader, meant) if meant else None
+    return Fix(f"rename '{leader.value}' to '{meant}'", edits) if edits else None

@@ -1,0 +1,28 @@
+"""The robot has no link.
+
+urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet refuse it. In a xacro the macro that makes
+the links is mostly defined, but never called.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<robot name="cart">\n</robot>\n'
+GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
+
+
+@rule("TRE001", "no-link", Severity.ERROR, help='add a link, as <link name="base_link"/>')
+def check(subject: Subject) -> Iterator[Finding]:
+    root, xacro = subject.document.root, subject.reading.xacro
+    if root.tag != "robot" or root.child("link") or (xacro is not None and xacro.is_library):
+        return
+    yield Finding(root, f"{owner(root)} has no link")

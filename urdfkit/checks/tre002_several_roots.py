@@ -1,0 +1,81 @@
+"""More than one link hangs on nothing.
+
+A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
+Pinocchio) refuses a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
+the others with a joint, or remove it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Link
+    from urdfkit.subject import Subject
+    from urdfkit.tree import KinematicTree
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<link name="camera"/>
+<joint name="shoulder" type="fixed">
+  <parent link="base"/>
+  <child link="arm"/>
+</joint>"""
+GOOD = (
+    BAD
+    + """
+<joint name="camera_joint" type="fixed">
+  <parent link="arm"/>
+  <child link="camera"/>
+</joint>"""
+)
+
+#: Roots that a message names; the others are counted.
+SHOWN = 8
+
+
+@rule(
+    "TRE002",
+    "several-roots",
+    Severity.ERROR,
+    help="connect each of the others to the robot with a joint, or remove it",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    # Below a link that is missing hangs no root: the reference is REF001's.
+    children = {joint.child.value for joint in subject.model.joints if joint.child}
+    roots = [root for root in subject.tree.roots if root.name not in children]
+    if len(roots) < 2:
+        return
+    main = _largest(subject.tree, roots)
+    others = [root for root in roots if root is not main]
+    names = ", ".join(f"'{root.name}'" for root in roots[:SHOWN])
+    more = f" and {len(roots) - SHOWN} more" if len(roots) > SHOWN else ""
+    yield Finding(
+        others[0].at,
+        f"{len(roots)} links hang on nothing: {names}{more}",
+        related=tuple(
+            Related(root.at.span, f"'{root.name}' hangs on nothing")
+            for root in (main, *others[1:SHOWN])
+        ),
+    )
+
+
+def _largest(tree: KinematicTree, roots: list[Link]) -> Link:
+    """The root with most links below it; a link below two roots counts for the first."""
+    seen: set[str] = set()
+    sizes: dict[str, int] = {}
+    for root in roots:
+        before = len(seen)
+        queue = [root.name]
+        while queue:
+            name = queue.pop()
+            if name not in seen:
+                seen.add(name)
+                queue += [joint.child.value for joint in tree.children[name] if joint.child]
+        sizes[root.name] = len(seen) - before
+    return max(roots, key=lambda root: sizes[root.name])

@@ -1,0 +1,54 @@
+"""Joints form a closed loop.
+
+URDF describes trees. urdfdom searches for the root of a loop for ever, or drops a loop that
+hangs on nothing without a word; MuJoCo, Drake and PyBullet refuse it. A closed mechanism is
+written as a tree: leave one joint of the loop out, and close it in the simulator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="crank"/>
+<link name="rod"/>
+<joint name="pivot" type="continuous">
+  <parent link="rod"/>
+  <child link="crank"/>
+</joint>
+<joint name="pin" type="continuous">
+  <parent link="crank"/>
+  <child link="rod"/>
+</joint>"""
+GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
+
+#: Links of a loop that a message names; the others are counted.
+SHOWN = 8
+
+
+@rule("TRE003", "cycle", Severity.ERROR, help="leave one of these joints out")
+def check(subject: Subject) -> Iterator[Finding]:
+    for loop in subject.tree.cycles:
+        yield Finding(
+            loop[-1].child or loop[-1].at,
+            f"a closed loop of {len(loop)} joints: {_shown(loop)}",
+            related=tuple(
+                Related(joint.at.span, f"joint '{joint.name}'") for joint in loop[:-1][:SHOWN]
+            ),
+        )
+
+
+def _shown(loop: tuple[Joint, ...]) -> str:
+    """The links of a loop, such as ``a -> b -> a``."""
+    names = [joint.parent.value for joint in loop if joint.parent]
+    more = [f"({len(names) - SHOWN} more)"] if len(names) > SHOWN else []
+    return " -> ".join([*names[:SHOWN], *more, names[0]])

@@ -1,0 +1,49 @@
+"""A link is the child of two joints.
+
+URDF describes trees: every link hangs on one joint. MuJoCo refuses the robot, PyBullet crashes,
+urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two places.
+Mostly one `<child>` is a slip; a closed mechanism needs one joint left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<link name="hand"/>
+<joint name="shoulder" type="fixed">
+  <parent link="base"/>
+  <child link="arm"/>
+</joint>
+<joint name="wrist" type="fixed">
+  <parent link="arm"/>
+  <child link="hand"/>
+</joint>
+<joint name="mount" type="fixed">
+  <parent link="base"/>
+  <child link="hand"/>
+</joint>"""
+GOOD = BAD[: BAD.index('\n<joint name="mount"')]
+
+
+@rule("TRE004", "two-parents", Severity.ERROR, help="keep one joint for each child")
+def check(subject: Subject) -> Iterator[Finding]:
+    for name, joints in subject.tree.parents.items():
+        for joint in joints[1:]:
+            first = joints[0]
+            if joint.name == first.name:
+                continue  # the same joint twice is NAM002's
+            yield Finding(
+                joint.child or joint.at,
+                f"link '{name}' is the child of joint '{joint.name}' and of joint '{first.name}'",
+                related=(Related(first.at.span, f"joint '{first.name}'"),),
+            )

@@ -1,0 +1,80 @@
+"""The root link has a mass.
+
+KDL, and with it MoveIt's kinematics and every controller that computes with KDL, has no body for
+the root: it warns and leaves the root's inertia out. Simulators do not mind. Where it matters, add
+an empty link above the root and fix the root to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import insert_before
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Link, RobotModel
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="2"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>
+  </inertial>
+</link>"""
+GOOD = (
+    """\
+<link name="base_root"/>
+<joint name="base_root_joint" type="fixed">
+  <parent link="base_root"/>
+  <child link="base"/>
+</joint>
+"""
+    + BAD
+)
+FIXED = GOOD
+
+
+@rule(
+    "TRE007",
+    "root-with-inertia",
+    Severity.INFO,
+    help="for KDL, add an empty link above it with a fixed joint",
+    fixable=True,
+    by_target={"kdl": Severity.WARNING},
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    roots = subject.tree.roots
+    if len(roots) != 1 or roots[0].inertial is None:
+        return
+    root = roots[0]
+    mass = roots[0].inertial.mass
+    if mass is None or mass.value > 0:
+        yield Finding(
+            roots[0].inertial.at,
+            f"root link '{root.name}' has "
+            + (f"{mass.value:g} kg" if mass else "an inertia")
+            + ", which KDL leaves out",
+            fix=_empty_root(root, subject.model),
+        )
+
+
+def _empty_root(root: Link, model: RobotModel) -> Fix | None:
+    """A massless link and a fixed joint above the root."""
+    name = f"{root.name}_root"
+    joint = f"{name}_joint"
+    literal = root.at.attributes["name"].literal
+    if not literal or name in model.links_by_name or joint in model.joints_by_name:
+        return None
+    lines = (
+        f'<link name="{name}"/>',
+        f'<joint name="{joint}" type="fixed">',
+        f'  <parent link="{name}"/>',
+        f'  <child link="{root.name}"/>',
+        "</joint>",
+    )
+    edits = insert_before(root.at, lines)
+    return Fix(f"add an empty link '{name}' above '{root.name}'", edits) if edits else None

@@ -1,0 +1,116 @@
+"""The link `base_footprint` is not on the ground.
+
+By convention (REP 120) it is the place of the robot on the floor, below `base_link`: navigation
+takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
+below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
+the joint between the two the height of the lowest wheel or foot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import hypot
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Body
+    from urdfkit.spatial import Frame, Rotation, Vector
+    from urdfkit.subject import Subject
+    from urdfkit.tree import KinematicTree
+
+BAD = """\
+<link name="base_footprint"/>
+<link name="base_link">
+  <collision>
+    <geometry><box size="0.4 0.3 0.2"/></geometry>
+  </collision>
+</link>
+<joint name="base_footprint_joint" type="fixed">
+  <parent link="base_footprint"/>
+  <child link="base_link"/>
+</joint>"""
+GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
+
+#: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
+TOLERANCE = 0.005
+
+#: Robots of one model that are looked at.
+MAX_FOOTPRINTS = 10
+
+
+@rule(
+    "TRE008",
+    "footprint-not-on-ground",
+    Severity.WARNING,
+    help="let the joint between base_footprint and base_link lift the robot by that height",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    tree = subject.tree
+    if len(tree.roots) != 1:
+        return  # TRE002 or TRE003 comes first
+    footprints = [name for name in tree.frames if name.endswith("base_footprint")]
+    for name in footprints[:MAX_FOOTPRINTS]:
+        # Some hang the footprint below the base; the robot is then everything else.
+        joints = tree.children[name] or tree.parents[name]
+        robot = tree.below(name) if tree.children[name] else list(tree.frames)
+        if joints and (lowest := _lowest(tree, name, robot)):
+            height, link = lowest
+            side = "below" if height < 0 else "above"
+            yield Finding(
+                joints[0].at,
+                f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
+                f"'{name}', which by convention lies on the ground",
+            )
+
+
+def _lowest(tree: KinematicTree, footprint: str, robot: list[str]) -> tuple[float, str] | None:
+    """Height in m and link of the lowest point, unless it may be on the ground.
+
+    All joints stand at zero. A mesh, or a link that is seen but has no collision, may reach lower
+    than what can be measured.
+    """
+    ground = tree.frames[footprint]
+    up = _column(ground.rotation, 2)
+    heights: list[tuple[float, str]] = []
+    unknown = False
+    for name in robot:
+        link = tree.model.links_by_name[name]
+        unknown |= bool(link.visuals) and not link.collisions and name != footprint
+        for body in link.collisions:
+            bottom = _bottom(body, tree.frames[name], up)
+            if bottom is None:
+                unknown = True
+            else:
+                heights.append((bottom - _dot(up, ground.position), name))
+    lowest = min(heights, default=(0.0, ""))
+    floats = lowest[0] > TOLERANCE and not unknown
+    return lowest if floats or lowest[0] < -TOLERANCE else None
+
+
+def _bottom(body: Body, link: Frame, up: Vector) -> float | None:
+    """Height of the lowest point of a primitive, in m; None for other shapes."""
+    shape = body.shape
+    half = shape.half_extents if shape else None
+    if shape is None or half is None:
+        return None
+    frame = link @ body.origin
+    x, y, z = (abs(_dot(up, _column(frame.rotation, axis))) for axis in range(3))
+    if shape.kind == "box":
+        reach = x * half[0] + y * half[1] + z * half[2]
+    elif shape.kind == "cylinder":
+        reach = hypot(x, y) * half[0] + z * half[2]
+    else:  # a sphere, or a capsule: a line of spheres
+        reach = half[0] + z * (half[2] - half[0])
+    return _dot(up, frame.position) - reach
+
+
+def _column(rotation: Rotation, axis: int) -> Vector:
+    """An axis of a frame, seen from the outer one."""
+    return (rotation[0][axis], rotation[1][axis], rotation[2][axis])
+
+
+def _dot(left: Vector, right: Vector) -> float:
+    return left[0] * right[0] + left[1] * right[1] + left[2] * right[2]

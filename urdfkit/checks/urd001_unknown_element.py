@@ -1,0 +1,49 @@
+"""An element has a name that URDF does not know.
+
+Every reader passes over it without a word, and over all that stands in it. Most often the name is
+a slip of the pen, or the tag belongs to another format (SDF, an old ROS tutorial, another
+simulator). A tag with a namespace prefix, such as `drake:proximity_properties`, is an extension
+and is not reported. Correct the name, or remove the element.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <colision>
+    <geometry><box size="0.2 0.2 0.1"/></geometry>
+  </colision>
+</link>"""
+GOOD = BAD.replace("colision", "collision")
+FIXED = GOOD
+
+
+@rule(
+    "URD001",
+    "unknown-element",
+    Severity.WARNING,
+    help="remove it, or give it the namespace prefix of the program that reads it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for element, _, _, meant in subject.deviations.get("URD001", ()):
+        assert element.parent is not None
+        message = f"{owner(element.parent)}: <{element.parent.tag}> has no element <{element.tag}>"
+        edits = rename_element(element, meant) if meant else None
+        yield Finding(
+            element,
+            f"{message}; did you mean <{meant}>?" if meant else message,
+            f"rename it to <{meant}>" if meant else "",
+            Fix(f"rename <{element.tag}> to <{meant}>", edits) if edits else None,
+        )

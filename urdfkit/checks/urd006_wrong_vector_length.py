@@ -1,0 +1,62 @@
+"""A vector has too many or too few numbers.
+
+`xyz`, `rpy`, `size` and `scale` take three, `rgba` four: a mesh scale of one number is refused,
+too. urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects the robot if it happens in a joint, drops all
+shapes of the link if it happens in a visual or collision, and paints a colour black. MuJoCo and
+Drake refuse the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, rule
+from urdfkit.schema import LENGTHS, RGBA
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <visual>
+    <geometry><mesh filename="package://robot/meshes/base.stl" scale="0.001"/></geometry>
+    <material name="red"><color rgba="1 0 0"/></material>
+  </visual>
+</link>"""
+GOOD = BAD.replace('"0.001"', '"0.001 0.001 0.001"').replace('"1 0 0"', '"1 0 0 1"')
+FIXED = GOOD
+
+
+@rule(
+    "URD006",
+    "wrong-vector-length",
+    Severity.ERROR,
+    help="write as many numbers as it takes, with spaces between them",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for element, attribute, kind, _ in subject.deviations.get("URD006", ()):
+        assert attribute is not None
+        name, parts = attribute.name, attribute.value.split()
+        count = f"{len(parts)} number{'s' if len(parts) != 1 else ''}"
+        bound = f"{LENGTHS[kind]} ({kind})"
+        title, edits = "", None
+        if better := _completed(name, kind, parts):
+            title, edits = f'write {name}="{better}"', replace_value(attribute, better)
+        yield Finding(
+            attribute,
+            f"{owner(element)}: {name} of <{element.tag}> has {count}, not {bound}",
+            title,
+            Fix(title, edits) if edits else None,
+        )
+
+
+def _completed(name: str, kind: str, parts: list[str]) -> str | None:
+    """The vector that was meant, where there is but one: a scale for all axes, an opaque colour."""
+    if name == "scale" and len(parts) == 1:
+        return " ".join(parts * 3)
+    return " ".join([*parts, "1"]) if kind == RGBA and len(parts) == 3 else None

@@ -1,0 +1,44 @@
+"""An element that the robot cannot do without is misspelt.
+
+Readers pass over the unknown name and find the needed element missing. Without `<inertial>` Gazebo
+leaves the link out, with all that hangs on it; without `<geometry>`, `<mass>` or a shape, urdfdom
+drops all shapes of the link; without `<parent>` or `<child>` it refuses the robot. Correct the
+name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertal>
+    <mass value="2"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>
+  </inertal>
+</link>"""
+GOOD = BAD.replace("inertal", "inertial")
+FIXED = GOOD
+
+
+@rule("URD013", "misspelt-required-element", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for element, _, _, meant in subject.deviations.get("URD013", ()):
+        edits = rename_element(element, meant)
+        title = f"rename <{element.tag}> to <{meant}>"
+        yield Finding(
+            element,
+            f"{owner(element)}: URDF has no <{element.tag}>, and the <{meant}> that it seems to be "
+            "is missing",
+            title,
+            Fix(title, edits) if edits else None,
+        )

@@ -1,0 +1,43 @@
+"""The file is XML, but its root element is not `<robot>`.
+
+It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML tells
+capital letters from small ones. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'
+GOOD = BAD.replace("Robot", "robot")
+FIXED = GOOD
+
+
+@rule(
+    "URD015",
+    "root-is-not-robot",
+    Severity.ERROR,
+    help="check the file that holds the <robot>",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    xacro = subject.reading.xacro
+    if xacro is not None and xacro.is_library:
+        return
+    for element, *_ in subject.deviations.get("URD015", ()):
+        edits = rename_element(element, "robot") if nearest(element.tag, ["robot"]) else None
+        yield Finding(
+            element,
+            f"the root element is <{element.tag}>, not <robot>",
+            "rename it to <robot>" if edits else "",
+            Fix(f"rename <{element.tag}> to <robot>", edits) if edits else None,
+        )

@@ -1,0 +1,39 @@
+"""The robot uses what a later version of URDF brought, without asking for that version.
+
+A `<capsule>` then counts as no shape, and urdfdom (RViz, MoveIt, Gazebo, Pinocchio) drops every
+visual and collision of the link; a `quat_xyzw` is passed over, and the part is not turned. Build
+the capsule from a cylinder and two spheres and write `rpy`, which every reader knows, or ask for
+the version, which urdfdom 3 refuses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><capsule radius="0.05" length="0.3"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("capsule", "cylinder")
+
+
+@rule("URD016", "version-too-low", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    version = subject.document.root.get("version") or "1.0"
+    for element, attribute, _, since in subject.deviations.get("URD016", ()):
+        what = f"<{element.tag}>" if attribute is None else attribute.name
+        yield Finding(
+            attribute or element,
+            f"{owner(element)}: {what} came with URDF {since}, and the robot is URDF {version}",
+            f'use what URDF 1.0 has, or write <robot version="{since}">',
+        )
