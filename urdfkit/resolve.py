@@ -259,6 +259,22 @@ class Resolver:
             path = self.folders.find(folder, source)
             if path:
                 yield path
+        if not any(self.folders.find(folder, file) for file in _BUILD_FILES):
+            yield from self._one_level_down(folder, relative)
+
+    def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
+        """The only file at this path in a subfolder, where no build file tells the layout.
+
+        ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
+        """
+        inside = sorted(self.folders.entries(folder) or ())
+        found = [self.folders.find(folder, f"{name}/{relative}") for name in inside]
+        paths = [path for path in found if path]
+        if len(paths) == 1:
+            yield paths[0]
+
+
+_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 
 
 def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
