@@ -35,6 +35,7 @@ FULL = report(
     skipped=(Skipped("ABC001", "robot.xacro", "b"), Skipped("", "part.xacro", "a")),
     crashed=(Crashed("ABC003", "robot.xacro", "ValueError: boom", "Traceback ..."),),
     suppressed=2,
+    tolerated=3,
     targets=(("robot.urdf", Targets(("ros1",), ("ros1: package.xml",))),),
 )
 
@@ -112,6 +113,7 @@ def test_every_field() -> None:
             "warning": 0,
             "info": 0,
             "suppressed": 2,
+            "tolerated": 3,
             "codes": {"ABC123": 1},
         },
     }

@@ -274,11 +274,12 @@ def test_skipped_rules_are_counted_by_reason() -> None:
             Skipped("", "d.xacro", "it needs arguments"),
         ),
         suppressed=1,
+        tolerated=4,
         files=("a.urdf", "b.urdf"),
     )
-    assert render(checked, width=200) == (
+    assert render(checked, width=300) == (
         "no findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a xacro;"
-        " 2 files skipped: it needs arguments; 1 finding suppressed)\n"
+        " 2 files skipped: it needs arguments; 1 finding suppressed; 4 findings in the baseline)\n"
     )
 
 

@@ -94,5 +94,6 @@ def _summary(report: Report) -> dict[str, Any]:
         "warning": report.count(Severity.WARNING),
         "info": report.count(Severity.INFO),
         "suppressed": report.suppressed,
+        "tolerated": report.tolerated,
         "codes": dict(sorted(codes.items())),
     }

@@ -44,6 +44,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
         reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
     if report.suppressed:
         reasons.append(f"{_many(report.suppressed, 'finding')} suppressed")
+    if report.tolerated:
+        reasons.append(f"{_many(report.tolerated, 'finding')} in the baseline")
     if reasons:
         text += f" ({'; '.join(reasons)})"
     text = page.wrap(text, indent=2)
