@@ -226,7 +226,7 @@ class Packages:
         yield from (folder for folder in above if os.path.basename(folder) == name)
         for folder in above:
             beside = os.path.join(folder, name)
-            if os.path.isdir(beside):
+            if beside not in above and os.path.isdir(beside):
                 yield beside
 
 

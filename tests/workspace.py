@@ -1,0 +1,37 @@
+"""Packages and files on disk, for tests of what is found where."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+
+def add_package(folder: Path, name: str) -> Path:
+    """Make a ROS package and return its folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    text = f"<package>\n  <!-- <name>wrong</name> -->\n  <name> {name} </name>\n</package>\n"
+    (folder / "package.xml").write_text(text, encoding="utf-8")
+    return folder
+
+
+def add_file(path: Path, data: bytes = b"") -> Path:
+    """Make a file, with the folders around it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+    return path
+
+
+def record_listings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The folders that are listed from now on."""
+    listed: list[str] = []
+    scandir = os.scandir
+
+    def recording(path: str) -> Any:
+        listed.append(path)
+        return scandir(path)
+
+    monkeypatch.setattr(os, "scandir", recording)
+    return listed
