@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from types import FrameType
 from typing import TYPE_CHECKING, Any
@@ -50,6 +51,8 @@ def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> P
 
     Inside a property the place is the property's definition, and its uses are related.
     """
+    if wanting := _argument_of_missing_file(run, root_cause(error)):
+        return wanting
     node, local = node_in(frame)
     if located.resolving:
         table, key = located.resolving[-1]
@@ -121,6 +124,26 @@ def _made(run: Run, error: Exception, located: Located, at: Span) -> Problem:
     if located.token.startswith("$") and code in ("XAC001", "XAC009", "XAC013"):
         message += f" in {located.token}"
     return Problem(code, at, message, help)
+
+
+def _argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
+    """A file that is missing because an argument has only a stand-in for a default.
+
+    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such folder exists.
+    """
+    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+        return None
+    parts = os.fspath(cause.filename).split(os.sep)
+    for argument in run.declared:
+        default = argument.attributes.get("default", "")
+        if default in parts and len(default) > 2 and argument.name not in run.arguments:
+            at = argument.tag.attribute_spans().get("default", argument.tag.span)
+            message = (
+                f"argument '{argument.name}' must be given: with its default '{default}' "
+                "files are missing that the model needs"
+            )
+            return Problem("XAC010", at, message, f"pass it: {argument.name}:=VALUE")
+    return None
 
 
 def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
