@@ -1,4 +1,4 @@
-"""Write what the documents show of the program: the pages of the rules, the report in README.
+"""Write the pages of the rules, ``docs/rules``, from the rules themselves.
 
 Usage: python docs/generate.py
 """
@@ -10,18 +10,10 @@ import tempfile
 from itertools import groupby
 from pathlib import Path
 
-from urdfkit import Report, Source, check
 from urdfkit.examples import diagnose_example
-from urdfkit.formats import get
 from urdfkit.rules import Rule, all_rules
 
-ROOT = Path(__file__).resolve().parents[1]
-FOLDER = ROOT / "docs" / "rules"
-README = ROOT / "README.md"
-MISSION = Path("models/gazebo_pkg/urdf/waking_robot_new.xacro")
-
-#: What README shows of the report on the mission's robot.
-SHOWN = ("MSH001", "URD001", "XAC014")
+FOLDER = Path(__file__).resolve().parent / "rules"
 
 FAMILIES = {
     "CFG": "the checking itself",
@@ -91,33 +83,6 @@ def page(rule: Rule) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def with_excerpt(readme: str) -> str:
-    """README with the report as it is now, between its two markers."""
-    start, end = "<!-- excerpt: docs/generate.py -->\n", "<!-- end of excerpt -->"
-    before, _, rest = readme.partition(start)
-    _, _, after = rest.partition(end)
-    return f"{before}{start}{block('text', excerpt())}\n{end}{after}"
-
-
-def excerpt() -> str:
-    """The findings of the mission's robot that are SHOWN, and the last line of the report."""
-    # Under the name that a user types who stands in the folder of the project.
-    report = check(Source(str(MISSION), (ROOT / MISSION).read_bytes()))
-    *findings, last = get("text")(without_root(report)).strip().split("\n\n")
-    shown = [part for part in findings if part.partition("\n")[0].endswith(SHOWN)]
-    return "\n\n".join([*shown, last.rpartition("\n")[2]])
-
-
-def without_root(report: Report) -> Report:
-    """The report without the folder that the project happens to lie in."""
-    return report._replace(
-        diagnostics=tuple(
-            found._replace(message=found.message.replace(f"{ROOT}/", ""))
-            for found in report.diagnostics
-        )
-    )
-
-
 def block(language: str, text: str) -> str:
     """A block of code, fenced."""
     shown = text.strip().encode("utf-8", "backslashreplace").decode("utf-8")
@@ -125,8 +90,7 @@ def block(language: str, text: str) -> str:
 
 
 def main() -> None:
-    """Write everything, and remove the pages of rules that are no more."""
-    README.write_text(with_excerpt(README.read_text(encoding="utf-8")), encoding="utf-8")
+    """Write all pages, and remove those of rules that are no more."""
     FOLDER.mkdir(exist_ok=True)
     texts = pages()
     for old in FOLDER.glob("*.md"):

@@ -1,4 +1,4 @@
-"""Run the commands that ``docs/commands`` shows, and write below them what they print.
+"""Run the commands that README and ``docs/commands`` show, and write below them what they print.
 
 In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the folder
 of the project; what follows is its output.
@@ -16,6 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "commands"
+README = ROOT / "README.md"
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
 _PRELUDE = f'urdfkit() {{ "{sys.executable}" -m urdfkit "$@"; }}; '
@@ -47,7 +48,7 @@ def _run(command: str) -> str:
 
 def main() -> None:
     """Write all pages."""
-    for page in FOLDER.glob("*.md"):
+    for page in (README, *FOLDER.glob("*.md")):
         page.write_text(with_output(page.read_text(encoding="utf-8")), encoding="utf-8")
 
 
