@@ -18,6 +18,7 @@ from urdfkit.packages import Candidate, Packages, path_list
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
 _DRIVE = re.compile(r"/?[A-Za-z]:/")
+_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
@@ -187,7 +188,7 @@ class Resolver:
         tried: list[str] = []
         below = [(folder, rest) for paths in self._model_paths.values() for folder in paths]
         exported = self.packages.gazebo_model_paths(near)
-        below += [(folder, f"{path}/{rest}") for folder, path in exported]
+        below += [(folder, f"{path}/{rest}".lstrip("/")) for folder, path in exported]
         for folder, relative in below:
             tried.append(_join(folder, relative))
             path = self.folders.find(folder, relative)
@@ -267,14 +268,12 @@ class Resolver:
 
         ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
         """
-        inside = sorted(self.folders.entries(folder) or ())
+        entries = self.folders.entries(folder) or {}
+        inside = sorted(name for name, is_folder in entries.items() if is_folder)
         found = [self.folders.find(folder, f"{name}/{relative}") for name in inside]
         paths = [path for path in found if path]
         if len(paths) == 1:
             yield paths[0]
-
-
-_BUILD_FILES = ("CMakeLists.txt", "setup.py")
 
 
 def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
