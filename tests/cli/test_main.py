@@ -89,6 +89,11 @@ def test_what_cannot_be_done_is_one_line_and_exit_2(
     assert reason in captured.err
 
 
+def test_an_error_does_not_steer_the_terminal(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "no\x1b[2J\n.urdf"]) == 2
+    assert capsys.readouterr().err == "error: no\\x1b[2J .urdf: there is no such file\n"
+
+
 @UNIX
 @pytest.mark.skipif(getattr(os, "geteuid", lambda: 0)() == 0, reason="root may read everything")
 def test_a_file_without_permission(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
