@@ -6,20 +6,28 @@ the rule that explains it; the rules XML and XAC turn Problems into findings.
 
 from __future__ import annotations
 
+import os
 import re
 from typing import NamedTuple
 from xml.parsers import expat
 
-from urdfkit.diagnostic import Fix, Related
+from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.source import Source, Span
 
 #: Elements of one document; the largest real robot has 40 000.
 MAX_ELEMENTS = 1_000_000
-MAX_SYNTAX_ERRORS = 100
+#: Places of the same defect that are worth naming.
+MAX_RELATED = 5
 
-_DECLARATION = re.compile(rb"<\?xml\b[^>]*\?>")
+_DECLARATION = re.compile(rb"<\?xml[\s?][^>]*\?>|<\?xml\?>")
+# Compiled when needed, which is seldom.
+_COMMENT = rb"<!--.*?-->"
+_XACRO = (
+    rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b|\$[{(]"
+)
 _VERSION = re.compile(rb"""\bversion\s*=\s*["']([^"']*)["']""")
+_UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
 
 class Problem(NamedTuple):
@@ -49,17 +57,18 @@ class TooMuch(Exception):
 
 
 def is_xacro(source: Source) -> bool:
-    """Decide by content whether a file is xacro; the suffix says nothing.
+    """Decide by content whether a file is xacro.
 
     17 of 676 public models are xacro in a ``.urdf``, and many a plain URDF still declares the
-    namespace of the xacro it once came from. A file named ``.xacro`` is taken at its word.
+    namespace of the xacro it once came from, or holds a call that no macro answers any more:
+    readers of URDF pass over those. A file whose name says xacro is taken at its word.
     """
-    if source.path.endswith(".xacro"):
+    if ".xacro" in os.path.basename(source.path):
         return True
     data = source.data
-    if b"xmlns:xacro" not in data:
+    if b"xmlns:xacro" not in data or not (b"<xacro:" in data or b"${" in data or b"$(" in data):
         return False
-    return b"<xacro:" in data or b"${" in data or b"$(" in data
+    return re.search(_XACRO, re.sub(_COMMENT, b"", data, flags=re.DOTALL)) is not None
 
 
 def read_xml(source: Source) -> tuple[Document | None, list[Problem]]:
@@ -71,67 +80,121 @@ def read_xml(source: Source) -> tuple[Document | None, list[Problem]]:
     Returns:
         The document, or None if it is not well formed, and what is wrong with it.
     """
-    problems = encoding_problems(source)
-    start = _skip_to_declaration(source, problems)
-    builder = _Builder(source, start)
+    problems = encoding_problems(source, strict=False)
+    data = _forgiven(source, problems)
+    builder = _Builder(source)
     try:
-        builder.parse(_with_version_1(source, start, problems))
+        builder.parse(data)
     except expat.ExpatError:
-        return None, [*problems, *builder.problems, *syntax_problems(source)]
+        return None, [*problems, *builder.problems, *syntax_problems(source, data)]
     except TooMuch as error:
         top = Span(source, 0, 0)
         return None, [*problems, Problem("XAC013", top, str(error))]
     problems += builder.problems
-    problems += builder.undeclared_prefixes()
+    problems += builder.undeclared_prefixes() + builder.unexpanded()
     assert builder.root is not None
     return Document(builder.root, (source,)), problems
 
 
-def encoding_problems(source: Source) -> list[Problem]:
-    """A byte that is not text in the encoding of the file."""
-    if source.undecodable is None:
+def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
+    """An encoding that readers do not know, or a byte that is not text in it.
+
+    Args:
+        source: the file.
+        strict: True where only UTF-8 is read, as by xacro.
+    """
+    if source.undecodable is not None:
+        return [_undecodable(source, source.undecodable)]
+    encoding = source.encoding
+    if encoding in _UTF_8 or (source.data.isascii() and not encoding.startswith("utf-")):
         return []
-    at = Span(source, source.undecodable, source.undecodable + 1)
-    return [Problem("XML002", at, f"this byte is not {source.encoding}")]
+    if not strict and _is_known_to_expat(encoding):
+        return []
+    reader = "xacro" if strict else "urdfdom"
+    message = f"the file is in {encoding}; {reader} reads UTF-8 only"
+    return [Problem("XML002", Span(source, 0, 0), message)]
 
 
-def _skip_to_declaration(source: Source, problems: list[Problem]) -> int:
-    """Offset of the XML declaration if something stands before it, else 0."""
-    declaration = _DECLARATION.search(source.data, 0, 20_000)
-    if declaration is None or declaration.start() == 0:
-        return 0
-    before = Span(source, 0, declaration.start())
-    what = "white space" if not before.text.strip() else "text"
-    problems.append(Problem("XML007", before, f"{what} before the XML declaration"))
-    return declaration.start()
+def _undecodable(source: Source, start: int) -> Problem:
+    at = Span(source, start, start + 1)
+    declared = re.search(rb"encoding\s*=\s*[\"']([^\"']*)", source.data[:200])
+    if declared is None:
+        message = f"this byte is not {source.encoding}, which XML takes where nothing is declared"
+        return Problem("XML002", at, message)
+    try:
+        "".encode(source.encoding)
+    except LookupError:
+        at = Span(source, *declared.span(1))
+        return Problem("XML002", at, f"the declared encoding '{source.encoding}' does not exist")
+    return Problem("XML002", at, f"this byte is not {source.encoding}, which the file declares")
 
 
-def _with_version_1(source: Source, start: int, problems: list[Problem]) -> bytes:
-    """The bytes to parse; an XML declaration that expat would refuse is blanked out."""
-    data = source.data[start:]
-    declaration = _DECLARATION.match(data)
+def _is_known_to_expat(encoding: str) -> bool:
+    """True for encodings of one byte per character, in which urdfdom at least finds the tags."""
+    if encoding.startswith("utf-"):
+        return False
+    try:
+        expat.ParserCreate().Parse(
+            f'<?xml version="1.0" encoding="{encoding}"?><a/>'.encode(), True
+        )
+    except (expat.ExpatError, LookupError, ValueError):
+        return False
+    return True
+
+
+def _forgiven(source: Source, problems: list[Problem]) -> bytes:
+    """The bytes to parse: what urdfdom forgives in and before the XML declaration is blanked."""
+    data = source.data
+    declaration = _DECLARATION.search(data, 0, 20_000)
     if declaration is None:
         return data
-    version = _VERSION.search(declaration.group())
-    if version is None or version.group(1) not in (b"1.0", b"1.1"):
-        at = Span(source, start, start + declaration.end())
-        problems.append(Problem("XML007", at, 'the XML declaration lacks version="1.0"'))
+    start, end = declaration.span()
+    if start:
+        if re.sub(_COMMENT, b"", data[:start], flags=re.DOTALL).strip():
+            return data
+        problems.append(_before_declaration(Span(source, 0, start)))
+    if not _is_sound(declaration.group()):
+        at = Span(source, start, end)
+        fix = Fix("write the XML declaration anew", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
+        message = "the XML declaration is not that of XML 1.0"
+        problems.append(Problem("XML007", at, message, fix=fix))
     # The encoding is settled by Source; the declaration has nothing more to say.
-    return b" " * declaration.end() + data[declaration.end() :]
+    return b" " * end + data[end:]
+
+
+def _is_sound(declaration: bytes) -> bool:
+    """True for an XML declaration that strict readers accept."""
+    version = _VERSION.search(declaration)
+    if version is None or version.group(1) not in (b"1.0", b"1.1"):
+        return False
+    try:
+        expat.ParserCreate("utf-8").Parse(declaration + b"<a/>", True)
+    except expat.ExpatError:
+        return False
+    return True
+
+
+def _before_declaration(before: Span) -> Problem:
+    if before.text.strip():
+        message = "a comment before the XML declaration: urdfdom 4 (ROS 2 Jazzy) refuses the file"
+        return Problem("XML007", before, message, "move the comment below <?xml ...?>")
+    message = "white space before the XML declaration"
+    fix = Fix("delete the white space", (Edit(before, ""),), safe=True)
+    return Problem("XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix)
 
 
 class _Builder:
     """Builds Elements from expat's events."""
 
-    def __init__(self, source: Source, offset: int) -> None:
+    def __init__(self, source: Source) -> None:
         self.source = source
-        self.offset = offset
         self.root: Element | None = None
         self.problems: list[Problem] = []
         self._open: list[Element] = []
         self._text: list[list[str]] = []
         self._count = 0
         self._prefixed: dict[str, Element] = {}
+        self._unexpanded: list[Element] = []
         # Without namespaces, as urdfdom reads: an undeclared prefix is part of the name.
         self._parser = parser = expat.ParserCreate("utf-8")
         parser.ordered_attributes = True
@@ -148,7 +211,7 @@ class _Builder:
         self._count += 1
         if self._count > MAX_ELEMENTS:
             raise TooMuch(f"more than {MAX_ELEMENTS} elements")
-        at = self.offset + self._parser.CurrentByteIndex
+        at = self._parser.CurrentByteIndex
         parent = self._open[-1] if self._open else None
         element = Element(name, Tag(self.source, at, at), parent)
         for key, value in zip(attributes[::2], attributes[1::2], strict=True):
@@ -157,6 +220,8 @@ class _Builder:
             prefix, colon, _ = qualified.partition(":")
             if colon and prefix not in ("xml", "xmlns"):
                 self._prefixed.setdefault(prefix, element)
+        if name.startswith("xacro:"):
+            self._unexpanded.append(element)
         if parent is None:
             self.root = element
         else:
@@ -168,30 +233,74 @@ class _Builder:
         element = self._open.pop()
         element.text = "".join(self._text.pop())
         tag = element.tag_at
-        close = self.offset + self._parser.CurrentByteIndex
+        close = self._parser.CurrentByteIndex
         if self.source.data.startswith(b"</", close):
             element.tag_at = tag._replace(close=close)
 
     def _characters(self, data: str) -> None:
         self._text[-1].append(data)
 
-    def undeclared_prefixes(self) -> list[Problem]:
+    def undeclared_prefixes(self, *, strict: bool = False) -> list[Problem]:
         """Prefixes without ``xmlns``: strict readers refuse them, urdfdom does not."""
         found = []
         for prefix, first in self._prefixed.items():
             element: Element | None = first
             while element is not None and f"xmlns:{prefix}" not in element.attributes:
                 element = element.parent
-            if element is None:
-                message = f"the prefix '{prefix}:' is used but never declared"
-                found.append(Problem("XML007", first.tag_at.name_span, message))
+            if element is None and (strict or prefix != "xacro" or not self._unexpanded):
+                found.append(_undeclared(prefix, first))
         return found
 
+    def unexpanded(self) -> list[Problem]:
+        """Tags of xacro in a plain file."""
+        if not self._unexpanded:
+            return []
+        first, *others = self._unexpanded
+        count = f", the first of {1 + len(others)}" if others else ""
+        message = f"<{first.tag}> is a call of a xacro macro{count}, and no macro is defined here"
+        notes = tuple(Related(other.span, f"<{other.tag}>") for other in others[:MAX_RELATED])
+        return [Problem("XAC018", first.tag_at.name_span, message, related=notes)]
+
     def _entity(self, name: str, *_: object) -> None:
-        at = self.offset + self._parser.CurrentByteIndex
+        at = self._parser.CurrentByteIndex
         self.problems.append(entity_problem(self.source, at, name))
         # With a default handler set, expat hands over references instead of expanding them.
         self._parser.DefaultHandler = _ignore
+
+
+def _undeclared(prefix: str, first: Element) -> Problem:
+    tag = first.tag_at
+    at = tag.name_span
+    if not first.tag.startswith(f"{prefix}:"):
+        name = next(name for name in first.attributes if name.startswith(f"{prefix}:"))
+        found = tag.span.source.data.find(name.encode(), tag.start, tag.inner_start)
+        at = Span(tag.source, found, found + len(name.encode())) if found >= 0 else tag.span
+    message = f"the prefix '{prefix}:' is used but never declared"
+    help = f'declare it on the root element: xmlns:{prefix}="..."'
+    return Problem("XML007", at, message, help)
+
+
+def unbound_prefixes(source: Source) -> list[Problem]:
+    """The prefixes that a well-formed file uses but does not declare, for a strict reader."""
+    builder = _Builder(source)
+    try:
+        builder.parse(_forgiven(source, []))
+    except (expat.ExpatError, TooMuch):
+        return syntax_problems(source)
+    assert builder.root is not None
+    root = builder.root
+    found = []
+    for problem in builder.undeclared_prefixes(strict=True):
+        fix = None
+        help = problem.help
+        if problem.message.startswith("the prefix 'xacro:'"):
+            help = ""
+            end = root.tag_at.name_span.end
+            text = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
+            edit = Edit(Span(source, end, end), text)
+            fix = Fix("declare the prefix on the root element", (edit,), safe=True)
+        found.append(problem._replace(code="XML004", help=help, fix=fix))
+    return found or [_expat_problem(source, source.data, namespaces=True)]
 
 
 def _ignore(_: str) -> None:
@@ -203,32 +312,33 @@ def entity_problem(source: Source, at: int, name: str) -> Problem:
     return Problem("XML003", Span(source, at, at + 8), f"entity '{name}' is declared")
 
 
-def syntax_problems(source: Source) -> list[Problem]:
-    """All syntax errors of a file that is not well formed, by lxml's recovering parser."""
-    if not source.data.strip():
-        return [Problem("XML001", Span(source, 0, 0), "the file is empty")]
-    from lxml import etree  # 25 ms, and needed for broken files only
+def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
+    """All syntax errors of a file that is not well formed.
 
-    parser = etree.XMLParser(recover=True, resolve_entities=False, no_network=True)
-    try:
-        etree.fromstring(source.data, parser)
-    except (etree.XMLSyntaxError, ValueError):
-        pass  # the log below says why
-    problems: list[Problem] = []
-    for entry in list(parser.error_log)[:MAX_SYNTAX_ERRORS]:
-        if entry.type_name.startswith("NS_"):
-            continue
-        at = source.offset(entry.line, entry.column)
-        code = "XML006" if entry.type_name == "ERR_DOCUMENT_END" else "XML001"
-        problems.append(Problem(code, Span(source, at, at), entry.message.strip()))
-    return problems or [_expat_problem(source)]
+    Args:
+        source: the file.
+        data: its text if read otherwise than it stands, at the same offsets.
+    """
+    from urdfkit.malformed import syntax_slips  # needed for broken files only
+
+    data = source.data if data is None else data
+    problems = [
+        Problem(
+            "XML006" if slip.trailing else "XML001",
+            Span(source, slip.start, slip.end),
+            slip.message,
+            related=tuple(Related(Span(source, *place), text) for *place, text in slip.notes),
+        )
+        for slip in syntax_slips(data)
+    ]
+    return problems or [_expat_problem(source, data)]
 
 
-def _expat_problem(source: Source) -> Problem:
+def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:
     """What expat says, for a file that only expat refuses."""
-    parser = expat.ParserCreate("utf-8")
+    parser = expat.ParserCreate("utf-8", " " if namespaces else None)
     try:
-        parser.Parse(source.data, True)
+        parser.Parse(data, True)
     except expat.ExpatError as error:
         at = parser.ErrorByteIndex
         return Problem("XML001", Span(source, at, at), expat.ErrorString(error.code))

@@ -20,6 +20,8 @@ _BYTE_ORDER_MARKS = (
     (b"\x00\x00\xfe\xff", "utf-32"),
     (b"\xff\xfe", "utf-16"),
     (b"\xfe\xff", "utf-16"),
+    (b"<\0", "utf-16-le"),  # without a mark, as expat would guess, too
+    (b"\0<", "utf-16-be"),
 )
 
 

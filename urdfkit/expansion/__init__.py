@@ -19,7 +19,13 @@ from urdfkit.expansion.errors import root_cause
 from urdfkit.expansion.run import Definition, Message, Run
 from urdfkit.expansion.trace import Origin, inputs_of
 from urdfkit.expansion.usage import Usage, usage
-from urdfkit.reading import Problem, TooMuch, encoding_problems, syntax_problems
+from urdfkit.reading import (
+    Problem,
+    TooMuch,
+    encoding_problems,
+    syntax_problems,
+    unbound_prefixes,
+)
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
@@ -149,7 +155,10 @@ def _expand(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
             break
         without.add((node.tag_at.source.path, node.tag_at.start))
         lost |= _names_lost(node)
-    problems = [*encoding_problems(source), *structural, *run.problems]
+    encodings = [
+        problem for one in run.sources.values() for problem in encoding_problems(one, strict=True)
+    ]
+    problems = [*encodings, *structural, *run.problems]
     return Xacro(run, problems, first_error)
 
 
@@ -195,6 +204,8 @@ def _at(node: dom.Node, message: str) -> Span:
     spans = node.tag_at.attribute_spans()
     if node.tagName == "xacro:include":
         return spans.get("filename", node.tag_at.span)
+    if describe.UNKNOWN_MACRO.search(message):
+        return node.tag_at.name_span
     for name in spans:
         if f'Invalid parameter "{name}"' in message or f'conditional "{name}"' in message:
             return spans[name]
@@ -214,8 +225,7 @@ def _not_well_formed(run: Run, error: ExpatError) -> tuple[list[Problem], dom.No
     source: Source = getattr(error, "urdfkit_source", run.source)
     frame: Frame | None = getattr(error, "urdfkit_frame", None)
     if error.code == _UNBOUND_PREFIX:
-        at = describe.line_start(source, error.lineno, error.offset)
-        found = [Problem("XML004", at, "a prefix is used but never declared", "", frame)]
+        found = [problem._replace(frame=frame) for problem in unbound_prefixes(source)]
     else:
         found = [problem._replace(frame=frame) for problem in syntax_problems(source)]
     return found, run.including[-1] if run.including else None

@@ -14,14 +14,16 @@ from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
 from urdfkit.expansion.expressions import TooLarge, UnsafeExpression
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
+from urdfkit.nearest import did_you_mean
 from urdfkit.reading import Problem, TooMuch
-from urdfkit.source import Source, Span
+from urdfkit.source import Span
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Located, Run
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
+UNKNOWN_MACRO = re.compile(r"macro '([^']+)' is not defined")
 
 
 def related(span: Span, message: str) -> tuple[Related, ...]:
@@ -167,16 +169,22 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         return "XAC012", f"{cause} is outside the workspace and the packages of this model", ""
     if isinstance(cause, MissingArgument):
         return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
-    return "XAC001", _plain(error, cause), _nearest_name(cause)
+    return "XAC001", _plain(error, cause), _what_to_do(run, cause)
 
 
 def _plain(error: BaseException, cause: BaseException) -> str:
     """The reason in one line, without xacro's list of enclosing expressions."""
+    if isinstance(cause, FileNotFoundError) and cause.filename:
+        return f"there is no file {cause.filename}"
     if isinstance(cause, OSError) and cause.filename:
         return f"{cause.filename}: {cause.strerror}"
     if isinstance(cause, SyntaxError):
         return f"not an expression: {cause.msg}"
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
+    if text.startswith("unknown macro name: "):
+        return f"macro '{text.rpartition(' ')[2].removeprefix('xacro:')}' is not defined"
+    if isinstance(cause, AttributeError) and "'_setitem'" in text:
+        return 'scope="parent" stands outside of every macro, where there is no parent'
     return text.replace("\n", "; ") or type(cause).__name__
 
 
@@ -188,11 +196,33 @@ def _how_to_pass(run: Run, missing: BaseException) -> str:
     return text
 
 
-def _nearest_name(cause: BaseException) -> str:
-    name = _UNDEFINED.search(str(cause))
-    if name is None or not isinstance(cause, NameError):
+def _what_to_do(run: Run, cause: BaseException) -> str:
+    """The remedy, with the name that was probably meant."""
+    if isinstance(cause, FileNotFoundError) and cause.filename:
+        return _nearest_file(os.fspath(cause.filename))
+    text = str(cause)
+    if text.startswith("unknown macro name: "):
+        name = text.rpartition(" ")[2].removeprefix("xacro:")
+        meant = did_you_mean(name, (macro.name for macro in run.macros))
+        return f"define the macro before its call, or include the file that does{meant}"
+    undefined = _UNDEFINED.search(text)
+    if undefined is None or not isinstance(cause, NameError):
         return ""
-    return f"define the property '{name.group(1)}' before its use, or mend its name"
+    name = undefined.group(1)
+    meant = did_you_mean(name, (definition.name for definition in run.properties))
+    return f"define the property '{name}' before its use, or mend its name{meant}"
+
+
+def _nearest_file(path: str) -> str:
+    """What there is instead of a missing file: a folder that is missing, or a file like it."""
+    folder, name = os.path.split(os.path.normpath(path))
+    while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
+        folder, name = os.path.split(folder)
+    try:
+        beside = os.listdir(folder or os.curdir)
+    except OSError:
+        return ""
+    return f"there is no '{name}' in {folder or os.curdir}" + did_you_mean(name, beside)
 
 
 def with_macro(error: BaseException, message: str) -> tuple[str, tuple[Related, ...]]:
@@ -230,9 +260,3 @@ def _deprecated_call(node: Node, old: str, new: str) -> Problem:
     span = Span(at.source, *found.span())
     fix = Fix(f"write {new}", (Edit(span, new),), safe=True)
     return Problem("XAC015", span, message, f"write {new}()", node.frame, fix=fix)
-
-
-def line_start(source: Source, line: int, column: int) -> Span:
-    """A place that expat gives as a line from 1 and a column from 0."""
-    start = source.offset(line, column + 1)
-    return Span(source, start, start)

@@ -1,0 +1,42 @@
+"""A plain URDF holds tags of xacro that nobody expands.
+
+Readers of URDF pass over `<xacro:...>` without a word: what the macro would have made, a camera or
+a sensor's plugin, is missing from the robot. Either the file is a piece of a xacro, which another
+file includes and which must declare `xmlns:xacro`, or the calls are left over from an expansion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+  <xacro:camera parent="base"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="camera" params="parent"><link name="${parent}_camera"/></xacro:macro>
+  <link name="base"/>
+  <xacro:camera parent="base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC018",
+    "unexpanded-tag",
+    Severity.WARNING,
+    needs=(),
+    help="include the file that defines the macro, or delete the call",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC018")
