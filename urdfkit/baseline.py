@@ -6,6 +6,7 @@ or the numbers in its message, so that edits elsewhere do not bring it back.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections import Counter
@@ -42,6 +43,21 @@ def fingerprint(diagnostic: Diagnostic, folder: str) -> Fingerprint:
     path = os.path.relpath(os.path.abspath(span.source.path), os.path.abspath(folder))
     text = " ".join(span.source.line(span.line).split())
     return Fingerprint(path.replace(os.sep, "/"), diagnostic.code, text)
+
+
+def fingerprints(diagnostics: Iterable[Diagnostic]) -> list[str]:
+    """A short mark for every finding, for services that follow findings from run to run.
+
+    Findings that cannot be told apart are numbered in their order.
+    """
+    seen: Counter[str] = Counter()
+    marks: list[str] = []
+    for diagnostic in diagnostics:
+        text = "\n".join(fingerprint(diagnostic, os.curdir))
+        seen[text] += 1
+        digest = hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
+        marks.append(f"{digest[:32]}:{seen[text]}")
+    return marks
 
 
 def dump(diagnostics: Iterable[Diagnostic], folder: str) -> str:

@@ -1,0 +1,174 @@
+"""SARIF 2.1.0 for code scanning: every finding at its region in the file that a person edits.
+
+The macro calls that led to a finding are related locations, the element after expansion is its
+logical location, and the fingerprint stays the same under edits elsewhere. Columns count UTF-16
+code units, as SARIF wants.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from typing import Any
+
+from urdfkit import __version__, rules
+from urdfkit.baseline import fingerprints
+from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.source import Source, Span
+
+_SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
+_LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
+#: Calls of one macro that are worth a location.
+_MAX_CALLS = 20
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """The whole report as one run."""
+    ran = sorted({*report.rules, *(d.code for d in report.diagnostics)})
+    numbers = {code: number for number, code in enumerate(ran)}
+    marks = fingerprints(report.diagnostics)
+    run = {
+        "tool": {"driver": _driver(ran)},
+        "columnKind": "utf16CodeUnits",
+        "originalUriBaseIds": {"SRCROOT": {"description": {"text": "where urdfkit was run"}}},
+        "invocations": [_invocation(report)],
+        "results": [
+            _result(diagnostic, numbers[diagnostic.code], mark)
+            for diagnostic, mark in zip(report.diagnostics, marks, strict=True)
+        ],
+    }
+    document = {"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def _driver(codes: Iterable[str]) -> dict[str, Any]:
+    return {
+        "name": "urdfkit",
+        "version": __version__,
+        "semanticVersion": __version__,
+        "rules": [_rule(rules.get(code)) for code in codes],
+    }
+
+
+def _rule(rule: rules.Rule) -> dict[str, Any]:
+    summary, _, rest = rule.explanation.partition("\n")
+    text = f"{rest.strip()}\n\n{rule.help}".strip()
+    return {
+        "id": rule.code,
+        "name": "".join(word.capitalize() for word in rule.name.split("-")),
+        "shortDescription": {"text": summary.strip()},
+        "fullDescription": {"text": " ".join(rest.split()) or summary.strip()},
+        "help": {"text": text or summary.strip()},
+        "defaultConfiguration": {"level": _LEVELS[rule.severity]},
+        "properties": {"tags": [rule.code[:3]]},
+    }
+
+
+def _invocation(report: Report) -> dict[str, Any]:
+    notes = [
+        {"level": "note", "message": {"text": f"{skip.path}: {skip.code} skipped: {skip.reason}"}}
+        for skip in report.skipped
+    ]
+    notes += [
+        {"level": "error", "message": {"text": f"{crash.path}: {crash.code}: {crash.error}"}}
+        for crash in report.crashed
+    ]
+    return {
+        "executionSuccessful": not report.crashed,
+        "toolExecutionNotifications": notes,
+    }
+
+
+def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
+    text = diagnostic.message
+    if diagnostic.help:
+        text += f"\n{diagnostic.help}"
+    location: dict[str, Any] = _location(diagnostic.span)
+    if diagnostic.element:
+        location["logicalLocations"] = [
+            {"fullyQualifiedName": diagnostic.element, "kind": "element"}
+        ]
+    result: dict[str, Any] = {
+        "ruleId": diagnostic.code,
+        "ruleIndex": number,
+        "level": _LEVELS[diagnostic.severity],
+        "message": {"text": text},
+        "locations": [location],
+        "partialFingerprints": {"urdfkit/v1": mark},
+        "properties": {"confidence": diagnostic.confidence.value},
+    }
+    if related := _related(diagnostic):
+        result["relatedLocations"] = related
+    if diagnostic.fix:
+        result["fixes"] = [_fix(diagnostic.fix)]
+    return result
+
+
+def _related(diagnostic: Diagnostic) -> list[dict[str, Any]]:
+    places = [(related.span, related.message) for related in diagnostic.related]
+    for call in diagnostic.calls[:_MAX_CALLS]:
+        places += _steps(call, several=len(diagnostic.calls) > 1)
+    return [
+        {"id": number, **_location(span), "message": {"text": message}}
+        for number, (span, message) in enumerate(dict.fromkeys(places), 1)
+    ]
+
+
+def _steps(call: Call, *, several: bool) -> list[tuple[Span, str]]:
+    """The steps to one call, innermost first; of several calls each with its numbers."""
+    steps = []
+    for step in reversed(call.via):
+        verb = "included" if step.kind == "include" else f"called by {step.kind} '{step.name}'"
+        steps.append((step.span, verb))
+    if several and steps:
+        steps[0] = (steps[0][0], call.message)
+    return steps
+
+
+def _location(span: Span) -> dict[str, Any]:
+    return {
+        "physicalLocation": {"artifactLocation": _artifact(span.source), "region": _region(span)}
+    }
+
+
+def _artifact(source: Source) -> dict[str, Any]:
+    from urllib.parse import quote
+
+    path = os.path.relpath(source.path) if os.path.isabs(source.path) else source.path
+    path = os.path.normpath(path).replace(os.sep, "/")
+    if path.startswith("../"):
+        return {"uri": "file://" + quote(os.path.abspath(source.path).replace(os.sep, "/"))}
+    return {"uri": quote(path), "uriBaseId": "SRCROOT"}
+
+
+def _region(span: Span) -> dict[str, int]:
+    line, column = _utf16(span.source, span.start)
+    end_line, end_column = _utf16(span.source, span.end)
+    return {
+        "startLine": line,
+        "startColumn": column,
+        "endLine": end_line,
+        "endColumn": max(end_column, column) if line == end_line else end_column,
+    }
+
+
+def _utf16(source: Source, offset: int) -> tuple[int, int]:
+    line, column = source.position(offset)
+    before = source.line(line)[: column - 1]
+    return line, len(before.encode("utf-16-le", "surrogatepass")) // 2 + 1
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    by_source: dict[Source, list[dict[str, Any]]] = {}
+    for edit in fix.edits:
+        by_source.setdefault(edit.span.source, []).append(
+            {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.text}}
+        )
+    return {
+        "description": {"text": fix.title},
+        "artifactChanges": [
+            {"artifactLocation": _artifact(source), "replacements": replacements}
+            for source, replacements in by_source.items()
+        ],
+    }
