@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import re
 import tempfile
+from html import escape
 from itertools import groupby
 from pathlib import Path
 
+from urdfkit.examples import FOLDER as FOLDER_OF_EXAMPLES
 from urdfkit.examples import diagnose_example
 from urdfkit.rules import Rule, all_rules
 
@@ -29,8 +31,8 @@ FAMILIES = {
     "XML": "the text",
 }
 
-#: What an example says holds the folder in which it was run.
-_SCRATCH = re.compile(re.escape(tempfile.gettempdir()) + r"/tmp\w+/?")
+#: The folder in which an example was run.
+_SCRATCH = re.compile(re.escape(tempfile.gettempdir()) + r"/tmp\w+")
 
 
 def pages() -> dict[str, str]:
@@ -44,7 +46,7 @@ def index(rules: list[Rule]) -> str:
     lines = [
         "# Rules",
         "",
-        "`urdfkit explain CODE` prints the same pages. A code is never reused or renamed.",
+        "`urdfkit explain CODE` says the same. A code is never reused or renamed.",
         "*error*: a mainstream consumer rejects the robot or simulates it wrongly; *warning*: it",
         "loads but is hardly meant; *info*: style or a hint.",
     ]
@@ -66,15 +68,19 @@ def summary(rule: Rule) -> str:
 
 def page(rule: Rule) -> str:
     """The page of one rule."""
+    severities = [rule.severity.value]
+    severities += [f"{severity.value} for {name}" for name, severity in rule.by_target.items()]
     parts = [
         f"# {rule.code} {rule.name}",
-        f"Severity: {rule.severity.value}." + (" Comes with a fix." if rule.fixable else ""),
+        f"Severity: {', '.join(severities)}." + (" Comes with a fix." if rule.fixable else ""),
         rule.explanation,
     ]
     if rule.help:
-        parts.append(f"What to do: {rule.help}.")
+        parts.append(f"What to do: {escape(rule.help, quote=False)}.")
     if bad := rule.example("BAD"):
-        said = [_SCRATCH.sub("", found.message) for found in diagnose_example(rule, bad)]
+        said = [
+            _SCRATCH.sub(FOLDER_OF_EXAMPLES, found.message) for found in diagnose_example(rule, bad)
+        ]
         parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
     if good := rule.example("GOOD"):
         parts += ["## Accepted", block("xml", good)]
