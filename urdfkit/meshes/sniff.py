@@ -65,6 +65,7 @@ _FOREIGN = (
     (b"GIF8", "a GIF picture"),
     (b"%PDF-", "a PDF document"),
     (b"\x1f\x8b", "a gzip archive"),
+    (b"PK\x03\x04", "a zip archive"),
     (b"7z\xbc\xaf", "a 7z archive"),
     (b"Rar!", "a RAR archive"),
     (b"\x7fELF", "a program"),
@@ -125,6 +126,8 @@ def recognise(data: bytes, size: int) -> str:
         return "3MF" if b"3D/3dmodel.model" in data else "USD" if b".usd" in data else ""
     if head[72:73] == b"S" and head[73:80].strip(b" 0") == b"1":
         return "IGES"
+    if head.lstrip().startswith((b"ply\n", b"ply\r", b"ply ")):
+        return facts.PLY
     return _text_format(data) if _is_text(head) or head.startswith(_UTF_16) else ""
 
 
@@ -132,8 +135,6 @@ def _text_format(data: bytes) -> str:
     text = data[:_HEAD].lstrip(b"\xef\xbb\xbf \t\r\n")
     if text.startswith((b"<", *_UTF_16)):
         return _XML_FORMATS.get(_xml_root(data), "")
-    if text.split(maxsplit=1)[:1] == [b"ply"]:
-        return facts.PLY
     if text[:5].lower() == b"solid":
         return facts.ASCII_STL
     if text.startswith(b"{"):
@@ -170,9 +171,11 @@ def _meant(data: bytes, suffix: str) -> str:
 
 
 def _foreign(data: bytes) -> Defect | None:
-    """Why this is no mesh at all, if it is something that is known."""
+    """Why this is no mesh, if it is something else that is known."""
     if not data.strip():
         return empty("is empty" if not data else "holds nothing but white space")
+    if data.startswith(b"<<<<<<<"):
+        return unreadable("holds the two sides of a merge conflict")
     if data.startswith(_LFS):
         size = re.search(rb"\nsize (\d{1,18})\b", data[:_HEAD])
         held = f" of {size.group(1).decode()} bytes" if size else ""
@@ -191,8 +194,6 @@ def _foreign(data: bytes) -> Defect | None:
 
 
 def _unknown(data: bytes) -> Defect:
-    if data.startswith(b"<<<<<<<"):
-        return unreadable("holds the two sides of a merge conflict")
     if _is_text(data[:_HEAD]):
         words = data[:200].decode("utf-8", "replace").split()
         return not_a_mesh(f"is text of no mesh format{_quoted(' '.join(words))}")
