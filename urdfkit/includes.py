@@ -1,35 +1,67 @@
-"""Which xacro files of a package include a file; read from the text, nothing is expanded."""
+"""Which xacro file includes a file; read from the text, nothing is expanded."""
 
 from __future__ import annotations
 
 import os
 import re
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.packages import Packages
 
 #: Bounds of the search; the largest public description package has 300 xacro files.
+MAX_ENTRIES = 20_000
 MAX_FILES = 2000
 MAX_BYTES = 4 * 1024 * 1024
+#: Includes of includes that are followed upwards.
+MAX_DEPTH = 10
 
 _SUFFIXES = (".xacro", ".urdf", ".gazebo", ".xml", ".trans")
 
 
-def is_included(path: str, folder: str) -> bool:
-    """True if a file below ``folder`` seems to include the file ``path``.
+def is_included(path: str, packages: Packages) -> bool:
+    """True if another file of the package, or of the folder without one, includes a file.
 
-    Includes are compared by file name: their folders may be expressions.
+    True as well if there are too many files to know: silence is then the safer answer.
     """
+    return includer(path, packages) is not None
+
+
+def includer(path: str, packages: Packages) -> str | None:
+    """A file of the same package that includes a file; ``""`` if there are too many to search.
+
+    Includes are compared by file name: their folders may be expressions. Of several files the one
+    nearest by folder counts: packages hold variants of a robot side by side. An ``<include>``
+    that lacks its prefix counts as what it was meant to be.
+    """
+    package = packages.enclosing(path)
+    path = os.path.abspath(path)
+    folder = package[1] if package else os.path.dirname(path)
     name = re.escape(os.path.basename(path).encode())
-    pattern = re.compile(rb"""<xacro:include\b[^>]*[/"']""" + name + rb"""["']""")
-    searched = 0
+    pattern = re.compile(rb"""<(?:xacro:)?include\b[^>]*[/"']""" + name + rb"""["']""")
+    found: list[str] = []
+    entries = searched = 0
     for parent, folders, files in os.walk(folder):
-        folders[:] = [name for name in folders if not name.startswith(".")]
-        for file in files:
-            if file.endswith(_SUFFIXES):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        entries += len(folders) + len(files)
+        for file in sorted(files):
+            if file.endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
                 searched += 1
-                if searched > MAX_FILES:
-                    return True  # not known: silence is the safer answer
-                if pattern.search(_head(os.path.join(parent, file))):
-                    return True
-    return False
+                if pattern.search(_head(there)):
+                    found.append(there)
+        if entries > MAX_ENTRIES or searched > MAX_FILES:
+            return ""
+    return max(found, key=lambda there: len(os.path.commonpath((there, path))), default=None)
+
+
+def top_includer(path: str, packages: Packages) -> str | None:
+    """The file at the upper end of a chain of includes that ends at a file."""
+    found, above = None, includer(path, packages)
+    seen = {os.path.abspath(path)}
+    while above and above not in seen and len(seen) <= MAX_DEPTH:
+        seen.add(above)
+        found, above = above, includer(above, packages)
+    return found or above
 
 
 def _head(path: str) -> bytes:

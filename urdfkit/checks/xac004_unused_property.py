@@ -1,8 +1,9 @@
 """A property is defined and never used.
 
 Nothing breaks, but a reader changes the number and wonders why the robot stays as it is. Mostly a
-use was deleted, or the name is misspelt where it was to be used. Properties of macro libraries and
-of files with includes that this expansion leaves out are not judged.
+use was deleted, or the name is misspelt where it was to be used. Files that
+others include, libraries of macros, and files with includes that this expansion leaves out are not
+judged: the property may be used elsewhere.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
+from urdfkit.includes import is_included
 from urdfkit.rules import Finding, Need, Written, rule
 
 if TYPE_CHECKING:
@@ -29,16 +31,21 @@ GOOD = BAD.replace('"base"', '"base_${width}"')
     "XAC004",
     "unused-property",
     Severity.WARNING,
-    needs=(Need.XACRO,),
+    needs=(Need.XACRO, Need.FILES),
     help="delete it, or use it where it was meant",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     xacro = subject.xacro
     if xacro.is_library or not xacro.is_complete:
         return
-    for definition in xacro.properties:
-        name = definition.name.removeprefix("**")
-        if definition.tag.source is subject.source and name not in xacro.usage.names:
-            yield Finding(
-                Written(definition.tag.span, definition.frame), f"property '{name}' is never used"
-            )
+    unused = [
+        definition
+        for definition in xacro.properties
+        if definition.tag.source is subject.source
+        and definition.name.removeprefix("**") not in xacro.usage.names
+    ]
+    if unused and not is_included(subject.source.path, subject.resolver.packages):
+        for definition in unused:
+            place = Written(definition.tag.span, definition.frame)
+            name = definition.name.removeprefix("**")
+            yield Finding(place, f"property '{name}' is never used")

@@ -6,7 +6,6 @@ searched for files that include this one.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -42,14 +41,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for macro in xacro.macros
         if macro.tag.source is subject.source and macro.name not in xacro.usage.calls
     ]
-    if unused and not is_included(subject.source.path, _package(subject)):
+    if unused and not is_included(subject.source.path, subject.resolver.packages):
         for macro in unused:
             place = Written(macro.tag.span, macro.frame)
             yield Finding(place, f"macro '{macro.name}' is never called")
-
-
-def _package(subject: Subject) -> str:
-    """The folder of the package that holds the file, else the file's own folder."""
-    path = subject.source.path
-    package = subject.resolver.packages.enclosing(path)
-    return package[1] if package else os.path.dirname(os.path.abspath(path))

@@ -1,7 +1,8 @@
 """An argument is declared and never used.
 
 Whoever passes `name:=value` believes that it does something. Delete the declaration, or use
-`$(arg name)` where it was meant. Files with includes that this expansion leaves out are not judged.
+`$(arg name)` where it was meant. Files that others include, and files with includes that this
+expansion leaves out, are not judged.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
+from urdfkit.includes import is_included
 from urdfkit.rules import Finding, Need, Written, rule
 
 if TYPE_CHECKING:
@@ -28,14 +30,19 @@ GOOD = BAD.replace('"base"', '"$(arg prefix)base"')
     "XAC006",
     "unused-argument",
     Severity.WARNING,
-    needs=(Need.XACRO,),
+    needs=(Need.XACRO, Need.FILES),
     help="delete the <xacro:arg>, or use $(arg ...) where it was meant",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     xacro = subject.xacro
     if xacro.is_library or not xacro.is_complete:
         return
-    for argument in xacro.arguments:
-        if argument.tag.source is subject.source and argument.name not in xacro.usage.names:
+    unused = [
+        argument
+        for argument in xacro.arguments
+        if argument.tag.source is subject.source and argument.name not in xacro.usage.names
+    ]
+    if unused and not is_included(subject.source.path, subject.resolver.packages):
+        for argument in unused:
             place = Written(argument.tag.span, argument.frame)
             yield Finding(place, f"argument '{argument.name}' is never used")

@@ -16,6 +16,7 @@ from urdfkit.document import Attribute, Document, Frame
 from urdfkit.expansion import describe, dom
 from urdfkit.expansion.engine import activated, load_xacro
 from urdfkit.expansion.errors import root_cause
+from urdfkit.expansion.part import as_part
 from urdfkit.expansion.run import Definition, Message, Run
 from urdfkit.expansion.trace import Origin, inputs_of
 from urdfkit.expansion.usage import Usage, usage
@@ -159,6 +160,8 @@ def _expand(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
         problem for one in run.sources.values() for problem in encoding_problems(one, strict=True)
     ]
     problems = [*encodings, *structural, *run.problems]
+    if first_error is not None:
+        problems = as_part(source, resolver.packages, problems)
     return Xacro(run, problems, first_error)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from types import FrameType
@@ -14,7 +15,7 @@ from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
 from urdfkit.expansion.expressions import TooLarge, UnsafeExpression
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
-from urdfkit.nearest import did_you_mean
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Span
 
@@ -222,7 +223,28 @@ def _nearest_file(path: str) -> str:
         beside = os.listdir(folder or os.curdir)
     except OSError:
         return ""
-    return f"there is no '{name}' in {folder or os.curdir}" + did_you_mean(name, beside)
+    stem, dot, suffix = name.partition(".")
+    alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
+    meant = nearest(stem, alike)
+    what = f"there is no '{name}' in {folder or os.curdir}"
+    return f"{what}; did you mean '{meant}{dot}{suffix}'?" if meant else what
+
+
+def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
+    """An argument that is used above the ``<xacro:arg>`` that gives it a default."""
+    node, _ = node_in(frame)
+    at = declaration.tag_at.span if node is None else node.tag_at.span
+    use = re.compile(rb"\$\(\s*arg\s+%s\s*\)" % re.escape(name.encode()))
+    if found := use.search(at.source.data, at.start, at.end):
+        at = Span(at.source, *found.span())
+    return Problem(
+        "XAC010",
+        at,
+        f"argument '{name}' is used above its <xacro:arg>, so its default does not count",
+        f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
+        node.frame if node is not None else None,
+        related(declaration.tag_at.span, "declared here"),
+    )
 
 
 def with_macro(error: BaseException, message: str) -> tuple[str, tuple[Related, ...]]:
@@ -236,17 +258,29 @@ def with_macro(error: BaseException, message: str) -> tuple[str, tuple[Related, 
     return f"macro '{name}': {message}", notes
 
 
-def warning(text: str, node: Node) -> Problem:
-    """What xacro warns of, at the element it works on."""
+def warning(text: str, node: Node) -> Problem | None:
+    """What xacro warns of, at the element it works on; None if it does no harm."""
     spans = node.tag_at.attribute_spans()
     if text.startswith("redefining global symbol: "):
         name = text.rpartition(": ")[2]
+        if _is_built_in(name, node):
+            return None
         message = f"'{name}' hides what expressions already have under this name"
         at = spans.get("name", node.tag_at.span) if node.tagName == "xacro:property" else None
         return Problem("XAC016", at or spans.get(name, node.tag_at.span), message, "", node.frame)
     if deprecated := _DEPRECATED.match(text):
         return _deprecated_call(node, *deprecated.groups())
     return Problem("XAC017", node.tag_at.span, text, "", node.frame)
+
+
+def _is_built_in(name: str, node: Node) -> bool:
+    """True for a property that repeats a constant of expressions; XAC007 tells poor ones."""
+    constant = {"pi": math.pi, "e": math.e, "tau": math.tau}.get(name)
+    values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+    try:
+        return constant is not None and abs(float(values.get("value", "")) - constant) < 1e-4
+    except ValueError:
+        return False
 
 
 def _deprecated_call(node: Node, old: str, new: str) -> Problem:

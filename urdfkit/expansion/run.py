@@ -188,6 +188,8 @@ class Run:
         """The path to open: as installed if it is not in the source tree, and not outside."""
         if not os.path.exists(path):
             path = self.resolver.installed(path) or path
+        if not os.path.lexists(path):
+            return path  # opening it will say that there is no such file
         if not self.trust and not self.resolver.allows(path, self.source.path):
             raise EscapesRoots(path)
         return path
@@ -256,10 +258,12 @@ class Run:
     def _later_default(self, name: str, symbols: Any) -> str:
         """The default of an argument that is declared after its first use.
 
-        xacro gives up here; ``<robot name="$(arg name)">`` above the declaration is common.
+        xacro gives up here, which is told; ``<robot name="$(arg name)">`` above the declaration
+        is common, and the rest of the robot can be checked with the default.
         """
         for node in self._declared_nodes:
             if node.getAttribute("name") == name and node.hasAttribute("default"):
+                self._add(describe.used_too_early(name, node, _caller()))
                 return str(load_xacro().eval_text(node.getAttribute("default"), symbols))
         raise MissingArgument(name)
 
@@ -305,7 +309,9 @@ class Run:
             return
         earlier, parent = before
         same_block = parent is node.parentNode and earlier.tagName == node.tagName
-        if same_block and earlier.tag_at != node.tag_at:
+        same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
+        # Parts that each define what they need, to the same value, do no harm.
+        if same_block and not same_value and earlier.tag_at != node.tag_at:
             message = f"property '{key}' is defined again before its first value is used"
             related = describe.related(earlier.tag_at.span, "first defined here")
             span = node.tag_at.attribute_spans().get("name", node.tag_at.span)
@@ -324,7 +330,9 @@ class Run:
         node, _ = describe.node_in(_caller())
         self.messages.append(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
-            self.problems.append(describe.warning(text, node))
+            problem = describe.warning(text, node)
+            if problem is not None:
+                self.problems.append(problem)
 
     def say(self, kind: str, text: str) -> None:
         """The model speaks to the user."""
@@ -354,9 +362,11 @@ class Run:
         if len(self.problems) >= MAX_PROBLEMS:
             return
         for number, known in enumerate(self.problems):
-            if known._replace(related=()) == problem._replace(related=()):
+            again = known._replace(related=()) == problem._replace(related=())
+            if again or (problem.code == "XAC010" and known[2] == problem.message):
+                uses = problem.related if again else describe.related(problem.span, "needed here")
                 if len(known.related) < MAX_RELATED:
-                    related = tuple(dict.fromkeys((*known.related, *problem.related)))
+                    related = tuple(dict.fromkeys((*known.related, *uses)))
                     self.problems[number] = known._replace(related=related)
                 return
         self.problems.append(problem)

@@ -1,0 +1,56 @@
+"""A file that is a part of a robot: what it lacks comes from the file that includes it."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import TYPE_CHECKING
+
+from urdfkit.includes import top_includer
+from urdfkit.reading import Problem
+from urdfkit.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.packages import Packages
+    from urdfkit.source import Source
+
+#: Names that a message lists.
+_SHOWN = 3
+
+_LACKING = re.compile(
+    r"(?:macro|name|argument) '([^']+)' (?:is not defined|has no value)|Undefined block \"([^\"]+)"
+)
+
+
+def as_part(source: Source, packages: Packages, problems: list[Problem]) -> list[Problem]:
+    """The problems of a file; if another file includes it, the names it lacks are one hint.
+
+    Checked alone, such a part lacks what the including file defines before the include. That is
+    no error of the part, and the robot is checked by checking the other file.
+    """
+    lacking = {number: name for number, one in enumerate(problems) if (name := _lacking(one))}
+    if not lacking:
+        return problems
+    top = top_includer(source.path, packages)
+    if top is None:
+        return problems
+    names = list(dict.fromkeys(lacking.values()))
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    which = ", ".join(f"'{name}'" for name in names[:_SHOWN])
+    whole = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
+    message = f"a part of {whole or 'another file'}, which must define {which}{more}"
+    first = next(iter(lacking))
+    hint = Problem("XAC019", Span(source, 0, 0), message, _help(top), problems[first].frame)
+    return [hint, *(one for number, one in enumerate(problems) if number not in lacking)]
+
+
+def _lacking(problem: Problem) -> str:
+    """The name that a problem is about, if it is one that another file may define."""
+    if problem.code not in ("XAC001", "XAC010"):
+        return ""
+    found = _LACKING.search(problem.message)
+    return (found.group(1) or found.group(2)) if found else ""
+
+
+def _help(top: str) -> str:
+    return f"check the robot instead: urdfkit check {os.path.relpath(top)}" if top else ""
