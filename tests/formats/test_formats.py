@@ -11,11 +11,12 @@ from tests.formats.made import diagnostic, report, span
 from urdfkit import formats
 from urdfkit.source import Source
 
-FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"))
+FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"), code="TRE006")
 
 
 def test_the_folder_is_the_catalogue() -> None:
-    assert formats.names() == ["json", "statistics", "text"]
+    assert formats.names() == sorted(formats.names())
+    assert {"json", "statistics", "text"} <= set(formats.names())
 
 
 def test_an_unknown_format_is_a_key_error() -> None:
@@ -30,11 +31,10 @@ def test_every_format_obeys_the_law(name: str) -> None:
     assert str(inspect.signature(render)) == (
         "(report: 'Report', *, color: 'bool' = False, width: 'int' = 80) -> 'str'"
     )
-    for checked in (report(), report(FOUND)):
+    for checked in (report(rules=("TRE006",)), report(FOUND, rules=("TRE006",))):
         text = render(checked)
-        assert text.endswith("\n")
-        assert not text.endswith("\n\n")
-        assert text == render(checked)
+        assert text == "" or (text.endswith("\n") and not text.endswith("\n\n"))
+        assert text == render(checked), "it depends on the report alone"
         assert "\x1b" not in text
     assert render.__doc__
     assert sys.modules[f"urdfkit.formats.{name}"].__doc__
