@@ -17,6 +17,9 @@ from urdfkit.spatial import IDENTITY, Frame, Vector, from_rpy
 
 T = TypeVar("T", covariant=True)
 
+#: Of each type of joint; a planar one moves in a plane and turns in it.
+DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
+
 
 class Placed(Generic[T]):
     """A value and the element or attribute it was read from."""
@@ -122,6 +125,11 @@ class Link(NamedTuple):
     visuals: tuple[Body, ...]
     collisions: tuple[Body, ...]
 
+    @property
+    def mass(self) -> float:
+        """In kg; 0 where none is written or it cannot be read."""
+        return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
+
 
 class Limit(NamedTuple):
     """``<limit>``: position in rad or m, effort in N m or N, velocity in rad/s or m/s."""
@@ -159,6 +167,11 @@ class Joint(NamedTuple):
     def kind(self) -> str:
         """The type as written; empty where there is none."""
         return self.type.value if self.type else ""
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """How many numbers say where it is; none for a joint that follows another one."""
+        return 0 if self.mimic else DEGREES_OF_FREEDOM.get(self.kind, 0)
 
 
 class RobotModel:
@@ -198,6 +211,16 @@ class RobotModel:
         """The names of all links and joints, where they have one."""
         things = [*(link.at for link in self.links), *(joint.at for joint in self.joints)]
         return [thing.attributes["name"] for thing in things if "name" in thing.attributes]
+
+    @property
+    def mass(self) -> float:
+        """Of all links together, in kg."""
+        return sum(link.mass for link in self.links)
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Of all joints together."""
+        return sum(joint.degrees_of_freedom for joint in self.joints)
 
     @property
     def shapes(self) -> list[Shape]:
