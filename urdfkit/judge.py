@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.targets import Targets
 
+#: Families of rules that look at the document or the robot in it.
+_OF_THE_DOCUMENT = frozenset({"URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"})
+
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
 
@@ -48,6 +51,7 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
         config: changes severities and leaves rules out for single files.
     """
     run = _Run(subject, config)
+    run.skipped += unread(subject, chosen)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if code.startswith("CFG")]
     run.rules(applicable(subject, [code for code in chosen if code not in own]))
@@ -125,7 +129,7 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         silent.add("XAC")
         told.add("XAC003")  # the one among them that is about plain files
     if reading.document is None:
-        silent |= {"XAC", "URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"}
+        silent |= {"XAC", *_OF_THE_DOCUMENT}
     else:
         told.update(subject.deviations)
         model = subject.model
@@ -140,6 +144,21 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         or not (
             code[:3] in silent or code in rules.TOLD_BY_READING or code in rules.TOLD_BY_GRAMMAR
         )
+    ]
+
+
+def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
+    """The rules that cannot look at a description, because it cannot be read."""
+    reading, path = subject.reading, subject.source.path
+    if reading.document is not None:
+        return []
+    families, reason = _OF_THE_DOCUMENT, "the description cannot be read"
+    if reading.xacro is not None:
+        families, reason = families | {"XAC"}, "the xacro does not expand"
+    return [
+        Skipped(code, path, reason)
+        for code in chosen
+        if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
 
 
