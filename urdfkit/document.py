@@ -72,6 +72,16 @@ class Tag(NamedTuple):
     start: int
     close: int
 
+    def ended(self, at: int, *, empty: bool) -> Tag:
+        """The tag with its end tag, from where the parser stands when the element ends.
+
+        ``<a/>`` has none, though the end tag of the element around it may stand right behind.
+        """
+        data = self.source.data
+        if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", self.start, at)):
+            return self
+        return self._replace(close=at)
+
     @property
     def span(self) -> Span:
         """The start tag, from ``<`` to ``>``."""

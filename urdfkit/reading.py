@@ -232,10 +232,8 @@ class _Builder:
     def _end(self, name: str) -> None:
         element = self._open.pop()
         element.text = "".join(self._text.pop())
-        tag = element.tag_at
-        close = self._parser.CurrentByteIndex
-        if self.source.data.startswith(b"</", close):
-            element.tag_at = tag._replace(close=close)
+        empty = not (element.children or element.text)
+        element.tag_at = element.tag_at.ended(self._parser.CurrentByteIndex, empty=empty)
 
     def _characters(self, data: str) -> None:
         self._text[-1].append(data)

@@ -7,6 +7,7 @@ xacro rewrites a ``minidom`` tree in place and copies pieces of it with ``cloneN
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 from xml.dom import expatbuilder, minidom
 from xml.parsers import expat
@@ -152,9 +153,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
     def end_element_handler(self, name: str) -> None:
         node = self.curNode
         super().end_element_handler(name)
-        close = self._parser.CurrentByteIndex
-        if self._source.data.startswith(b"</", close):
-            node.tag_at = node.tag_at._replace(close=close)
+        at = self._parser.CurrentByteIndex
+        node.tag_at = node.tag_at.ended(at, empty=not node.childNodes)
 
     def entity_decl_handler(self, *declaration: Any) -> None:
         at = self._parser.CurrentByteIndex
@@ -188,6 +188,17 @@ def parse(
     builder = _Builder(source, frame, copies)
     document = builder.parseString(source.data)
     return document, builder.problems, builder.arguments
+
+
+def comments(dom: Dom) -> Iterator[str]:
+    """The texts of all comments, in no particular order."""
+    stack = [dom]
+    while stack:
+        for child in stack.pop().childNodes:
+            if child.nodeType == minidom.Node.COMMENT_NODE:
+                yield child.data
+            elif child.nodeType == ELEMENT:
+                stack.append(child)
 
 
 def to_document(dom: Dom, sources: tuple[Source, ...]) -> Document:
