@@ -40,3 +40,9 @@ def test_the_page_names_every_option_of_its_command_and_no_other(command: str) -
 def test_what_the_page_shows_is_what_is_printed(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert transcripts.with_output(text) == text, "run: python docs/transcripts.py"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_links_lead_to_files_that_exist(page: Path) -> None:
+    targets = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8"))
+    assert [target for target in targets if not (page.parent / target).exists()] == []
