@@ -238,9 +238,9 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
     if found := use.search(at.source.data, at.start, at.end):
         at = Span(at.source, *found.span())
     return Problem(
-        "XAC010",
+        "XAC020",
         at,
-        f"argument '{name}' is used above its <xacro:arg>, so its default does not count",
+        f"argument '{name}' is used above its <xacro:arg>, where xacro does not know its default yet",
         f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
         node.frame if node is not None else None,
         related(declaration.tag_at.span, "declared here"),

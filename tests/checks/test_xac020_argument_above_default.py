@@ -1,0 +1,24 @@
+"""XAC020: xacro stops at such a use; here the default counts, and a warning tells it."""
+
+from urdfkit import check
+from urdfkit.source import Source
+
+ROBOT = b"""<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="name" default="arm"/>
+  <link name="$(arg name)_base"/>
+</robot>
+"""
+
+
+def test_the_first_use_is_told_and_the_rest_is_checked():
+    report = check(Source("arm.xacro", ROBOT), select=["XAC", "TRE"])
+    (finding,) = report.diagnostics
+    assert finding.code == "XAC020"
+    assert (finding.span.line, finding.span.column, finding.span.text) == (1, 14, "$(arg name)")
+    assert [related.span.line for related in finding.related] == [2]
+    assert "TRE001" in report.rules
+
+
+def test_a_value_that_is_passed_is_no_finding():
+    report = check(Source("arm.xacro", ROBOT), arguments={"name": "robot"}, select=["XAC"])
+    assert report.diagnostics == ()

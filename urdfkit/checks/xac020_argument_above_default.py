@@ -1,0 +1,41 @@
+"""An argument is used above the `<xacro:arg>` that gives it a default.
+
+xacro reads from top to bottom: at the use it knows no default and stops with "Undefined
+substitution argument", unless the value is passed. The name of the robot in the root element is the
+usual place. Here the default counts all the same, so that the rest of the model can be checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule, told
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="name" default="arm"/>
+  <link name="base"/>
+</robot>
+"""
+GOOD = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="prefix" default=""/>
+  <link name="$(arg prefix)base"/>
+</robot>
+"""
+
+
+@rule(
+    "XAC020",
+    "argument-above-default",
+    Severity.WARNING,
+    needs=(),
+    help="move the <xacro:arg> above the first use; for the robot's own name write the name",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    return told(subject, "XAC020")
