@@ -35,3 +35,11 @@ def record_listings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     monkeypatch.setattr(os, "scandir", recording)
     return listed
+
+
+def mesh_link(*filenames: str, link: str = "arm") -> str:
+    """A link with a visual for each mesh."""
+    visuals = "".join(
+        f'<visual><geometry><mesh filename="{name}"/></geometry></visual>\n' for name in filenames
+    )
+    return f'<link name="{link}">\n{visuals}</link>'

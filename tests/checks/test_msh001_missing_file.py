@@ -1,0 +1,111 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.told import fixed, messages, places, told
+from tests.workspace import add_file, add_package, mesh_link
+from urdfkit.diagnostic import Severity
+
+CODE = "MSH001"
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> str:
+    """Path of a robot in a package; so deep that it has no neighbours."""
+    package = add_package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm")
+    add_file(package / "meshes" / "forearm.stl")
+    return str(package / "urdf" / "arm.urdf")
+
+
+def test_the_message_names_package_and_paths(robot: str) -> None:
+    package = Path(robot).parents[1]
+    (found,) = told(CODE, mesh_link("package://arm/meshes/hokuyo.dae"), robot)
+    assert found.severity is Severity.ERROR
+    assert found.span.text == "package://arm/meshes/hokuyo.dae"
+    assert found.message == (
+        "link 'arm': the visual mesh 'package://arm/meshes/hokuyo.dae' does not exist in package "
+        f"'arm'; tried {package / 'meshes' / 'hokuyo.dae'}"
+    )
+    assert found.help == "make the mesh, or copy it to where the robot looks for it"
+    assert found.fix is None
+
+
+def test_a_file_without_package(robot: str) -> None:
+    assert messages(CODE, mesh_link("hand%20le.stl"), robot) == [
+        (
+            "link 'arm': the visual mesh 'hand%20le.stl' does not exist; "
+            f"tried {Path(robot).parent / 'hand%20le.stl'}, {Path(robot).parent / 'hand le.stl'}"
+        )
+    ]
+
+
+def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
+    text = mesh_link("package://arm/meshes/forarm.stl")
+    (found,) = told(CODE, text, robot)
+    assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
+    assert found.fix is not None
+    assert not found.fix.safe
+    assert "meshes/forearm.stl" in fixed(CODE, text, robot)
+    assert told(CODE, fixed(CODE, text, robot), robot) == []
+
+
+def test_a_name_that_is_only_alike_is_offered_but_not_mended(robot: str) -> None:
+    text = mesh_link("package://arm/meshes/upperarm.stl")
+    (found,) = told(CODE, text, robot)
+    assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
+    assert found.fix is None
+
+
+def test_the_absolute_path_of_another_machine(robot: str) -> None:
+    text = mesh_link("file:///home/somebody/arm/meshes/forearm.stl")
+    (found,) = told(CODE, text, robot)
+    assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
+    assert told(CODE, fixed(CODE, text, robot), robot) == []
+
+
+def test_every_place_is_told(robot: str) -> None:
+    text = mesh_link("a.stl", "a.stl", "../meshes/forearm.stl")
+    assert [place for place, _ in places(CODE, text, robot)] == [3, 4]
+
+
+@pytest.mark.parametrize(
+    "reference",
+    [
+        "package://arm/meshes/forearm.stl",
+        "package://arm/Meshes/forearm.stl",  # MSH002
+        "package://no_such_package/meshes/a.stl",  # MSH005
+        "package:///arm/meshes/a.stl",  # MSH005
+        "https://example.org/a.stl",
+        "package://arm/meshes/${name}.stl",  # XAC003
+    ],
+)
+def test_what_another_rule_tells(robot: str, reference: str) -> None:
+    assert told(CODE, mesh_link(reference), robot) == []
+
+
+def test_no_file_name_at_all(robot: str) -> None:
+    assert len(told(CODE, mesh_link("", "package://arm"), robot)) == 2
+
+
+def test_the_calls_of_a_macro_are_one_finding(robot: str) -> None:
+    text = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="part" params="name">
+    <link name="${name}">
+      <visual><geometry><mesh filename="package://arm/meshes/${name}.dae"/></geometry></visual>
+    </link>
+  </xacro:macro>
+  <xacro:part name="wheel_1"/>
+  <xacro:part name="wheel_2"/>
+  <xacro:part name="wheel_3"/>
+</robot>
+"""
+    (found,) = told(CODE, text, robot.replace(".urdf", ".xacro"))
+    assert found.span.text == "package://arm/meshes/${name}.dae"
+    assert [call.element for call in found.calls] == [
+        f"link/wheel_{number}/visual/geometry/mesh@filename" for number in (1, 2, 3)
+    ]
+    assert "wheel_3.dae' does not exist" in found.calls[2].message
+    assert found.fix is None

@@ -1,0 +1,56 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.told import fixed, told
+from tests.workspace import add_file, add_package, mesh_link
+from urdfkit.diagnostic import Severity
+
+CODE = "MSH003"
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> str:
+    package = add_package(tmp_path / "arm", "arm")
+    add_file(package / "meshes" / "forearm.stl")
+    return str(package / "urdf" / "arm.urdf")
+
+
+@pytest.mark.parametrize("start", ["", "file://", "file:", "file://localhost"])
+def test_a_path_of_this_machine(robot: str, start: str) -> None:
+    reference = f"{start}{Path(robot).parents[1]}/meshes/forearm.stl"
+    text = mesh_link(reference)
+    (found,) = told(CODE, text, robot)
+    assert found.severity is Severity.WARNING
+    assert found.message == (
+        f"link 'arm': the visual mesh '{reference}' is an absolute path of this machine"
+    )
+    right = mesh_link("package://arm/meshes/forearm.stl")
+    assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
+
+
+def test_outside_of_every_package_nothing_better_is_known(robot: str, tmp_path: Path) -> None:
+    (found,) = told(CODE, mesh_link(str(add_file(tmp_path / "forearm.stl"))), robot)
+    assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    "reference",
+    ["package://arm/meshes/forearm.stl", "../meshes/forearm.stl", "/no/such/forearm.stl"],
+)
+def test_other_references(robot: str, reference: str) -> None:
+    assert told(CODE, mesh_link(reference), robot) == []
+
+
+@pytest.mark.parametrize("start", ["file://$(find arm)", "$(find arm)", "${folder}"])
+def test_what_xacro_makes_absolute_is_fine(robot: str, start: str) -> None:
+    text = f"""\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="folder" value="file://$(find arm)"/>
+  {mesh_link(start + "/meshes/forearm.stl")}
+</robot>
+"""
+    assert told(CODE, text, robot) == []
+    assert told("MSH001", text, robot) == []

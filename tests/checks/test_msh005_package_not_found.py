@@ -1,0 +1,92 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.told import fixed, messages, places, told
+from tests.workspace import add_file, add_package, mesh_link
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+
+CODE = "MSH005"
+
+
+@pytest.fixture
+def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Path of a robot in a package; so deep that it has no neighbours."""
+    for variable in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH"):
+        monkeypatch.delenv(variable, raising=False)
+    package = add_package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm_description")
+    add_file(package / "meshes" / "forearm.stl")
+    return str(package / "urdf" / "arm.urdf")
+
+
+def test_one_finding_for_all_meshes_of_a_package(robot: str) -> None:
+    text = mesh_link("package://nao/a.stl", "package://nao/b.stl", "package://pr2/c.stl")
+    package = Path(robot).parents[1]
+    above = [package.parents[number] for number in range(3)]
+    searched = (
+        f"searched {package / 'urdf'} and the folders above it, AMENT_PREFIX_PATH (not set), "
+        f"ROS_PACKAGE_PATH (not set), {above[0]} (1 package), {above[1]} (1 package), "
+        f"{above[2]} (1 package)"
+    )
+    assert messages(CODE, text, robot) == [
+        (
+            "link 'arm': package 'nao' is not found on this machine, so 2 meshes of it cannot be "
+            f"checked; {searched}"
+        ),
+        (
+            "link 'arm': package 'pr2' is not found on this machine, so 1 mesh of it cannot be "
+            f"checked; {searched}"
+        ),
+    ]
+    found = told(CODE, text, robot)
+    assert {diagnostic.severity for diagnostic in found} == {Severity.ERROR}
+    assert found[0].help == (
+        "name its folder with --package nao=DIR, or source the workspace that has it"
+    )
+    assert places(CODE, text, robot) == [(3, "package://nao/a.stl"), (5, "package://pr2/c.stl")]
+
+
+def test_the_files_of_such_a_package_are_not_called_missing(robot: str) -> None:
+    assert told("MSH001", mesh_link("package://nao/a.stl"), robot) == []
+
+
+def test_a_slip_in_the_name(robot: str) -> None:
+    (found,) = told(CODE, mesh_link("package://arm_descripton/meshes/forearm.stl"), robot)
+    assert found.help.endswith("that has it; did you mean 'arm_description'?")
+
+
+def test_given_by_the_user(robot: str, tmp_path: Path) -> None:
+    add_file(tmp_path / "elsewhere" / "a.stl")
+    source = Source(robot, whole_robot(mesh_link("package://nao/a.stl")).encode())
+    packages = {"nao": str(tmp_path / "elsewhere")}
+    report = engine.check(source, packages=packages, select=[CODE, "MSH001"])
+    assert report.diagnostics == ()
+
+
+def test_a_model_that_gazebo_would_not_find(robot: str) -> None:
+    (message,) = messages(CODE, mesh_link("model://lidar.stl"), robot)
+    assert "package 'lidar.stl' is not found" in message
+    assert "GAZEBO_MODEL_PATH (" in message
+
+
+def test_a_slash_too_many(robot: str) -> None:
+    text = mesh_link("package:///arm_description/meshes/forearm.stl")
+    (found,) = told(CODE, text, robot)
+    assert found.message == (
+        "link 'arm': the visual mesh 'package:///arm_description/meshes/forearm.stl' names no "
+        "package between 'package://' and the next '/'"
+    )
+    right = mesh_link("package://arm_description/meshes/forearm.stl")
+    assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
+    (found,) = told(CODE, mesh_link("package:///no/such.stl"), robot)
+    assert found.fix is None
+
+
+@pytest.mark.parametrize("reference", ["package://arm_description/none.stl", "a.stl", "x://y/z"])
+def test_other_references(robot: str, reference: str) -> None:
+    assert told(CODE, mesh_link(reference), robot) == []

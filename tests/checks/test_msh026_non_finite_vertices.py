@@ -1,0 +1,51 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.meshes import made
+from tests.told import told
+from tests.workspace import add_file, mesh_link
+from urdfkit.diagnostic import Severity
+
+CODE = "MSH026"
+
+
+def reasons(tmp_path: Path, name: str, data: bytes) -> list[tuple[str, str]]:
+    """What is said of a mesh file, and the help."""
+    add_file(tmp_path / name, data)
+    found = told(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
+    assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
+    start = f"link 'arm': the visual mesh '{name}' "
+    return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]
+
+
+NAN = float("nan")
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "reason"),
+    [
+        (
+            "a.stl",
+            made.binary_stl([*made.TETRAHEDRON, ((0, 0, 0), (0, NAN, 0), (1, 0, 0))]),
+            "corner 2 of triangle 5 is (0, nan, 0)",
+        ),
+        (
+            "a.stl",
+            made.ascii_stl().replace(b"vertex 0 1 0", b"vertex 0 inf 0", 1),
+            "the vertex in line 5 is (0, inf, 0)",
+        ),
+        ("a.dae", made.collada("0 0 0 nan 0 0 0 1 0"), "a coordinate in line 9 is nan"),
+        ("a.ply", made.ascii_ply("nan 0 0"), "a vertex is (nan, 0, 0)"),
+    ],
+)
+def test_vertices_that_are_not_finite(tmp_path: Path, name: str, data: bytes, reason: str) -> None:
+    help_ = "export the mesh again, or remove the triangle in a mesh editor"
+    assert reasons(tmp_path, name, data) == [(f"is not finite: {reason}", help_)]
+
+
+@pytest.mark.parametrize(("form", "suffix"), made.SOUND)
+def test_sound_files(tmp_path: Path, form: str, suffix: str) -> None:
+    assert reasons(tmp_path, f"a{suffix}", made.SOUND[form, suffix]) == []
