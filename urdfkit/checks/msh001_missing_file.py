@@ -27,9 +27,20 @@ BAD = """\
 </link>"""
 GOOD = BAD.replace("forarm", "forearm")
 FIXED = GOOD
+PLATE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
-    "meshes/forearm.stl": b"solid\nendsolid\n",
+    "meshes/forearm.stl": PLATE,
 }
 
 

@@ -25,10 +25,21 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("arm_description/../hand/hand", "arm_description/meshes/hand")
+PLATE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
 FILES = {
     "arm_description/package.xml": b"<package><name>arm_description</name></package>",
-    "arm_description/meshes/hand.stl": b"solid\nendsolid\n",
-    "hand/hand.stl": b"solid\nendsolid\n",
+    "arm_description/meshes/hand.stl": PLATE,
+    "hand/hand.stl": PLATE,
 }
 
 

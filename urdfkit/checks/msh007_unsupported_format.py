@@ -27,9 +27,20 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("forearm.stl", "hand.stl")
+PLATE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
 FILES = {
     "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
-    "hand.stl": b"solid\nendsolid\n",
+    "hand.stl": PLATE,
 }
 
 _NOT_LOADED = frozenset("STEP IGES Blender 3DS VRML X3D AMF 3MF USD".split())

@@ -24,7 +24,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("empty", "plate")
-TRIANGLE = b"""\
+PLATE = b"""\
 solid plate
 facet normal 0 0 1
 outer loop
@@ -36,7 +36,7 @@ endfacet
 endsolid plate
 """
 
-FILES = {"meshes/empty.stl": b"", "meshes/plate.stl": TRIANGLE}
+FILES = {"meshes/empty.stl": b"", "meshes/plate.stl": PLATE}
 
 
 @rule(

@@ -25,7 +25,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("comma", "plate")
-TRIANGLE = b"""\
+PLATE = b"""\
 solid plate
 facet normal 0 0 1
 outer loop
@@ -38,8 +38,8 @@ endsolid plate
 """
 
 FILES = {
-    "meshes/comma.stl": TRIANGLE.replace(b"1 0 0", b"1,0 0,0 0,0"),
-    "meshes/plate.stl": TRIANGLE,
+    "meshes/comma.stl": PLATE.replace(b"1 0 0", b"1,0 0,0 0,0"),
+    "meshes/plate.stl": PLATE,
 }
 
 

@@ -24,7 +24,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("hokuyo.dae", "plate.stl")
-TRIANGLE = b"""\
+PLATE = b"""\
 solid plate
 facet normal 0 0 1
 outer loop
@@ -38,7 +38,7 @@ endsolid plate
 
 FILES = {
     "meshes/hokuyo.dae": b"<!DOCTYPE html><html><title>hokuyo.dae</title></html>",
-    "meshes/plate.stl": TRIANGLE,
+    "meshes/plate.stl": PLATE,
 }
 
 

@@ -25,7 +25,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("half", "plate")
-TRIANGLE = b"""\
+PLATE = b"""\
 solid plate
 facet normal 0 0 1
 outer loop
@@ -37,7 +37,7 @@ endfacet
 endsolid plate
 """
 
-FILES = {"meshes/half.stl": TRIANGLE[:70], "meshes/plate.stl": TRIANGLE}
+FILES = {"meshes/half.stl": PLATE[:70], "meshes/plate.stl": PLATE}
 
 
 @rule(

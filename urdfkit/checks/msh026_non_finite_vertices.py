@@ -23,7 +23,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("spike", "plate")
-TRIANGLE = b"""\
+PLATE = b"""\
 solid plate
 facet normal 0 0 1
 outer loop
@@ -36,8 +36,8 @@ endsolid plate
 """
 
 FILES = {
-    "meshes/spike.stl": TRIANGLE.replace(b"1 0 0", b"nan 0 0"),
-    "meshes/plate.stl": TRIANGLE,
+    "meshes/spike.stl": PLATE.replace(b"1 0 0", b"nan 0 0"),
+    "meshes/plate.stl": PLATE,
 }
 
 
