@@ -25,23 +25,24 @@ BAD = """\
 """
 GOOD = BAD.replace("<arm", "<xacro:arm")
 
-#: xacro's own tags; without their prefix they do nothing since ROS Jade.
-_OWN_TAGS = frozenset("include property macro insert_block arg unless".split())
-
 
 @rule(
     "XAC002",
     "missing-xacro-prefix",
     Severity.ERROR,
     needs=(Need.XACRO,),
-    help="write the tag with the prefix, as <xacro:...>",
+    help="write the tag, and its end tag, with the prefix: <xacro:...>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     macros = {macro.name for macro in subject.xacro.macros}
-    for element in subject.document.root.children:
-        if element.tag in schema.ROBOT.children:
-            continue
-        if element.tag in macros:
-            yield Finding(element, f"<{element.tag}> is a macro, called without its prefix")
-        elif element.tag in _OWN_TAGS:
-            yield Finding(element, f"<{element.tag}> is a tag of xacro, without its prefix")
+    stack = [(subject.document.root, schema.ROBOT)]
+    while stack:
+        element, grammar = stack.pop()
+        for child in element.children:
+            if inner := grammar.children.get(child.tag):
+                if not inner.open:
+                    stack.append((child, inner))
+            elif child.tag in macros:
+                yield Finding(child, f"<{child.tag}> is a macro, called without its prefix")
+            elif child.tag in schema.XACRO_TAGS:
+                yield Finding(child, f"<{child.tag}> is a tag of xacro, without its prefix")

@@ -1,9 +1,9 @@
-"""A comment holds a colon and a space, which ROS 2 launch files may read as YAML.
+"""A comment holds a colon and white space, which ROS 2 launch files may read as YAML.
 
 A launch file that passes the output of xacro as a parameter without saying that it is text
 (`ParameterValue(..., value_type=str)`) has it parsed as YAML. A `: ` in a comment then ends the
 launch with "mapping values are not allowed here", far from the comment that caused it. Only
-packages built with ament are judged.
+packages built with ament are judged, and of a xacro only the comments that xacro passes on.
 """
 
 from __future__ import annotations
@@ -24,23 +24,45 @@ FILES = {"package.xml": b"<package><name>a</name><build_type>ament_cmake</build_
 BAD = '<robot name="r"><!-- units: metres --><link name="a"/></robot>'
 GOOD = '<robot name="r"><!-- units are metres --><link name="a"/></robot>'
 
+_COMMENT = rb"<!--.*?-->"
+
 
 @rule(
     "XML005",
     "colon-in-comment",
     Severity.INFO,
     needs=(Need.FILES,),
-    help="write the comment without ': ', or set value_type=str in the launch file",
+    help="write the comment without the colon, or set value_type=str in the launch file",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    source = subject.source
-    found = re.search(rb"<!--(?:(?!-->).)*?(: )", source.data, re.DOTALL)
+    xacro = subject.reading.xacro
+    if xacro is None:
+        found = _colon(subject.source, _COMMENT)
+    elif xacro.document is None or xacro.is_library:
+        return
+    else:
+        texts = (text.encode() for text in xacro.comments() if re.search(r":\s", text))
+        found = next(filter(None, (_written(xacro.sources, text) for text in texts)), None)
     if found and _is_ament(subject):
         yield Finding(
-            Written(Span(source, *found.span(1))),
-            "': ' in a comment: a ROS 2 launch file may take the description for YAML",
+            Written(found),
+            "':' and white space in a comment: a ROS 2 launch file may take the robot for YAML",
             confidence=Confidence.INFERRED,
         )
+
+
+def _colon(source: Source, comment: bytes) -> Span | None:
+    """The first colon with white space in a comment that matches a pattern."""
+    for match in re.finditer(comment, source.data, re.DOTALL):
+        if colon := re.compile(rb":\s").search(source.data, match.start(), match.end() - 3):
+            return Span(source, *colon.span())
+    return None
+
+
+def _written(sources: tuple[Source, ...], text: bytes) -> Span | None:
+    """Where a comment of the expanded robot was written."""
+    pattern = b"<!--" + re.escape(text) + b"-->"
+    return next(filter(None, (_colon(source, pattern) for source in sources)), None)
 
 
 def _is_ament(subject: Subject) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import gc
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
@@ -87,6 +87,10 @@ class Xacro:
         """The names that the expression of an attribute looked up, if the run was traced."""
         assert self._dom is not None
         return inputs_of(self._dom, attribute.element, attribute.name)
+
+    def comments(self) -> Iterator[str]:
+        """The comments of the expanded document; xacro drops those above its own tags."""
+        return dom.comments(self._dom) if self._dom is not None else iter(())
 
     def text(self) -> str:
         """The expanded document as the ``xacro`` command prints it.
@@ -197,17 +201,17 @@ def _structural(run: Run, error: BaseException) -> tuple[list[Problem], dom.Node
         at = node.tag_at.span if node is not None else Span(run.source, 0, 0)
         frame = node.frame if node is not None else None
         return [Problem(code, at, message, help, frame)], None
-    at = _at(node, message)
-    message, notes = describe.with_macro(error, message)
+    at = _at(node, str(error))
+    notes = describe.macro_notes(error)
     return [Problem(code, at, message, help, node.frame, notes)], node
 
 
 def _at(node: dom.Node, message: str) -> Span:
-    """The attribute that an error names, else the tag's name."""
+    """The attribute that an error of stock xacro names, else the tag's name."""
     spans = node.tag_at.attribute_spans()
     if node.tagName == "xacro:include":
         return spans.get("filename", node.tag_at.span)
-    if describe.UNKNOWN_MACRO.search(message):
+    if message.startswith("unknown macro name"):
         return node.tag_at.name_span
     for name in spans:
         if f'Invalid parameter "{name}"' in message or f'conditional "{name}"' in message:

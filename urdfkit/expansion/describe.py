@@ -15,7 +15,7 @@ from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
 from urdfkit.expansion.expressions import TooLarge, UnsafeExpression
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
-from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.expansion.wording import macro_of, words
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Span
 
@@ -23,8 +23,7 @@ if TYPE_CHECKING:
     from urdfkit.expansion.run import Located, Run
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
-_UNDEFINED = re.compile(r"name '(\w+)' is not defined")
-UNKNOWN_MACRO = re.compile(r"macro '([^']+)' is not defined")
+_UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
 
 
 def related(span: Span, message: str) -> tuple[Related, ...]:
@@ -124,8 +123,9 @@ def _inside(span: Span, located: Located) -> Span:
 
 def _made(run: Run, error: Exception, located: Located, at: Span) -> Problem:
     code, message, help = classify(run, error)
-    if located.token.startswith("$") and code in ("XAC001", "XAC009", "XAC013"):
-        message += f" in {located.token}"
+    token = located.token if located.token.startswith("$") else ""
+    if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
+        message += f" in {token}"
     return Problem(code, at, message, help)
 
 
@@ -170,23 +170,7 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         return "XAC012", f"{cause} is outside the workspace and the packages of this model", ""
     if isinstance(cause, MissingArgument):
         return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
-    return "XAC001", _plain(error, cause), _what_to_do(run, cause)
-
-
-def _plain(error: BaseException, cause: BaseException) -> str:
-    """The reason in one line, without xacro's list of enclosing expressions."""
-    if isinstance(cause, FileNotFoundError) and cause.filename:
-        return f"there is no file {cause.filename}"
-    if isinstance(cause, OSError) and cause.filename:
-        return f"{cause.filename}: {cause.strerror}"
-    if isinstance(cause, SyntaxError):
-        return f"not an expression: {cause.msg}"
-    text = str(cause).split("\nwhen evaluating expression")[0].strip()
-    if text.startswith("unknown macro name: "):
-        return f"macro '{text.rpartition(' ')[2].removeprefix('xacro:')}' is not defined"
-    if isinstance(cause, AttributeError) and "'_setitem'" in text:
-        return 'scope="parent" stands outside of every macro, where there is no parent'
-    return text.replace("\n", "; ") or type(cause).__name__
+    return "XAC001", *words(run, error, cause)
 
 
 def _how_to_pass(run: Run, missing: BaseException) -> str:
@@ -195,39 +179,6 @@ def _how_to_pass(run: Run, missing: BaseException) -> str:
     if declared:
         text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in declared.items())
     return text
-
-
-def _what_to_do(run: Run, cause: BaseException) -> str:
-    """The remedy, with the name that was probably meant."""
-    if isinstance(cause, FileNotFoundError) and cause.filename:
-        return _nearest_file(os.fspath(cause.filename))
-    text = str(cause)
-    if text.startswith("unknown macro name: "):
-        name = text.rpartition(" ")[2].removeprefix("xacro:")
-        meant = did_you_mean(name, (macro.name for macro in run.macros))
-        return f"define the macro before its call, or include the file that does{meant}"
-    undefined = _UNDEFINED.search(text)
-    if undefined is None or not isinstance(cause, NameError):
-        return ""
-    name = undefined.group(1)
-    meant = did_you_mean(name, (definition.name for definition in run.properties))
-    return f"define the property '{name}' before its use, or mend its name{meant}"
-
-
-def _nearest_file(path: str) -> str:
-    """What there is instead of a missing file: a folder that is missing, or a file like it."""
-    folder, name = os.path.split(os.path.normpath(path))
-    while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
-        folder, name = os.path.split(folder)
-    try:
-        beside = os.listdir(folder or os.curdir)
-    except OSError:
-        return ""
-    stem, dot, suffix = name.partition(".")
-    alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
-    meant = nearest(stem, alike)
-    what = f"there is no '{name}' in {folder or os.curdir}"
-    return f"{what}; did you mean '{meant}{dot}{suffix}'?" if meant else what
 
 
 def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
@@ -240,45 +191,67 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
     return Problem(
         "XAC020",
         at,
-        f"argument '{name}' is used above its <xacro:arg>, where xacro does not know its default yet",
+        f"argument '{name}' is used above its <xacro:arg>, where xacro has no default for it yet",
         f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
         node.frame if node is not None else None,
         related(declaration.tag_at.span, "declared here"),
     )
 
 
-def with_macro(error: BaseException, message: str) -> tuple[str, tuple[Related, ...]]:
-    """An error of a call, with the macro's name and the place of its definition."""
-    macros = getattr(error, "macros", [])
-    body = getattr(macros[0], "body", None) if macros else None
-    if not isinstance(body, Node):
-        return message, ()
-    name = body.getAttribute("name")
-    notes = related(body.tag_at.span, f"macro '{name}' is defined here")
-    return f"macro '{name}': {message}", notes
+def macro_notes(error: BaseException) -> tuple[Related, ...]:
+    """Where the macro is defined whose call failed."""
+    macro = macro_of(error)
+    if macro is None:
+        return ()
+    name = macro.body.getAttribute("name")
+    return related(macro.body.tag_at.span, f"macro '{name}' is defined here")
 
 
-def warning(text: str, node: Node) -> Problem | None:
-    """What xacro warns of, at the element it works on; None if it does no harm."""
-    spans = node.tag_at.attribute_spans()
+def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
+    """What xacro warns of, at the element it works on; None if it does no harm.
+
+    Args:
+        text: as xacro words it.
+        node: the element.
+        local: the variables of the function that works on it.
+    """
     if text.startswith("redefining global symbol: "):
-        name = text.rpartition(": ")[2]
-        if _is_built_in(name, node):
-            return None
-        message = f"'{name}' hides what expressions already have under this name"
-        at = spans.get("name", node.tag_at.span) if node.tagName == "xacro:property" else None
-        return Problem("XAC016", at or spans.get(name, node.tag_at.span), message, "", node.frame)
+        return _shadowing(text.rpartition(": ")[2], node, getattr(local.get("m"), "body", None))
     if deprecated := _DEPRECATED.match(text):
         return _deprecated_call(node, *deprecated.groups())
-    return Problem("XAC017", node.tag_at.span, text, "", node.frame)
+    spans = node.tag_at.attribute_spans()
+    at = node.tag_at.span
+    if unknown := _UNKNOWN_ATTRIBUTE.search(text):
+        at = spans.get(unknown.group(1), at)
+    elif "matched no files" in text:
+        at = spans.get("filename", at)
+    return Problem("XAC017", at, text, "", node.frame)
 
 
-def _is_built_in(name: str, node: Node) -> bool:
-    """True for a property that repeats a constant of expressions; XAC007 tells poor ones."""
+def _shadowing(name: str, node: Node, macro: Any) -> Problem | None:
+    """A property or a macro parameter with the name of a constant or a function."""
     constant = {"pi": math.pi, "e": math.e, "tau": math.tau}.get(name)
-    values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+    spans = node.tag_at.attribute_spans()
+    what = f"the constant {name} = {constant:.6g}" if constant else f"the function {name}()"
+    if node.tagName == "xacro:property":
+        values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+        if constant and _is_near(values.get("value", ""), constant):
+            return None  # it repeats the constant; XAC007 tells poor ones
+        at = spans.get("name", node.tag_at.span)
+        return Problem("XAC016", at, f"property '{name}' hides {what}", "", node.frame)
+    if isinstance(macro, Node):
+        params = macro.tag_at.attribute_spans().get("params", macro.tag_at.span)
+        found = re.search(rb"(?<![\w*])%s(?!\w)" % re.escape(name.encode()), params.text.encode())
+        start, end = found.span() if found else (0, params.end - params.start)
+        at = Span(params.source, params.start + start, params.start + end)
+        who = f"parameter '{name}' of macro '{macro.getAttribute('name')}'"
+        return Problem("XAC016", at, f"{who} hides {what}", "rename the parameter", macro.frame)
+    return Problem("XAC016", node.tag_at.span, f"'{name}' hides {what}", "", node.frame)
+
+
+def _is_near(text: str, value: float) -> bool:
     try:
-        return constant is not None and abs(float(values.get("value", "")) - constant) < 1e-4
+        return abs(float(text) - value) < 1e-4
     except ValueError:
         return False
 

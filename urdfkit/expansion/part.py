@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 #: Names that a message lists.
 _SHOWN = 3
 
-_LACKING = re.compile(
-    r"(?:macro|name|argument) '([^']+)' (?:is not defined|has no value)|Undefined block \"([^\"]+)"
-)
+_LACKING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
 
 def as_part(source: Source, packages: Packages, problems: list[Problem]) -> list[Problem]:
@@ -49,7 +47,7 @@ def _lacking(problem: Problem) -> str:
     if problem.code not in ("XAC001", "XAC010"):
         return ""
     found = _LACKING.search(problem.message)
-    return (found.group(1) or found.group(2)) if found else ""
+    return found.group(1) if found else ""
 
 
 def _help(top: str) -> str:

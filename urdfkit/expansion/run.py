@@ -327,11 +327,11 @@ class Run:
 
     def warn(self, text: str) -> None:
         """xacro warns."""
-        node, _ = describe.node_in(_caller())
+        node, local = describe.node_in(_caller())
         self.messages.append(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
-            problem = describe.warning(text, node)
-            if problem is not None:
+            problem = describe.warning(text, node, local)
+            if problem is not None and problem not in self.problems:
                 self.problems.append(problem)
 
     def say(self, kind: str, text: str) -> None:

@@ -1,0 +1,132 @@
+"""What xacro's errors mean and what to do, in words for people who did not write xacro."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from urdfkit.expansion.dom import Node
+from urdfkit.nearest import did_you_mean, nearest
+
+if TYPE_CHECKING:
+    from urdfkit.expansion.run import Run
+
+_UNDEFINED = re.compile(r"name '(\w+)' is not defined")
+_UNKNOWN_MACRO = re.compile(r"unknown macro name: (?:xacro:)?(\S+)")
+_PARAMETER = re.compile(r'Invalid parameter "([^"]*)"')
+_WITHOUT_VALUE = re.compile(r"Undefined parameters \[([^\]]*)\]")
+_BLOCK_TOO_MANY = re.compile(r'Unused block "([^"]*)"')
+_NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
+_CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
+_UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
+_DEFINED = re.compile(rb"""<xacro:(?:property|macro)\b[^<>]*?\bname\s*=\s*["'](\w+)["']""")
+
+
+class Words(NamedTuple):
+    """A message and a help; the rule's own help if empty."""
+
+    message: str
+    help: str = ""
+
+
+def words(run: Run, error: BaseException, cause: BaseException) -> Words:
+    """An error of an expression, a call or a tag.
+
+    Args:
+        run: the expansion.
+        error: as it was raised.
+        cause: the innermost one.
+    """
+    if isinstance(cause, FileNotFoundError) and cause.filename:
+        path = os.fspath(cause.filename)
+        return Words(f"there is no file {path}", _nearest_file(path))
+    if isinstance(cause, OSError) and cause.filename:
+        return Words(f"{cause.filename}: {cause.strerror}")
+    if isinstance(cause, SyntaxError):
+        return Words(f"not an expression: {cause.msg}", "write it as Python would read it")
+    text = str(cause).split("\nwhen evaluating expression")[0].strip()
+    if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
+        return _undefined_name(run, text, found.group(1))
+    if isinstance(cause, AttributeError) and "'_setitem'" in text:
+        message = 'scope="parent" stands outside of every macro, where there is no parent'
+        return Words(message, "delete the scope")
+    if found := _UNKNOWN_MACRO.search(text):
+        name = found.group(1)
+        known = (macro.name for macro in run.macros)
+        help = "define the macro above its call, or include the file that does"
+        return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+    return _of_call(text, macro_of(error)) or Words(
+        text.replace("\n", "; ") or type(cause).__name__
+    )
+
+
+def macro_of(error: BaseException) -> Any:
+    """The macro whose call failed, or None."""
+    macros = getattr(error, "macros", None) or [None]
+    return macros[0] if isinstance(getattr(macros[0], "body", None), Node) else None
+
+
+def _of_call(text: str, macro: Any) -> Words | None:
+    """Calls with other parameters or blocks than the macro has, and the like."""
+    who = f"macro '{macro.body.getAttribute('name')}'" if macro is not None else "the macro"
+    params: list[str] = list(macro.params) if macro is not None else []
+    if found := _PARAMETER.search(text):
+        name = found.group(1)
+        has = ", ".join(params) or "none"
+        return Words(
+            f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"
+        )
+    if found := _WITHOUT_VALUE.search(text):
+        names = found.group(1).replace(",", ", ")
+        return Words(f"{who} is called without {names}", "give every parameter without a default")
+    if text.startswith("Not enough blocks"):
+        blocks = ", ".join(param for param in params if param.startswith("*"))
+        what = f"put an element for each of {blocks} into the call"
+        return Words(f"{who} is called without an element for {blocks or 'its block'}", what)
+    if found := _BLOCK_TOO_MANY.search(text):
+        what = "delete it, or give the macro a parameter with * for it"
+        return Words(f"{who} has no block parameter for <{found.group(1)}>", what)
+    if found := _NO_BLOCK.search(text):
+        what = "insert_block takes the name of a parameter with *, or of a property with elements"
+        return Words(f"block '{found.group(1)}' is not defined", what)
+    if found := _CONDITION.search(text):
+        value = found.group(2)[:60]
+        return Words(f"the condition is '{value}', neither true nor false", "write true or false")
+    if found := _UNCLOSED.search(text):
+        bracket = "}" if found.group(1)[1] == "{" else ")"
+        return Words(f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'")
+    return None
+
+
+def _undefined_name(run: Run, text: str, name: str) -> Words:
+    later = [found.decode() for source in run.sources.values() for found in _defined(source.data)]
+    if name in later:
+        return Words(text, f"'{name}' is defined further down: move its definition above the use")
+    help = f"define the property '{name}' above its use, or correct the name"
+    return Words(text, help + did_you_mean(name, later))
+
+
+def _defined(data: bytes) -> Iterable[bytes]:
+    names: list[bytes] = _DEFINED.findall(data)
+    return names
+
+
+def _nearest_file(path: str) -> str:
+    """What there is instead of a missing file: a folder that is missing, or a file like it."""
+    folder, name = os.path.split(os.path.normpath(path))
+    last = name
+    while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
+        folder, name = os.path.split(folder)
+    try:
+        beside = os.listdir(folder or os.curdir)
+    except OSError:
+        return ""
+    stem, dot, suffix = name.partition(".")
+    alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
+    meant = nearest(stem, alike)
+    hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
+    if name == last:
+        return hint
+    return f"there is no folder '{name}' in {folder}" + (f"; {hint}" if hint else "")
