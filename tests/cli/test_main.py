@@ -17,11 +17,11 @@ GOOD = str(MODELS / "good" / "gripper.urdf")
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
 
 
-def run(*words: str, **changes: object) -> subprocess.CompletedProcess[bytes]:
+def run(*words: str, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
     """``python -m urdfkit`` as its own process."""
     command = [sys.executable, "-m", "urdfkit", *words]
     return subprocess.run(
-        command, check=False, cwd=ROOT, capture_output=True, timeout=60, **changes
+        command, check=False, cwd=ROOT, input=stdin, capture_output=True, timeout=60
     )
 
 
@@ -32,7 +32,7 @@ def test_a_clean_robot_exits_with_0() -> None:
 
 
 def test_findings_exit_with_1() -> None:
-    done = run("check", "-", input=b"<robot")
+    done = run("check", "-", stdin=b"<robot")
     assert (done.returncode, done.stderr) == (1, b"")
     assert done.stdout.startswith(b"<stdin>:1:")
     assert b" error XML001 " in done.stdout
