@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
-from xml.parsers import expat
 
 from urdfkit.diagnostic import Call, Diagnostic
+from urdfkit.reading import read_xml
 from urdfkit.source import Source, Span
 
 _COMMENT = re.compile(rb"<!--\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\]\s*(.*?)\s*-->", re.DOTALL)
@@ -74,26 +74,10 @@ def _shifted(span: tuple[int, int], by: int) -> tuple[int, int]:
 
 def _elements(source: Source) -> list[tuple[int, int]]:
     """First and last byte of every element, in the order of their start tags."""
-    parser = expat.ParserCreate("utf-8")
-    ranges: list[list[int]] = []
-    open_elements: list[list[int]] = []
-
-    def start(*_: object) -> None:
-        element = [parser.CurrentByteIndex, len(source.data)]
-        ranges.append(element)
-        open_elements.append(element)
-
-    def end(*_: object) -> None:
-        at = source.data.find(b">", parser.CurrentByteIndex)
-        open_elements.pop()[1] = at + 1
-
-    parser.StartElementHandler = start
-    parser.EndElementHandler = end
-    try:
-        parser.Parse(source.data, True)
-    except expat.ExpatError:
+    document, _ = read_xml(source)
+    if document is None:
         return []
-    return [(first, last) for first, last in ranges]
+    return [element.tag_at.whole_span[1:] for element in document.root.walk()]
 
 
 class Sifted(NamedTuple):

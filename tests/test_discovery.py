@@ -1,0 +1,130 @@
+"""Entry points by the include graph, and the robots that a changed file is part of."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import check
+from urdfkit.config import Config
+from urdfkit.discovery import affected, discover
+from urdfkit.errors import UnreadableFile
+from urdfkit.resolve import Resolver
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+
+
+def write(folder: Path, name: str, body: str) -> str:
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"{HEAD}\n{body}\n</robot>\n")
+    return str(path)
+
+
+def include(name: str) -> str:
+    return f'<xacro:include filename="{name}"/>'
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """Two robots, a macro file that one includes through another, and a lonely library."""
+    (tmp_path / "package.xml").write_text("<package><name>pkg</name></package>")
+    write(tmp_path, "urdf/arm.xacro", include("$(find pkg)/urdf/parts/rod.xacro") + "<xacro:rod/>")
+    write(tmp_path, "urdf/parts/rod.xacro", include("units.xacro") + '<xacro:macro name="rod"/>')
+    write(tmp_path, "urdf/parts/units.xacro", '<xacro:property name="mm" value="0.001"/>')
+    write(tmp_path, "urdf/base.urdf", '<link name="base"/>')
+    write(tmp_path, "urdf/lonely.xacro", '<xacro:macro name="x"><link name="x"/></xacro:macro>')
+    write(tmp_path, "build/copy.urdf", '<link name="copy"/>')
+    (tmp_path / "urdf/notes.xacro").write_text("<notes/>")
+    return tmp_path
+
+
+def names(found) -> list[str]:
+    return [Path(robot.file).name for robot in found.robots]
+
+
+def test_robots_are_what_nobody_includes(package):
+    found = discover(str(package), Config(), Resolver())
+    assert names(found) == ["arm.xacro", "base.urdf"]
+    assert [Path(path).name for path in found.libraries] == ["lonely.xacro"]
+
+
+@pytest.mark.parametrize(
+    ("changed", "expected"),
+    [
+        ("urdf/parts/units.xacro", ["arm.xacro"]),
+        ("urdf/base.urdf", ["base.urdf"]),
+        ("package.xml", ["arm.xacro", "base.urdf"]),
+        ("meshes/a.stl", ["arm.xacro", "base.urdf"]),
+    ],
+)
+def test_a_changed_file_leads_to_the_robots_it_is_part_of(package, changed, expected):
+    found = affected([str(package / changed)], Config(), Resolver())
+    assert names(found) == expected
+
+
+def test_several_changed_files_lead_to_each_robot_once(package):
+    files = [str(package / name) for name in ("urdf/arm.xacro", "urdf/parts/rod.xacro")]
+    assert names(affected(files, Config(), Resolver())) == ["arm.xacro"]
+
+
+def test_an_expression_in_a_name_stands_for_the_files_it_may_mean(tmp_path):
+    write(tmp_path, "robot.xacro", include("${kind}_wheel.xacro") + '<link name="a"/>')
+    write(tmp_path, "big_wheel.xacro", '<link name="w"/>')
+    write(tmp_path, "small_wheel.xacro", '<link name="w"/>')
+    write(tmp_path, "other.xacro", '<link name="o"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["other.xacro", "robot.xacro"]
+
+
+def test_a_name_that_is_all_expression_hides_nothing(tmp_path):
+    write(tmp_path, "robot.xacro", include("${file}") + '<link name="a"/>')
+    write(tmp_path, "other.xacro", '<link name="o"/>')
+    assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 2
+
+
+def test_includes_in_comments_do_not_count(tmp_path):
+    write(tmp_path, "robot.xacro", f"<!-- {include('other.xacro')} -->" + '<link name="a"/>')
+    write(tmp_path, "other.xacro", '<link name="o"/>')
+    assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 2
+
+
+def test_files_that_include_each_other_are_bounded(tmp_path):
+    write(tmp_path, "a.xacro", include("b.xacro") + '<link name="a"/>')
+    write(tmp_path, "b.xacro", include("a.xacro") + '<link name="b"/>')
+    write(tmp_path, "c.xacro", include("a.xacro"))
+    found = affected([str(tmp_path / "b.xacro")], Config(), Resolver())
+    assert names(found) == ["c.xacro"]
+
+
+def test_excluded_files_are_passed_over(package):
+    config = Config(str(package / "urdfkit.toml"), exclude=("urdf/base.urdf",))
+    assert names(discover(str(package), config, Resolver())) == ["arm.xacro"]
+
+
+@pytest.mark.parametrize("name", ["", "missing"])
+def test_a_folder_without_robots_is_an_error(tmp_path, name):
+    with pytest.raises(UnreadableFile):
+        discover(str(tmp_path / name), Config(), Resolver())
+
+
+def test_a_folder_is_checked_and_the_library_is_told(package):
+    report = check(package)
+    assert len(report.files) == 2
+    assert [(Path(skip.path).name, skip.code) for skip in report.skipped] == [("lonely.xacro", "")]
+
+
+def test_processes_give_the_same_report(package):
+    write(package, "urdf/bad.urdf", '<link name="a"/><link name="a"/>')
+    one, two = check(package), check(package, jobs=2)
+    assert [str(d.span) + d.message for d in one.diagnostics] == [
+        str(d.span) + d.message for d in two.diagnostics
+    ]
+    assert one.diagnostics
+
+
+def test_a_found_robot_that_needs_arguments_is_told_not_failed(tmp_path):
+    path = write(tmp_path, "r.xacro", '<link name="$(arg side)_a"/>')
+    report = check(tmp_path)
+    assert report.diagnostics == ()
+    (skip,) = report.skipped
+    assert "side" in skip.reason
+    assert [d.code for d in check(path).diagnostics] == ["XAC010"]
