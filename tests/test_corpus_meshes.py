@@ -1,0 +1,125 @@
+"""The meshes of real robots resolve as independent tools found them to.
+
+The corpus states for every model which references lead to no file when its repository alone is
+at hand. Here the repositories lie side by side, as in a workspace, so that one may supply the
+package of another.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+#: Missing without their neighbour, found with it.
+FROM_NEIGHBOURS = {("urdf_sim_tutorial", "urdf_tutorial")}
+#: Its package.xml exports the folder to Gazebo's model path.
+ON_THE_MODEL_PATH = "model://mid360.stl"
+
+#: The corpus lists no more missing references of a model than these.
+LISTED = 40
+
+#: Two tests of the urdf package, which no XML reader takes.
+NOT_XML = {"fail_pr2_desc_no_joint2.urdf", "fail_three_links_one_joint.urdf"}
+
+#: The models that can be read, and whose references the corpus knows.
+ENTRIES = [
+    entry
+    for entry in manifest()
+    if "meshes_missing" in entry[1].get("expect", {})
+    and entry[1]["path"].rpartition("/")[2] not in NOT_XML
+]
+
+
+def missing(path: Path, arguments: dict[str, str]) -> tuple[set[str], int]:
+    """The references of a model that lead to no file, and the number of references."""
+    subject = Subject(Source.read(path), Resolver(environment={}), arguments)
+    if subject.reading.document is None:
+        pytest.fail(f"does not expand: {subject.reading.problems[0].message}")
+    meshes = subject.files.meshes
+    return {mesh.at.value for mesh in meshes if mesh.located.path is None}, len(meshes)
+
+
+def arguments_of(model: dict[str, Any]) -> dict[str, str]:
+    return dict(argument.split(":=", 1) for argument in model["xacro_args"])
+
+
+def below_corpus(references: set[str]) -> set[str]:
+    """With file:// paths as the corpus states them: relative to it."""
+    return {reference.replace(f"file://{CORPUS}/", "file://") for reference in references}
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
+def test_meshes_of_a_real_robot(entry: tuple[Path, dict[str, Any]]) -> None:
+    repository, model = entry
+    facts = model["expect"]
+    path = repository / model["path"]
+    found, count = missing(path, arguments_of(model))
+    stated = set(facts["meshes_missing"]) | set(facts["meshes_absent_only_in_this_copy"])
+    supplied = {
+        reference
+        for reference in stated
+        if (repository.name, reference.split("/")[2]) in FROM_NEIGHBOURS
+        or reference == ON_THE_MODEL_PATH
+    }
+    if len(facts["meshes_missing"]) < LISTED:
+        assert below_corpus(found) == stated - supplied
+    else:
+        assert stated <= found
+        assert {reference.split("/")[2] for reference in found} == {"nao_meshes"}
+    assert count == facts["mesh_references"]
+    if facts["meshes_resolve"]:
+        assert found == set()
+
+
+@needs_corpus
+def test_every_kind_of_outcome_occurs() -> None:
+    facts = [model["expect"] for _, model in ENTRIES]
+    assert sum(bool(fact["meshes_missing"]) for fact in facts) > 10
+    assert sum(bool(fact["meshes_absent_only_in_this_copy"]) for fact in facts) > 10
+    assert sum(bool(fact["meshes_resolve"]) for fact in facts) > 10
+    assert {rule for fact in facts for rule in fact["mesh_rules"]} == {
+        "package.xml",
+        "relative",
+        "file-uri",
+    }
+
+
+def layouts() -> list[tuple[str, dict[str, Any]]]:
+    """What the CMake files of the corpus install, where that is another layout."""
+    file = CORPUS / "INSTALL_LAYOUT.json"
+    if not file.is_file():
+        return []
+    found = json.loads(file.read_text(encoding="utf-8")).items()
+    return [(name, layout) for name, layout in found if name.startswith("ros2_control_demos/")]
+
+
+@needs_corpus
+def test_models_that_only_an_installed_layout_makes_whole(tmp_path: Path) -> None:
+    """ros2_control_demos with the CMake files that the corpus leaves out."""
+    name = "ros2_control_demos"
+    copy = shutil.copytree(CORPUS / name, tmp_path / "src" / name)
+    for folder, layout in layouts():
+        rows = "".join(
+            f"install(DIRECTORY {source}\n  DESTINATION {target})\n"
+            for source, target in layout["install_directory"]
+        )
+        text = f"project({layout['project']})\n{rows}"
+        package = tmp_path / "src" / folder
+        if package.is_dir():
+            package.chmod(0o755)
+            (package / "CMakeLists.txt").write_text(text, encoding="utf-8")
+    models = [model for repository, model in ENTRIES if repository.name == name]
+    assert len(models) == 16
+    for model in models:
+        found, _ = missing(copy / model["path"], arguments_of(model))
+        assert found == set(), model["path"]
