@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from urdfkit.twins import numbered_pairs, pairs
+from urdfkit.twins import apart, numbered_pairs, pairs
 
 
 @pytest.mark.parametrize(
@@ -111,3 +111,25 @@ def test_endless_names_take_no_long_time() -> None:
     names = ["l_1_" * 200_000, "r_1_" * 200_000]
     assert pairs(names) == []
     assert numbered_pairs({names[0]: (0.0, 1.0, 0.0), names[1]: (0.0, -1.0, 0.0)}) == []
+
+
+def test_what_hangs_on_one_another_are_no_twins() -> None:
+    parents = {"link_s": "base", "link_l": "link_s", "link_u": "link_l", "link_r": "link_u"}
+    assert apart([("link_l", "link_r")], parents) == []
+    assert apart([("link_r", "link_l")], parents) == []
+    fork = {"hand": "base", "l_finger": "hand", "r_finger": "hand", "l_tip": "l_finger"}
+    found = [("l_finger", "r_finger"), ("r_finger", "l_tip")]
+    assert apart(found, fork) == found
+
+
+def test_links_without_a_tree_are_no_twins() -> None:
+    assert apart([("l", "r")], {}) == []
+    assert apart([("l", "r")], {"l": "r", "r": "l"}) == []
+    assert apart([("l", "r")], {"l": "base", "r": "r"}) == []
+
+
+def test_a_long_chain_takes_no_long_time() -> None:
+    count = 100_000
+    parents = {f"link_{number}": f"link_{number - 1}" for number in range(1, count)}
+    found = [(f"link_{number}", f"link_{number + 1}") for number in range(count - 1)]
+    assert apart(found, parents) == []

@@ -87,6 +87,52 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
     return found
 
 
+def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:
+    """The pairs of links of which neither hangs on the other.
+
+    What hangs on one another are not twins, whatever it is called: the axes ``l`` and ``r`` of
+    some industrial arms.
+
+    Args:
+        found: pairs of names of links.
+        parents: the parent of each link that has one.
+    """
+    spans = _spans(parents)
+    kept: list[tuple[str, str]] = []
+    for pair in found:
+        first, second = (spans.get(name) for name in pair)
+        if first and second and not (_holds(first, second) or _holds(second, first)):
+            kept.append(pair)
+    return kept
+
+
+def _holds(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
+    return outer[0] <= inner[0] and inner[1] <= outer[1]
+
+
+def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
+    """For each link of a tree the numbers of the links below it, as from and to.
+
+    Links are numbered in the order of a walk, so a link is below another one if its span lies
+    in the other's. Links in a cycle have none.
+    """
+    children: dict[str, list[str]] = {}
+    for child, parent in parents.items():
+        children.setdefault(parent, []).append(child)
+    entered: dict[str, int] = {}
+    spans: dict[str, tuple[int, int]] = {}
+    stack = [name for name in children if name not in parents]
+    while stack:
+        name = stack[-1]
+        if name not in entered:
+            entered[name] = len(entered)
+            stack += children.get(name, ())
+        else:
+            stack.pop()
+            spans[name] = (entered[name], len(entered))
+    return spans
+
+
 def _mirrored(places: Mapping[str, Vector], axis: int) -> list[tuple[str, str]]:
     """Pairs of places that differ in the sign of one coordinate only."""
     waiting: dict[tuple[float, ...], str] = {}
