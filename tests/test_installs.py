@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from urdfkit import installs
@@ -56,6 +56,7 @@ IN_LOOP = INSTALL("x/${d}", "share/arm")
         (LOOPS, "y/2/b.stl", "y/2/b.stl"),
         (f"if(BUILD_TESTING)\n{INSTALL('t/urdf', 'share/arm')}\nendif()", "urdf/a", "t/urdf/a"),
         (COMMENTS, "urdf/a", "t/urdf/a"),
+        ("ament_auto_package(INSTALL_TO_SHARE launch d/urdf/)", "urdf/a", "d/urdf/a"),
     ],
 )
 def test_where_an_installed_file_lies(
@@ -79,6 +80,7 @@ def test_where_an_installed_file_lies(
         "install(DIRECTORY urdfs DESTINATION share/arm)",
         "install(",
         "install(DIRECTORY urdf DESTINATION share/arm",
+        "ament_auto_package()",
         "endforeach()",
         "foreach()",
     ],
@@ -99,6 +101,7 @@ def test_loops_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert len(rules(tmp_path, text)) <= 1000
 
 
+@settings(deadline=None)
 @given(st.text('installforeachd(DIRECTORY DESTINATION set)$"#\\[]{};/\n x', max_size=200))
 def test_any_text_is_read(text: str) -> None:
     reader = installs._Reader(installs._variables("arm"))

@@ -141,6 +141,10 @@ class _Reader:
                 self._variables[words[0]] = ";".join(words[1:])
         elif command.name == "install":
             self.rules += _install(_expanded(command, self._variables))
+        elif command.name == "ament_auto_package":
+            words = ["DIRECTORY", *_to_share(_expanded(command, self._variables))]
+            share = self._variables["CATKIN_PACKAGE_SHARE_DESTINATION"]
+            self.rules += _install([*words, "DESTINATION", share])
 
     def _unroll(self) -> None:
         if not self._loops:
@@ -178,6 +182,14 @@ def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
             value = replaced
         words += [value] if quoted else [part for part in value.split(";") if part]
     return words
+
+
+def _to_share(words: list[str]) -> list[str]:
+    """The folders that ``ament_auto_package(INSTALL_TO_SHARE ...)`` names."""
+    if "INSTALL_TO_SHARE" not in words:
+        return []
+    folders = words[words.index("INSTALL_TO_SHARE") + 1 :]
+    return [folder.rstrip("/") for folder in folders if not folder.isupper()]
 
 
 def _install(words: list[str]) -> Iterator[Installed]:
