@@ -20,6 +20,12 @@ MAX_FOLDERS = 2000
 #: Two words are one word misspelt above this ratio of common letters.
 _SLIP = 0.75
 
+_CODES = {
+    Kind.EMPTY: "MSH008",
+    Kind.UNREADABLE: "MSH009",
+    Kind.NOT_A_MESH: "MSH010",
+    Kind.TRUNCATED: "MSH011",
+}
 _SEPARATORS = re.compile(r"[_\-. ]+")
 _NUMBERS = re.compile(r"\d+")
 
@@ -106,6 +112,23 @@ class Files:
             and (mesh.located.package is None or mesh.located.folder is not None)
             and mesh.located.scheme in ("package", "model", "absolute", "relative")
         )
+
+    @cached_property
+    def told(self) -> set[str]:
+        """The codes of the rules that may have something to say about these files."""
+        codes = {"MSH001", "MSH002"} if self.missing else set()
+        if self.without_package:
+            codes.add("MSH005")
+        for mesh in self.meshes:
+            if mesh.located.scheme == "absolute":
+                codes.add("MSH003")
+            if "\\" in mesh.at.value:
+                codes.add("MSH004")
+            if ".." in mesh.located.relative:
+                codes.add("MSH006")
+            if mesh.facts and mesh.located.path:
+                codes |= _codes(mesh.facts, mesh.located.path)
+        return codes
 
     def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
         """The references whose file cannot be used for a reason of this kind, and the reason."""
@@ -216,6 +239,16 @@ class Files:
         if name is None:
             return None, False
         return os.path.join(folder, name), is_slip(wanted, name)
+
+
+def _codes(facts: MeshFacts, path: str) -> set[str]:
+    """The codes of the rules that explain what is wrong with the content of a file."""
+    codes = {"MSH026"} if facts.non_finite else set()
+    if facts.defect:
+        codes.add(_CODES[facts.defect.kind])
+    elif facts.format not in BY_SUFFIX.get(_suffix(path), ()):
+        codes.add("MSH007")
+    return codes
 
 
 def is_slip(wrong: str, right: str) -> bool:

@@ -137,13 +137,13 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
             silent.add("JNT")
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
+        elif not rules.TOLD_BY_FILES.isdisjoint(chosen):
+            told |= subject.files.told
+    waiting = rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES
     return [
         rules.get(code)
         for code in chosen
-        if code in told
-        or not (
-            code[:3] in silent or code in rules.TOLD_BY_READING or code in rules.TOLD_BY_GRAMMAR
-        )
+        if code in told or not (code[:3] in silent or code in waiting)
     ]
 
 

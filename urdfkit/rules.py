@@ -38,6 +38,11 @@ TOLD_BY_GRAMMAR = frozenset(
     "URD013 URD014 URD015 URD016".split()
 )
 
+#: Rules that only tell what is wrong with the mesh files; imported likewise.
+TOLD_BY_FILES = frozenset(
+    "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH026".split()
+)
+
 _FILE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)\.py$")
 
 
