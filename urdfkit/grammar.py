@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from math import inf
+from math import inf, isfinite
 from typing import NamedTuple
 
 from urdfkit import schema
@@ -25,8 +25,8 @@ MAX_UNKNOWN = 1000
 #: Without it a simulator leaves out the link, although the grammar does not require it.
 _NEEDED = {"link": ("inertial",)}
 
-#: White space other than spaces between two digits: only then are places worth a closer look.
-_BREAK = re.compile(rb"[\d.][ ]*[\t\r\n]\s*[-+.\d]")
+#: A tab or a line break between two numbers: only then are values looked at as they were typed.
+_BREAK = re.compile(rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]")
 
 
 class Deviation(NamedTuple):
@@ -59,7 +59,7 @@ def deviations(
         document: after expansion.
         plain: True if the document stands in the file as it is, so that white space in a value
             reaches URDF's readers as it was typed.
-        claimed: tags below ``<robot>`` that are another rule's business.
+        claimed: tags that are another rule's business.
     """
     root = document.root
     if root.tag != "robot":
@@ -69,7 +69,7 @@ def deviations(
     while stack:
         element, grammar = stack.pop()
         walk.attributes(element, grammar)
-        stack += walk.children(element, grammar)
+        stack += reversed(walk.children(element, grammar))
     return walk.found
 
 
@@ -79,6 +79,15 @@ def owner(element: Element) -> str:
         element = element.parent
     name = element.get("name")
     return f"{element.tag} '{name}'" if name else f"<{element.tag}>"
+
+
+def version_of(root: Element) -> str:
+    """The version of URDF that a robot asks for; 1.0 if it does not say."""
+    text = root.get("version")
+    if text is None:
+        return schema.VERSIONS[0]
+    numbers = re.fullmatch(r"0*(\d+)\.0*(\d+)", text, re.ASCII)  # urdfdom compares numbers
+    return f"{numbers[1]}.{numbers[2]}" if numbers else text
 
 
 def is_number(text: str) -> bool:
@@ -91,9 +100,25 @@ def is_number(text: str) -> bool:
     return -inf < value < inf and text.isascii() and "_" not in text and not text[-1].isspace()
 
 
+def _reads(text: str, length: int) -> bool:
+    """True if a value surely is so many numbers; a quick answer for the common case."""
+    try:
+        values = list(map(float, text.split()))
+    except ValueError:
+        return False
+    return (
+        len(values) == length
+        and isfinite(sum(values))
+        and text.isascii()
+        and text.isprintable()
+        and "_" not in text
+        and (length > 1 or not text.endswith(" "))
+    )
+
+
 def has_break(text: str) -> bool:
-    """True if a tab or a line break stands between numbers, where urdfdom wants spaces."""
-    return any(character in text.strip() for character in "\t\r\n")
+    """True if a tab or a line break follows a number, where urdfdom wants a space."""
+    return re.search(r"\S[\t\r\n]", text) is not None
 
 
 def is_expression(text: str) -> bool:
@@ -109,7 +134,11 @@ class _Walk:
         self._root = root
         self._claimed = claimed
         self._breaks = breaks
-        self._version = root.get("version") or schema.VERSIONS[0]
+        #: Values that were looked at and are right, by their length; most stand often.
+        self._good: dict[int, set[str]] = {length: set() for length in schema.LENGTHS.values()}
+        written = version_of(root)
+        # An unknown version is one finding, not one for every feature.
+        self._version = written if written in schema.VERSIONS else schema.VERSIONS[-1]
         self._unknown = 0
 
     def _add(
@@ -131,7 +160,10 @@ class _Walk:
             attribute = written.get(name)
             if attribute is not None:
                 known += 1
-                self._value(attribute, rule)
+                if (length := schema.LENGTHS.get(rule.type)) and (
+                    attribute.value not in self._good[length] or rule.since > self._version
+                ):
+                    self._value(attribute, rule, length)
             elif rule.required:
                 missing.append(name)
         if known != len(written):
@@ -162,27 +194,26 @@ class _Walk:
         return missing
 
     def _version_number(self, attribute: Attribute) -> None:
-        if attribute.value not in schema.VERSIONS:
+        version = version_of(self._root)
+        if version not in schema.VERSIONS:
             self._add("URD011", self._root, attribute)
-        elif attribute.value != schema.VERSIONS[0]:
+        elif version != schema.VERSIONS[0]:
             self._add("URD014", self._root, attribute)
 
-    def _value(self, attribute: Attribute, rule: AttributeRule) -> None:
+    def _value(self, attribute: Attribute, rule: AttributeRule, length: int) -> None:
         """A value that is no number, or too few or too many of them."""
         text = attribute.value
         if rule.since > self._version:
             self._add("URD016", attribute.element, attribute, meant=rule.since)
-        elif rule.type == schema.FLOAT:
-            if not is_number(text) and not is_expression(text):
-                self._add("URD005", attribute.element, attribute)
-        elif length := schema.LENGTHS.get(rule.type):
+        elif _reads(text, length) and not self._breaks:
+            self._good[length].add(text)
+        elif not is_expression(text):
             parts = [part for part in text.split(" ") if part]
-            good = all(map(is_number, parts)) and not (
-                self._breaks and has_break(attribute.span.text)
-            )
-            if (good and len(parts) == length) or is_expression(text):
-                return
-            self._add("URD006" if good else "URD005", attribute.element, attribute, rule.type)
+            bad = not all(map(is_number, parts)) or (length == 1 and not is_number(text))
+            if bad or (self._breaks and length > 1 and has_break(attribute.span.text)):
+                self._add("URD005", attribute.element, attribute, rule.type)
+            elif len(parts) != length:
+                self._add("URD006", attribute.element, attribute, rule.type)
 
     def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
         """Missing, unknown and repeated children; those whose own content has a grammar."""
@@ -238,7 +269,7 @@ class _Walk:
         """Tell an unknown element; the needed one that it was meant to be, or nothing."""
         tag = child.tag
         self._unknown += 1
-        if self._unknown > MAX_UNKNOWN or (parent is self._root and tag in self._claimed):
+        if self._unknown > MAX_UNKNOWN or tag in self._claimed:
             return ""
         if tag in schema.GAZEBO_TAGS:
             self._add("URD008", child)

@@ -38,11 +38,12 @@ def includer(path: str, packages: Packages) -> str | None:
     path = os.path.abspath(path)
     folder = package[1] if package else os.path.dirname(path)
     name = re.escape(os.path.basename(path).encode())
-    pattern = re.compile(rb"""<(?:xacro:)?include\b[^>]*[/"']""" + name + rb"""["']""")
+    pattern = re.compile(rb"""<(?:xacro:)?include\b[^>]*[/"'\s]""" + name + rb"""[)"'\s]""")
     found: list[str] = []
     entries = searched = 0
     for parent, folders, files in os.walk(folder):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        deep_enough = package is None and parent != folder  # nothing says where to stop
+        folders[:] = [] if deep_enough else sorted(n for n in folders if not n.startswith("."))
         entries += len(folders) + len(files)
         for file in sorted(files):
             if file.endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:

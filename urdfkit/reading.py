@@ -23,9 +23,7 @@ MAX_RELATED = 5
 _DECLARATION = re.compile(rb"<\?xml[\s?][^>]*\?>|<\?xml\?>")
 # Compiled when needed, which is seldom.
 _COMMENT = rb"<!--.*?-->"
-_XACRO = (
-    rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b|\$[{(]"
-)
+_OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
 _VERSION = re.compile(rb"""\bversion\s*=\s*["']([^"']*)["']""")
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
@@ -66,9 +64,13 @@ def is_xacro(source: Source) -> bool:
     if ".xacro" in os.path.basename(source.path):
         return True
     data = source.data
-    if b"xmlns:xacro" not in data or not (b"<xacro:" in data or b"${" in data or b"$(" in data):
+    has_tags, has_namespace = b"<xacro:" in data, b"xmlns:xacro" in data
+    if not has_tags and not has_namespace:
         return False
-    return re.search(_XACRO, re.sub(_COMMENT, b"", data, flags=re.DOTALL)) is not None
+    text = re.sub(_COMMENT, b"", data, flags=re.DOTALL)
+    if has_tags and re.search(_OWN_TAG, text):
+        return True
+    return has_namespace and re.search(rb"\$[{(]", text) is not None
 
 
 def read_xml(source: Source) -> tuple[Document | None, list[Problem]]:
@@ -152,7 +154,7 @@ def _forgiven(source: Source, problems: list[Problem]) -> bytes:
     if start:
         if re.sub(_COMMENT, b"", data[:start], flags=re.DOTALL).strip():
             return data
-        problems.append(_before_declaration(Span(source, 0, start)))
+        problems.append(_before_declaration(Span(source, 0, start), end))
     if not _is_sound(declaration.group()):
         at = Span(source, start, end)
         fix = Fix("write the XML declaration anew", (Edit(at, '<?xml version="1.0"?>'),), safe=True)
@@ -174,13 +176,24 @@ def _is_sound(declaration: bytes) -> bool:
     return True
 
 
-def _before_declaration(before: Span) -> Problem:
-    if before.text.strip():
-        message = "a comment before the XML declaration: urdfdom 4 (ROS 2 Jazzy) refuses the file"
-        return Problem("XML007", before, message, "move the comment below <?xml ...?>")
-    message = "white space before the XML declaration"
-    fix = Fix("delete the white space", (Edit(before, ""),), safe=True)
-    return Problem("XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix)
+def _before_declaration(before: Span, end: int) -> Problem:
+    """What stands before the XML declaration, which ends at ``end``."""
+    text = before.text.strip()
+    edits: tuple[Edit, ...] = (Edit(before, ""),)
+    if not text:
+        message = "white space before the XML declaration"
+        fix = Fix("delete the white space", edits, safe=True)
+        return Problem(
+            "XML007", before, message, "let <?xml ...?> be the first of the file", fix=fix
+        )
+    edits += (Edit(Span(before.source, end, end), f"\n{text}"),)
+    return Problem(
+        "XML007",
+        before,
+        "a comment before the XML declaration, which urdfdom 4 (ROS 2 Jazzy) refuses",
+        "move the comment below <?xml ...?>",
+        fix=Fix("move the comment below the XML declaration", edits, safe=True),
+    )
 
 
 class _Builder:

@@ -21,8 +21,8 @@ XYZ = "x y z"
 RGBA = "red green blue alpha"
 QUATERNION = "x y z w"
 
-#: How many numbers a vector attribute has. One scale for all three axes is refused, too.
-LENGTHS = {XYZ: 3, RGBA: 4, QUATERNION: 4}
+#: How many numbers an attribute has. One scale for all three axes is refused, too.
+LENGTHS = {FLOAT: 1, XYZ: 3, RGBA: 4, QUATERNION: 4}
 
 #: The versions that ``<robot version>`` may name, oldest first; without one it is the first.
 VERSIONS = ("1.0", "1.1", "1.2")
@@ -95,7 +95,7 @@ MATERIAL = Grammar(
     {"name": AttributeRule(NAME, required=True)},
     {
         "color": Grammar({"rgba": AttributeRule(RGBA, required=True)}, {}),
-        "texture": Grammar({"filename": AttributeRule(TEXT, required=True)}, {}),
+        "texture": Grammar({"filename": AttributeRule(TEXT)}, {}),
     },
 )
 
@@ -157,7 +157,7 @@ JOINT_GRAMMAR = Grammar(
             {
                 "rising": _OPTIONAL_FLOAT,
                 "falling": _OPTIONAL_FLOAT,
-                "reference_position": _OPTIONAL_FLOAT,
+                "reference_position": AttributeRule(TEXT),  # in the specification, read by nobody
             },
             {},
         ),
@@ -169,7 +169,8 @@ JOINT_GRAMMAR = Grammar(
         # effort and velocity: JNT002 and JNT021 know for which types they are required.
         "limit": Grammar(
             dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
-            | dict.fromkeys(("acceleration", "deceleration", "jerk"), _OPTIONAL_FLOAT),
+            # URDF 1.2, and passed over in older versions
+            | dict.fromkeys(("acceleration", "deceleration", "jerk"), AttributeRule(TEXT)),
             {},
         ),
         "mimic": Grammar(
@@ -223,6 +224,12 @@ GAZEBO_TAGS = frozenset(
     "implicitSpringDamper springReference springStiffness preserveFixedJoint "
     "disableFixedJointLumping self_collide gravity kinematic enable_wind must_be_base_link "
     "velocity_decay sensor plugin light projector pose surface friction".split()
+)
+
+#: Elements of SRDF, which has the root element of URDF.
+SRDF_TAGS = frozenset(
+    "group group_state end_effector virtual_joint passive_joint disable_collisions "
+    "disable_default_collisions enable_collisions link_sphere_approximation joint_property".split()
 )
 
 #: Tags of xacro, which do nothing without their prefix.

@@ -120,6 +120,8 @@ class Subject:
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Where the document deviates from the grammar, by the code of the rule that tells it."""
+        if self.is_srdf:
+            return {}
         from urdfkit.grammar import deviations
         from urdfkit.schema import XACRO_TAGS
 
@@ -128,6 +130,36 @@ class Subject:
             return deviations(self.document, plain=True)
         claimed = XACRO_TAGS.union(macro.name for macro in xacro.macros)  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
+
+    @cached_property
+    def is_srdf(self) -> bool:
+        """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
+        from urdfkit.schema import SRDF_TAGS
+
+        children = self.document.root.children
+        return not any(child.tag == "link" for child in children) and any(
+            child.tag in SRDF_TAGS for child in children
+        )
+
+    @cached_property
+    def is_part(self) -> bool:
+        """True for a file that makes sense inside another one only, and is no robot by itself.
+
+        That is a library of macros; or a description that another file includes and that lacks
+        a name, or a link from which the others hang.
+        """
+        from urdfkit.includes import is_included
+
+        xacro = self.reading.xacro
+        if (xacro is not None and xacro.is_library) or self.is_srdf:
+            return True
+        if self.document.root.get("name") is None and self.problems("XAC018"):
+            return True  # calls that the including file answers
+        children = {joint.child.value for joint in self.model.joints if joint.child}
+        has_base = any(root.name not in children for root in self.tree.roots)
+        if self.document.root.get("name") is not None and has_base:
+            return False
+        return is_included(self.source.path, self.resolver.packages)
 
     @cached_property
     def model(self) -> RobotModel:

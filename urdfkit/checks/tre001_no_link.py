@@ -22,7 +22,7 @@ GOOD = '<robot name="cart">\n  <link name="base"/>\n</robot>\n'
 
 @rule("TRE001", "no-link", Severity.ERROR, help='add a link, as <link name="base_link"/>')
 def check(subject: Subject) -> Iterator[Finding]:
-    root, xacro = subject.document.root, subject.reading.xacro
-    if root.tag != "robot" or root.child("link") or (xacro is not None and xacro.is_library):
+    root = subject.document.root
+    if root.tag != "robot" or root.child("link") or subject.is_part:
         return
     yield Finding(root, f"{owner(root)} has no link")

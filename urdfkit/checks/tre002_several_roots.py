@@ -49,7 +49,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     # Below a link that is missing hangs no root: the reference is REF001's.
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     roots = [root for root in subject.tree.roots if root.name not in children]
-    if len(roots) < 2:
+    if len(roots) < 2 or subject.is_part:
         return
     main = _largest(subject.tree, roots)
     others = [root for root in roots if root is not main]

@@ -21,8 +21,7 @@ GOOD = BAD.replace("<robot>", '<robot name="cart">')
 
 @rule("URD010", "robot-without-name", Severity.ERROR, help='write <robot name="...">')
 def check(subject: Subject) -> Iterator[Finding]:
-    xacro = subject.reading.xacro
-    if xacro is not None and xacro.is_library:
-        return
     for element, *_ in subject.deviations.get("URD010", ()):
+        if subject.is_part:
+            return
         yield Finding(element, "<robot> has no name")

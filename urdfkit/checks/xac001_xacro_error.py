@@ -1,4 +1,4 @@
-"""xacro cannot expand the file.
+"""The file cannot be expanded.
 
 A property that is not defined, a macro that is not there or is called with other parameters than
 it has, an include that does not exist, an expression that Python cannot evaluate. xacro stops at

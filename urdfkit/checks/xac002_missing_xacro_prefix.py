@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="arm" params="side"><link name="${side}_arm"/></xacro:macro>
+  <xacro:macro name="arm" params="side">
+    <link name="${side}_arm"/>
+    <joint name="${side}" type="fixed"><parent link="base"/><child link="${side}_arm"/></joint>
+  </xacro:macro>
   <link name="base"/>
   <arm side="left"/>
 </robot>
@@ -30,7 +33,7 @@ GOOD = BAD.replace("<arm", "<xacro:arm")
     "XAC002",
     "missing-xacro-prefix",
     Severity.ERROR,
-    needs=(Need.XACRO,),
+    needs=(Need.XACRO, Need.MODEL),
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -16,8 +16,8 @@ from urdfkit.rules import Finding, rule
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = '<link name="base"/>\n<link name="${side}_arm"/>'
-GOOD = '<link name="base"/>\n<link name="left_arm"/>'
+BAD = '<link name="${side}_arm"/>'
+GOOD = '<link name="left_arm"/>'
 
 
 @rule(

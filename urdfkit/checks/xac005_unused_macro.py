@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="arm" params="side"><link name="${side}_arm"/></xacro:macro>
+  <xacro:macro name="arm" params="side">
+    <link name="${side}_arm"/>
+    <joint name="${side}" type="fixed"><parent link="base"/><child link="${side}_arm"/></joint>
+  </xacro:macro>
   <link name="base"/>
 </robot>
 """
@@ -29,7 +32,7 @@ GOOD = BAD.replace("</robot>", '  <xacro:arm side="left"/>\n</robot>')
     "XAC005",
     "unused-macro",
     Severity.INFO,
-    needs=(Need.XACRO, Need.FILES),
+    needs=(Need.XACRO, Need.MODEL, Need.FILES),
     help="delete it, or call it with <xacro:...>",
 )
 def check(subject: Subject) -> Iterator[Finding]:

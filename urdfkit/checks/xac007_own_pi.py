@@ -26,7 +26,7 @@ BAD = """\
 </robot>
 """
 FIXED = BAD.replace("3.1415926", "${pi}")
-GOOD = BAD.replace('"PI" value="3.1415926"', '"width" value="3.2"')
+GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 
 #: So near to pi that no other meaning is likely, whatever the name.
 _CERTAIN = 1e-4

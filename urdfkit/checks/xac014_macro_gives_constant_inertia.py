@@ -32,6 +32,7 @@ BAD = """\
   </xacro:macro>
   <link name="base"><xacro:inertial mass="8"/></link>
   <link name="wheel"><xacro:inertial mass="0.5"/></link>
+  <joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>
 </robot>
 """
 GOOD = BAD.replace('"0.1"', '"${mass * 0.0125}"')

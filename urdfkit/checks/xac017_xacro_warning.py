@@ -1,4 +1,4 @@
-"""xacro itself warns of this element.
+"""Expanding the file gives a warning.
 
 An attribute that the xacro tag does not know, an include whose pattern matches no file, or a
 warning that the model's author wrote with `xacro.warning()`. xacro goes on, and the line is easily

@@ -24,7 +24,10 @@ BAD = """\
 """
 GOOD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:macro name="camera" params="parent"><link name="${parent}_camera"/></xacro:macro>
+  <xacro:macro name="camera" params="parent">
+    <link name="camera"/>
+    <joint name="mount" type="fixed"><parent link="${parent}"/><child link="camera"/></joint>
+  </xacro:macro>
   <link name="base"/>
   <xacro:camera parent="base"/>
 </robot>

@@ -31,7 +31,7 @@ BAD = """\
 </robot>
 """
 GOOD = """\
-<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:property name="length" default="0.3"/>
   <link name="arm_${length}"/>
 </robot>

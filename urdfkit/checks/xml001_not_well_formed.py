@@ -1,7 +1,9 @@
 """The file is not well-formed XML.
 
-No reader accepts it. All errors are listed, because the first one is often only where an
-earlier slip was noticed: look for an unclosed tag, a missing quote or a stray `<` or `&` above.
+Most readers refuse the whole file, xacro and Python's XML readers among them; urdfdom forgives a
+stray `&` or a missing blank, and then may read something else than was meant. All errors are
+listed, each where it has to be mended and not where a parser gave up: a tag that is not closed, a
+missing quote, a stray `<` or `&`, an attribute given twice.
 """
 
 from __future__ import annotations

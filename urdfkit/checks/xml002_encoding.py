@@ -1,8 +1,9 @@
-"""A byte of the file is not text in the encoding that the file declares.
+"""The file is not in UTF-8, or not in the encoding that it declares.
 
 xacro stops with a UnicodeDecodeError, and strict XML readers refuse the file. It happens when an
 editor on Windows saves a comment as GBK, Latin-1 or CP-1252 while the file says UTF-8, which is
-also what XML assumes where nothing is declared. Save the file as UTF-8.
+also what XML assumes where nothing is declared; PowerShell's `>` writes UTF-16, which neither xacro
+nor urdfdom reads. Save the file as UTF-8.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """The file declares XML entities.
 
 No robot needs them, and they are the usual way to make a small file fill the memory of whoever
-reads it or to pull in other files. urdfdom knows none and leaves the references as they are, so
-the same file means different things to different readers. Write the text out, or use a xacro
-property.
+reads it or to pull in other files. urdfdom 3 (ROS 1 Noetic, ROS 2 Humble) refuses a file that
+declares them, and later ones leave the references as they are, so that the same file means
+different things to different readers. Write the text out, or use a xacro property.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ GOOD = '<robot name="r"><link name="base_link"/></robot>'
 @rule(
     "XML003",
     "entity-declaration",
-    Severity.WARNING,
+    Severity.ERROR,
     needs=(),
     help="write the text out, or use an <xacro:property>",
 )

@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:property name="a" value="1"/>
-  <gz:link name="b"/>
+<robot name="r">
+  <xacro:property name="length" value="0.3"/>
+  <link name="arm_${length}"/>
 </robot>
 """
-GOOD = BAD.replace("gz:", "")
+FIXED = BAD.replace("<robot", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"')
+GOOD = FIXED
 
 
 @rule(
@@ -29,6 +30,7 @@ GOOD = BAD.replace("gz:", "")
     "namespace-unbound",
     Severity.ERROR,
     needs=(),
+    fixable=True,
     help='declare it on the root element, such as xmlns:xacro="http://www.ros.org/wiki/xacro"',
 )
 def check(subject: Subject) -> Iterator[Finding]:

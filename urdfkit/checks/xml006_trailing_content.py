@@ -1,7 +1,8 @@
 """Something follows the end of the robot.
 
-An XML document has one root element. What stands behind `</robot>` is a second robot or the rest
-of an edit, and no reader gets that far: most refuse the whole file.
+An XML document has one root element. What stands behind `</robot>` is a second robot or the rest of
+an edit. Most readers refuse the whole file; urdfdom passes over the rest without a word, so that
+the links in it are missing.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ from urdfkit.rules import Finding, rule, told
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = '<robot name="r"><link name="a"/></robot>\n<link name="b"/>\n'
-GOOD = '<robot name="r"><link name="a"/><link name="b"/></robot>\n'
+BAD = '<robot name="r"><link name="a"/></robot>\n<material name="red"/>\n'
+GOOD = '<robot name="r"><link name="a"/><material name="red"/></robot>\n'
 
 
 @rule(

@@ -1,8 +1,8 @@
 """The file is no strict XML, though urdfdom reads it.
 
-urdfdom (and with it robot_state_publisher and Pinocchio) forgives text before the XML
-declaration, a version other than 1.0 and undeclared prefixes. Python's readers, xacro, yourdfpy,
-browsers and newer releases of urdfdom do not: the robot works here and fails there.
+urdfdom (and with it robot_state_publisher and Pinocchio) forgives white space before the XML
+declaration, a version other than 1.0 and undeclared prefixes; up to release 3 also a comment before
+the declaration. Python's readers, xacro and browsers do not: the robot works here and fails there.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = '<!-- made by hand -->\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
-GOOD = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
+FIXED = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name="a"/></robot>'
+GOOD = FIXED
 
 
 @rule(
@@ -25,6 +26,7 @@ GOOD = '<?xml version="1.0"?>\n<!-- made by hand -->\n<robot name="r"><link name
     "not-strict-xml",
     Severity.WARNING,
     needs=(),
+    fixable=True,
     help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -128,5 +128,5 @@ def _nearest_file(path: str) -> str:
     meant = nearest(stem, alike)
     hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
     if name == last:
-        return hint
+        return hint or "correct the path; a relative one starts at the file that it stands in"
     return f"there is no folder '{name}' in {folder}" + (f"; {hint}" if hint else "")
