@@ -35,6 +35,7 @@ def changed(old: str, new: str) -> bytes:
         changed("instance_geometry", "instance_controller"),
         SOUND.replace(b"<COLLADA", b"<c:COLLADA xmlns:c='x'").replace(b"</COLLADA", b"</c:COLLADA"),
         changed("</COLLADA>", "</COLLADA><!-- the end -->\n"),
+        changed("<library_visual", '<sampler><input source="#gone"/></sampler><library_visual'),
     ],
 )
 def test_sound_files(data: bytes) -> None:

@@ -129,7 +129,8 @@ class _Content:
         elif tag == "float_array":
             self.arrays.append(self._source)
         reference = attributes.get(_REFERENCES.get(tag, ""), "")
-        if reference.startswith("#"):
+        # Those of animations and controllers are not needed to show the mesh.
+        if reference.startswith("#") and (tag == "instance_geometry" or "mesh" in self.open):
             self._references.setdefault(reference[1:], tag)
             if attributes.get("semantic") == "POSITION":
                 self.positions.add(reference[1:])

@@ -1,0 +1,54 @@
+"""The mesh of the mission's own model: missing at first, then made in ways that do not work."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit import engine
+from urdfkit.diagnostic import Diagnostic
+
+BAD = MODELS / "bad" / "meshes"
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    return shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
+
+
+def only_finding(package: Path) -> Diagnostic:
+    report = engine.check(package / "urdf" / "waking_robot_new.xacro", select=["MSH"])
+    assert report.crashed == ()
+    (found,) = report.diagnostics
+    assert found.span.text == "package://gazebo_pkg/meshes/hokuyo.dae"
+    assert found.element == "link/laser_frame/visual/geometry/mesh@filename"
+    return found
+
+
+def test_missing(package: Path) -> None:
+    found = only_finding(package)
+    assert found.code == "MSH001"
+    assert found.message.endswith(
+        f"does not exist in package 'gazebo_pkg'; tried {package / 'meshes' / 'hokuyo.dae'}"
+    )
+
+
+@pytest.mark.parametrize(
+    ("mesh", "code", "reason"),
+    [
+        ("empty.dae", "MSH008", "is empty"),
+        ("bot.dae", "MSH011", "ends inside <instance_geometry> in <node>, before any triangle"),
+        ("web_page.dae", "MSH010", "is a web page: 'hokuyo.dae'"),
+        ("lfs_pointer.stl", "MSH010", "is a Git LFS pointer: the mesh of 684 bytes itself"),
+        ("truncated.stl", "MSH011", "declares 12 triangles and holds 6"),
+    ],
+)
+def test_made_in_a_way_that_does_not_work(package: Path, mesh: str, code: str, reason: str) -> None:
+    (package / "meshes").mkdir()
+    shutil.copyfile(BAD / mesh, package / "meshes" / "hokuyo.dae")
+    found = only_finding(package)
+    assert found.code == code
+    assert f"hokuyo.dae' {reason}" in found.message
