@@ -39,6 +39,7 @@ def test_the_size_tells_whatever_the_header_says(header: bytes) -> None:
             "declares 1 triangle and holds 0",
         ),
         (SOUND[:83], Kind.TRUNCATED, "ends after 83 of the 84 bytes of a binary STL header"),
+        (b"VCG \xcd\x01\x0b" + SOUND[7:-1], Kind.TRUNCATED, "declares 4 triangles and holds 3"),
         (SOUND + b"\n", Kind.TRUNCATED, "holds 1 byte beyond the 4 triangles it declares"),
         (
             SOUND[:80] + b"\0\0\0\0" + SOUND[84:],

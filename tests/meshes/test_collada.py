@@ -73,6 +73,11 @@ def test_sound_files(data: bytes) -> None:
             Kind.UNREADABLE,
             "is not well-formed XML: mismatched tag in line 10",
         ),
+        (
+            changed("0 0 0 1", "0 0 \0 1"),
+            Kind.UNREADABLE,
+            "is not well-formed XML: not well-formed (invalid token) in line 9",
+        ),
         (SOUND[:20], Kind.TRUNCATED, "ends inside its first tag, before any triangle"),
         (
             SOUND[: SOUND.index(b"1 0 0 0 1")],

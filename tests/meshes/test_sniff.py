@@ -105,6 +105,7 @@ def test_a_zip_archive_that_is_no_mesh() -> None:
     ("data", "reason"),
     [
         (b"<<<<<<< HEAD\nsolid a\n=======\n", "holds the two sides of a merge conflict"),
+        (b"\x01" * 90, "is of no known mesh format (it begins with 01 01 01 01 01 01 01 01)"),
         (b"\x01\0\xff", "is of no known mesh format (it begins with 01 00 ff)"),
         (b"\x01\0" * 9, "is of no known mesh format (it begins with 01 00 01 00 01 00 01 00)"),
     ],

@@ -21,13 +21,17 @@ _BELOW = bytes(byte >> 7 for byte in range(256))
 
 def is_stl(head: bytes, size: int) -> bool:
     """True if the size of a file fits the triangle count in its first 84 bytes."""
-    return len(head) >= HEADER and size == HEADER + TRIANGLE * count(head)
+    return len(head) >= HEADER and size == whole_size(head)
 
 
-def count(data: bytes) -> int:
-    """The triangle count of a binary STL."""
-    number: int = unpack_from("<I", data, 80)[0]
-    return number
+def whole_size(data: bytes) -> int:
+    """The bytes that a binary STL of the declared number of triangles has."""
+    return HEADER + TRIANGLE * _count(data)
+
+
+def _count(data: bytes) -> int:
+    """The declared number of triangles."""
+    return int.from_bytes(data[80:HEADER], "little")
 
 
 def judge(data: bytes) -> tuple[Defect | None, str]:
@@ -35,7 +39,7 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     size = len(data)
     if size < HEADER:
         return truncated(f"ends after {size} of the {HEADER} bytes of a binary STL header"), ""
-    declared = count(data)
+    declared = _count(data)
     held, rest = divmod(size - HEADER, TRIANGLE)
     not_finite = _non_finite_corner(data, min(declared, held))
     if declared == 0 and size == HEADER:

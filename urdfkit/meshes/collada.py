@@ -30,7 +30,7 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     """What is wrong with a COLLADA file, and which coordinate is not finite."""
     content = _Content()
     error: expat.ExpatError | None = None
-    if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
+    if not data.startswith((b"\xff\xfe", b"\xfe\xff")) and b"\0" not in data:
         # The tags alone, 4 % of the bytes, are well formed if the whole is.
         tags = b"".join(_TAG.findall(data)).replace(b"<p></p>", b"")
         if _is_sound(tags) and not any(map(_has_letters, _number_lists(data))):

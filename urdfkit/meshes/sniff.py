@@ -17,6 +17,8 @@ from urdfkit.meshes.facts import Defect, MeshFacts, empty, not_a_mesh, unreadabl
 
 #: Larger files are recognised by their beginning, and not judged further.
 MAX_BYTES = 128 * 1024 * 1024
+#: No mesh of a robot is larger.
+_LARGEST = 1024**3
 _HEAD = 4096
 _LONG_HEAD = 64 * 1024
 
@@ -128,13 +130,13 @@ def recognise(data: bytes, size: int) -> str:
         return "IGES"
     if head.lstrip().startswith((b"ply\n", b"ply\r", b"ply ")):
         return facts.PLY
-    return _text_format(data) if _is_text(head) or head.startswith(_UTF_16) else ""
-
-
-def _text_format(data: bytes) -> str:
-    text = data[:_HEAD].lstrip(b"\xef\xbb\xbf \t\r\n")
+    text = head.lstrip(b"\xef\xbb\xbf \t\r\n")
     if text.startswith((b"<", *_UTF_16)):
         return _XML_FORMATS.get(_xml_root(data), "")
+    return _text_format(text, data) if _is_text(head) else ""
+
+
+def _text_format(text: bytes, data: bytes) -> str:
     if text[:5].lower() == b"solid":
         return facts.ASCII_STL
     if text.startswith(b"{"):
@@ -161,8 +163,10 @@ def _is_text(data: bytes) -> bool:
 def _meant(data: bytes, suffix: str) -> str:
     """The format that broken content was meant to have, if the suffix and the bytes agree."""
     if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
+        # What is no STL at all has any number where STL has its count.
         header = data[:80].rstrip(b"\0")
-        return facts.BINARY_STL if _is_text(header) else ""
+        known = _is_text(header) or binary_stl.whole_size(data) <= _LARGEST
+        return facts.BINARY_STL if known else ""
     if suffix == ".obj" and data.lstrip().startswith(b"#"):
         return facts.OBJ
     if suffix == ".dae" and data.startswith(b"<") and not _xml_root(data):
