@@ -52,6 +52,7 @@ class Need(Enum):
     XACRO = "xacro"  # the expansion: macros, properties, arguments
     MODEL = "model"  # the expanded document and the robot in it
     FILES = "files"  # the files that the model names
+    GAZEBO = "gazebo"  # what Gazebo makes of the model
 
 
 class Written(NamedTuple):

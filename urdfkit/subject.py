@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from urdfkit.diagnostic import Diagnostic
     from urdfkit.expansion import Xacro
     from urdfkit.files import Files
+    from urdfkit.gazebo import Conversion
     from urdfkit.grammar import Deviation
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
@@ -192,6 +193,13 @@ class Subject:
         from urdfkit.targets import infer
 
         return infer(self) if self._given_targets is None else self._given_targets
+
+    @cached_property
+    def gazebo(self) -> Conversion:
+        """What Gazebo makes of the model: merged, dropped and renamed links."""
+        from urdfkit.gazebo import Conversion
+
+        return Conversion(self.tree)
 
     @cached_property
     def files(self) -> Files:
