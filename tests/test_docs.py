@@ -42,3 +42,11 @@ def test_the_rules_that_are_named_exist(document: Path) -> None:
     text = document.read_text(encoding="utf-8")
     named = set(re.findall(r"\b(?:XML|XAC|URD|REF|NAM|TRE|MSH|CFG)\d{3}\b", text))
     assert named <= set(rules.codes())
+
+
+def test_the_architecture_names_every_module() -> None:
+    folder = ROOT / "urdfkit"
+    modules = {path.name for path in folder.glob("*.py")} - {"__init__.py", "__main__.py"}
+    packages = {f"{path.parent.name}/" for path in folder.glob("*/__init__.py")}
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"`([a-z_]+(?:\.py|/))`", text)) == modules | packages
