@@ -80,7 +80,7 @@ class Tag(NamedTuple):
         data = self.source.data
         if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", self.start, at)):
             return self
-        return self._replace(close=at)
+        return Tag(self.source, self.start, at)
 
     @property
     def span(self) -> Span:

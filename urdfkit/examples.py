@@ -12,7 +12,8 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.judge import diagnose
@@ -35,8 +36,9 @@ def whole_robot(text: str) -> str:
     return text
 
 
-def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
-    """What one rule says about one of its examples."""
+@contextmanager
+def laid_out(rule: Rule, text: str) -> Iterator[Source]:
+    """An example in a folder of its own, with the files that its rule puts beside it."""
     files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
     with tempfile.TemporaryDirectory() as folder:
         for name, data in files.items():
@@ -45,7 +47,11 @@ def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
             with open(path, "wb") as file:
                 file.write(data)
         robot = whole_robot(text).replace(FOLDER, folder)
-        source = Source(
-            os.path.join(folder, "example.urdf"), robot.encode("utf-8", "surrogateescape")
-        )
-        return diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
+        yield Source(os.path.join(folder, "example.urdf"), robot.encode("utf-8", "surrogateescape"))
+
+
+def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
+    """What one rule says about one of its examples."""
+    with laid_out(rule, text) as source:
+        subject = Subject(source, Resolver(environment={}))
+        return diagnose(rule, list(rule.check(subject)))

@@ -41,10 +41,34 @@ SHOWN = 8
 )
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
-    top = {material.at.get("name") for material in model.materials if _is_filled(material.at)}
+    top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
-    defined = set(top)
+    speller = Speller([name for name in (*top, *filled) if name])
+    for word, uses in _uses_without_colour(top, used).items():
+        related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
+        if later := filled.get(word):
+            reason = "it is defined further down"
+            related = (Related(later.span, "defined here, too late"), *related)
+        elif word in top:
+            reason = "its definition has none"
+            related = (Related(top[word].span, "the definition"), *related)
+        else:
+            reason = "it is defined nowhere" + _hint(word, speller)
+        visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
+        who = owner(uses[0].element)
+        yield Finding(
+            uses[0],
+            f"{who}: material '{word}' gives {visuals} no colour; {reason}",
+            related=related,
+        )
+
+
+def _uses_without_colour(
+    top: dict[str | None, Element], used: list[Element]
+) -> dict[str, list[Attribute]]:
+    """The names that have no colour yet where they are used, read as urdfdom reads."""
+    defined = {name for name, material in top.items() if _is_filled(material)}
     bare: dict[str, list[Attribute]] = {}
     for material in used:
         name = material.attributes.get("name")
@@ -54,21 +78,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             defined.add(name.value)
         else:
             bare.setdefault(name.value, []).append(name)
-    speller = Speller([name for name in (*top, *filled) if name])
-    for word, uses in bare.items():
-        visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
-        message = f"{owner(uses[0].element)}: {visuals} with material '{word}' get no colour"
-        if later := filled.get(word):
-            definition = (Related(later.span, "defined here, too late"),)
-            yield Finding(uses[0], f"{message}; it is defined further down", related=definition)
-        else:
-            related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
-            hint = _hint(word, speller)
-            yield Finding(uses[0], f"{message}; it is defined nowhere{hint}", related=related)
+    return bare
 
 
 def _is_filled(material: Element) -> bool:
-    return material.child("color") is not None or material.child("texture") is not None
+    """True if it has a texture or a colour; one that cannot be read is another finding."""
+    texture = material.child("texture")
+    return material.child("color") is not None or bool(texture and texture.get("filename"))
 
 
 def _hint(name: str, speller: Speller) -> str:

@@ -44,20 +44,24 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert attribute is not None
         text = as_written(attribute)
         title, edits = "", None
-        if better := _mended(text, schema.LENGTHS.get(kind, 1)):
+        length = schema.LENGTHS.get(kind, 1)
+        if better := _mended(text, length):
             title, edits = f'write {attribute.name}="{better}"', replace_value(attribute, better)
         yield Finding(
             attribute,
-            f"{owner(element)}: {attribute.name} of <{element.tag}> {_reason(text)}",
+            f"{owner(element)}: {attribute.name} of <{element.tag}> {_reason(text, length)}",
             title,
             Fix(title, edits) if edits else None,
         )
 
 
-def _reason(text: str) -> str:
+def _reason(text: str, length: int) -> str:
     """What is wrong with a value, after its name."""
-    if not text.strip():
+    count = len(text.split())
+    if count == 0:
         return "is empty"
+    if count > length == 1:
+        return f"holds {count} numbers, not 1"
     if has_break(text):
         return "has a tab or a line break between its numbers; readers want spaces"
     bad = next((part for part in text.split(" ") if part and not is_number(part)), "")

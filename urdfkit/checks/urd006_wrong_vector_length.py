@@ -23,12 +23,16 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base">
   <visual>
-    <geometry><mesh filename="package://robot/meshes/base.stl" scale="0.001"/></geometry>
+    <geometry><mesh filename="meshes/base.stl" scale="0.001"/></geometry>
     <material name="red"><color rgba="1 0 0"/></material>
   </visual>
 </link>"""
 GOOD = BAD.replace('"0.001"', '"0.001 0.001 0.001"').replace('"1 0 0"', '"1 0 0 1"')
 FIXED = GOOD
+FILES = {
+    "meshes/base.stl": b"solid base\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+    b"vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid base\n"
+}
 
 
 @rule(

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
-from urdfkit.grammar import owner
+from urdfkit.grammar import owner, version_of
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ GOOD = BAD.replace("capsule", "cylinder")
 
 @rule("URD016", "version-too-low", Severity.ERROR)
 def check(subject: Subject) -> Iterator[Finding]:
-    version = subject.document.root.get("version") or "1.0"
+    version = version_of(subject.document.root)
     for element, attribute, _, since in subject.deviations.get("URD016", ()):
         what = f"<{element.tag}>" if attribute is None else attribute.name
         yield Finding(

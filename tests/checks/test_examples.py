@@ -1,0 +1,120 @@
+"""What every rule promises, tried on the examples that it carries."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any, NoReturn
+
+import pytest
+
+from urdfkit import engine, examples, rules
+from urdfkit.diagnostic import Diagnostic, Severity
+from urdfkit.fixer import apply_edits
+from urdfkit.judge import diagnose
+from urdfkit.resolve import Resolver
+from urdfkit.rules import Need, Rule
+from urdfkit.subject import Subject
+
+HERE = Path(__file__).parent
+
+#: The parts of a Subject that a rule may use for what it declares to need. The source, the
+#: problems of reading and the targets are free.
+PARTS = {
+    Need.XACRO: ("xacro",),
+    Need.MODEL: ("document", "deviations", "model", "tree"),
+    Need.FILES: ("files",),
+}
+
+pytestmark = pytest.mark.parametrize("code", rules.codes())
+
+
+def example(rule: Rule, which: str) -> str:
+    text = rule.example(which)
+    assert text, f"{rule.module} has no {which}"
+    return text
+
+
+def test_the_file_is_named_after_the_rule(code: str) -> None:
+    rule = rules.get(code)
+    assert rule.code == code
+    assert rule.module == f"urdfkit.checks.{code.lower()}_{rule.name.replace('-', '_')}"
+
+
+def test_the_rule_has_tests_of_its_own(code: str) -> None:
+    file = rules.get(code).module.rpartition(".")[2]
+    assert (HERE / f"test_{file}.py").is_file()
+
+
+def test_the_explanation_begins_with_one_sentence(code: str) -> None:
+    first, blank, *rest = rules.get(code).explanation.split("\n")
+    assert re.fullmatch(r"[A-Z`$].*[^.]\.", first)
+    assert ". " not in first.replace("e.g. ", ""), "one sentence"
+    assert blank == ""
+    assert " ".join(rest).strip(), "what happens, in which program, and what to do"
+
+
+def test_bad_is_found(code: str) -> None:
+    rule = rules.get(code)
+    found = examples.diagnose_example(rule, example(rule, "BAD"))
+    assert found
+    assert {(one.code, one.name) for one in found} == {(code, rule.name)}
+    assert all(one.message and one.help for one in found), "a message and what to do"
+
+
+def test_the_engine_does_not_pass_over_bad(code: str) -> None:
+    rule = rules.get(code)
+    alone = examples.diagnose_example(rule, example(rule, "BAD"))
+    with examples.laid_out(rule, example(rule, "BAD")) as source:
+        report = engine.check(source)
+    among_others = [found for found in report.diagnostics if found.code == code]
+    assert places(among_others) == sorted(places(alone))
+    assert report.crashed == ()
+
+
+def test_good_is_good(code: str) -> None:
+    rule = rules.get(code)
+    assert examples.diagnose_example(rule, example(rule, "GOOD")) == []
+    with examples.laid_out(rule, example(rule, "GOOD")) as source:
+        report = engine.check(source)
+    assert [found for found in report.diagnostics if found.severity is Severity.ERROR] == []
+    assert report.crashed == ()
+
+
+def test_the_fix_gives_fixed(code: str) -> None:
+    rule = rules.get(code)
+    if not rule.fixable:
+        found = examples.diagnose_example(rule, example(rule, "BAD"))
+        assert [one.fix for one in found] == [None] * len(found)
+        assert rule.example("FIXED") is None
+        return
+    fixed = example(rule, "FIXED")
+    with examples.laid_out(rule, example(rule, "BAD")) as source:
+        found = diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
+        edits = [edit for one in found if one.fix for edit in one.fix.edits]
+        folder = str(Path(source.path).parent)
+        wanted = examples.whole_robot(fixed).replace(examples.FOLDER, folder)
+        assert apply_edits(edits[0].span.source.data, edits).decode() == wanted
+    assert examples.diagnose_example(rule, fixed) == []
+
+
+def test_the_rule_needs_no_more_than_it_declares(
+    code: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rule = rules.get(code)
+    honest = places(examples.diagnose_example(rule, example(rule, "BAD")))
+    allowed = {part for need in rule.needs for part in PARTS[need]}
+    for part in {part for parts in PARTS.values() for part in parts} - allowed:
+        monkeypatch.setattr(Subject, part, property(refuse(code, part)))
+    assert places(examples.diagnose_example(rule, example(rule, "BAD"))) == honest
+
+
+def places(diagnostics: list[Diagnostic]) -> list[tuple[int, int]]:
+    return [(found.span.start, found.span.end) for found in diagnostics]
+
+
+def refuse(code: str, part: str) -> Any:
+    def raise_(_: Subject) -> NoReturn:
+        pytest.fail(f"{code} uses {part} and does not declare it")
+
+    return raise_

@@ -1,0 +1,28 @@
+from __future__ import annotations
+
+from tests.told import told, whole_robot
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.source import Source
+
+ROBOT = """\
+<link name="a"/>
+<link name="b"/>
+<joint name="{}" type="fixed">
+  <parent link="a"/>
+  <child link="b"/>
+</joint>"""
+
+
+def test_the_joint_is_the_place_and_the_link_is_shown() -> None:
+    (found,) = told("NAM003", ROBOT.format("b"))
+    assert (found.span.line, found.span.text) == (4, "b")
+    assert [one.span.text for one in found.related] == ['<link name="b"/>']
+    assert found.severity is Severity.WARNING
+    assert told("NAM003", ROBOT.format("ab")) == []
+
+
+def test_gz_sim_refuses_the_model() -> None:
+    source = Source("robot.urdf", whole_robot(ROBOT.format("b")).encode())
+    report = engine.check(source, select=["NAM003"], targets=["gz-harmonic"])
+    assert [found.severity for found in report.diagnostics] == [Severity.ERROR]

@@ -1,0 +1,46 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import messages, told
+
+BODY = '<visual><geometry><sphere radius="1"/></geometry></visual>'
+JOINT = '<joint name="{}" type="fixed"><parent link="{}"/><child link="{}"/></joint>'
+
+
+@pytest.mark.parametrize(
+    ("robot", "message"),
+    [
+        (
+            f'<link name="world">{BODY}</link>',
+            "link 'world': Gazebo takes it for the world and drops its mass and shapes",
+        ),
+        (
+            '<link name="a"/><link name="world"/>' + JOINT.format("j", "a", "world"),
+            "link 'world': Gazebo and MuJoCo take it for the world, which no joint can move",
+        ),
+        (
+            '<link name="a"/><link name="b"/>' + JOINT.format("world", "a", "b"),
+            "joint 'world': in Gazebo's SDF this is the name of the world",
+        ),
+        (
+            '<link name="__a__"/>',
+            "link '__a__': names in double underscores belong to Gazebo's SDF",
+        ),
+    ],
+)
+def test_who_keeps_the_name(robot: str, message: str) -> None:
+    assert messages("NAM005", robot) == [message]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        '<link name="world"/><link name="b"/>' + JOINT.format("fix", "world", "b"),
+        '<link name="world_link"/>',
+        '<link name="__a"/>',
+        '<link name="____"/>',
+    ],
+)
+def test_an_empty_world_that_fixes_the_robot_is_right(robot: str) -> None:
+    assert told("NAM005", robot) == []

@@ -1,0 +1,22 @@
+from __future__ import annotations
+
+from tests.told import messages, told, whole_robot
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.source import Source
+
+ROBOT = '<link name="2nd"/><link name="arm2"/><joint name="1_2" type="fixed"/><link name="\u0662"/>'
+
+
+def test_links_and_joints_that_begin_with_a_digit() -> None:
+    assert messages("NAM008", ROBOT) == [
+        "link '2nd' begins with a digit, which USD does not allow",
+        "joint '1_2' begins with a digit, which USD does not allow",
+    ]
+    assert {found.severity for found in told("NAM008", ROBOT)} == {Severity.INFO}
+
+
+def test_for_isaac_it_is_worth_a_warning() -> None:
+    source = Source("robot.urdf", whole_robot(ROBOT).encode())
+    report = engine.check(source, select=["NAM008"], targets=["isaac"])
+    assert {found.severity for found in report.diagnostics} == {Severity.WARNING}

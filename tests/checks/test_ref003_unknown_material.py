@@ -1,0 +1,72 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import messages, places, told
+
+BLUE = '<material name="blue"><color rgba="0 0 1 1"/></material>'
+BARE = '<material name="blue"/>'
+
+
+def link(name: str, *materials: str) -> str:
+    shape = '<geometry><sphere radius="1"/></geometry>'
+    visuals = "".join(f"<visual>{shape}{material}</visual>" for material in materials)
+    return f'<link name="{name}">{visuals}</link>\n'
+
+
+def test_every_name_is_told_once_with_all_its_uses() -> None:
+    robot = link("a", BARE, BARE) + link("b", BARE, '<material name="red"/>')
+    assert messages("REF003", robot) == [
+        "link 'a': material 'blue' gives 3 visuals no colour; it is defined nowhere",
+        "link 'b': material 'red' gives the visual no colour; it is defined nowhere",
+    ]
+    first, second = told("REF003", robot)
+    assert first.span.text == "blue"
+    assert [(one.span.line, one.span.text) for one in first.related] == [(2, "blue"), (3, "blue")]
+    assert second.related == ()
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        BLUE + link("a", BARE),
+        link("a", BARE) + BLUE,  # below <robot> the order does not matter
+        link("a", BLUE) + link("b", BARE),
+        link("a", BLUE, BARE),
+        '<material name="blue"><texture filename="a.png"/></material>' + link("a", BARE),
+        link("a", '<material name=""/>', ""),  # SolidWorks writes empty names
+        link("a", '<material name="${colour}"/>'),  # XAC003
+        link("a", '<material name="blue"><color/></material>'),  # URD003
+    ],
+)
+def test_what_has_a_colour_or_another_finding(robot: str) -> None:
+    assert messages("REF003", robot) == []
+
+
+def test_in_a_visual_the_order_matters() -> None:
+    (found,) = told("REF003", link("a", BARE) + link("b", BLUE))
+    assert found.message == (
+        "link 'a': material 'blue' gives the visual no colour; it is defined further down"
+    )
+    assert [one.span.line for one in found.related] == [3]
+
+
+def test_a_definition_without_a_colour_gives_none() -> None:
+    assert messages("REF003", BARE + link("a", BARE)) == [
+        "link 'a': material 'blue' gives the visual no colour; its definition has none"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("bleu_grey", "; did you mean 'blue_grey'?"),
+        ("Gazebo/Blue", "; Gazebo's own materials work in <gazebo reference> only"),
+    ],
+)
+def test_hints(name: str, hint: str) -> None:
+    robot = BLUE.replace("blue", "blue_grey") + link("a", f'<material name="{name}"/>')
+    assert messages("REF003", robot) == [
+        f"link 'a': material '{name}' gives the visual no colour; it is defined nowhere{hint}"
+    ]
+    assert places("REF003", robot) == [(2, name)]

@@ -1,0 +1,25 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import messages, places, told
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def test_the_robot_is_the_place() -> None:
+    robot = '<!-- empty -->\n<robot name="r">\n<joint name="j" type="fixed"/></robot>'
+    assert messages("TRE001", robot) == ["robot 'r' has no link"]
+    assert places("TRE001", robot) == [(2, '<robot name="r">')]
+
+
+@pytest.mark.parametrize(
+    ("robot", "path"),
+    [
+        (f'<robot {XACRO}><xacro:macro name="m" params=""/></robot>', "macros.xacro"),
+        ('<sdf version="1.6"/>', "model.sdf"),  # URD015
+        ('<robot name="r"><link/></robot>', "robot.urdf"),  # URD003
+    ],
+)
+def test_a_library_and_what_other_rules_tell(robot: str, path: str) -> None:
+    assert told("TRE001", robot, path) == []

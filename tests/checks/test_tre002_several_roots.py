@@ -1,0 +1,51 @@
+from __future__ import annotations
+
+import itertools
+
+from tests.told import messages, told
+
+JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/><child link="{1}"/></joint>\n'
+
+
+def links(*names: str) -> str:
+    return "".join(f'<link name="{name}"/>\n' for name in names)
+
+
+def test_the_largest_tree_is_the_robot_and_the_others_are_loose() -> None:
+    robot = links("camera", "base", "arm", "lamp") + JOINT.format("base", "arm")
+    (found,) = told("TRE002", robot)
+    assert found.message == "3 links hang on nothing: 'camera', 'base', 'lamp'"
+    assert (found.span.line, found.span.text) == (2, '<link name="camera"/>')
+    assert [(one.span.line, one.message) for one in found.related] == [
+        (3, "'base' hangs on nothing"),
+        (5, "'lamp' hangs on nothing"),
+    ]
+
+
+def test_a_hundred_are_counted() -> None:
+    (found,) = told("TRE002", links(*(f"l{number}" for number in range(100))))
+    assert found.message.startswith("100 links hang on nothing: 'l0', 'l1', ")
+    assert found.message.endswith(", 'l7' and 92 more")
+    assert len(found.related) == 8
+
+
+def test_below_a_missing_link_hangs_no_root() -> None:
+    robot = links("base", "arm") + JOINT.format("bse", "arm")
+    assert told("TRE002", robot) == []
+    assert len(told("REF001", robot)) == 1
+
+
+def test_one_root_is_right() -> None:
+    assert messages("TRE002", links("base", "arm") + JOINT.format("base", "arm")) == []
+    assert messages("TRE002", links("base")) == []
+
+
+def test_many_roots_above_one_long_chain_are_counted_once() -> None:
+    size = 3000
+    chain = [f"c{number}" for number in range(size)]
+    joints = "".join(JOINT.format(*pair) for pair in itertools.pairwise(chain))
+    tops = [f"t{number}" for number in range(size)]
+    robot = links(*chain, *tops) + joints + "".join(JOINT.format(top, "c0") for top in tops)
+    (found,) = told("TRE002", robot)
+    assert found.message.startswith(f"{size} links hang on nothing: 't0', ")
+    assert found.related[0].message == "'t0' hangs on nothing", "the first has the chain"

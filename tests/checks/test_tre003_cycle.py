@@ -1,0 +1,51 @@
+from __future__ import annotations
+
+from tests.told import messages, places, told
+
+JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/>\n<child link="{1}"/></joint>\n'
+
+
+def robot(links: str, *joints: str) -> str:
+    return "".join(f'<link name="{name}"/>' for name in links.split()) + "".join(
+        JOINT.format(*joint.split()) for joint in joints
+    )
+
+
+def test_the_loop_is_printed_and_its_other_joints_are_shown() -> None:
+    (found,) = told("TRE003", robot("a b c", "a b", "b c", "c a"))
+    assert found.message == "a closed loop of 3 joints: a -> b -> c -> a"
+    assert found.span.text == "a"
+    assert [one.message for one in found.related] == ["joint 'a_b'", "joint 'b_c'"]
+
+
+def test_a_loop_that_hangs_on_the_robot() -> None:
+    model = robot("root a b", "root a", "a b", "b a")
+    assert messages("TRE003", model) == ["a closed loop of 2 joints: a -> b -> a"]
+    assert places("TRE003", model) == [(7, "a")]
+
+
+def test_a_loop_that_hangs_on_nothing() -> None:
+    assert len(told("TRE003", robot("root a b", "a b", "b a"))) == 1
+
+
+def test_two_loops_are_two_findings() -> None:
+    assert messages("TRE003", robot("a b c d", "a b", "b a", "c d", "d c")) == [
+        "a closed loop of 2 joints: a -> b -> a",
+        "a closed loop of 2 joints: c -> d -> c",
+    ]
+
+
+def test_a_long_loop_is_shortened() -> None:
+    names = [f"l{number}" for number in range(50)]
+    model = robot(" ".join(names), *map(" ".join, zip(names, names[1:] + names[:1], strict=True)))
+    assert messages("TRE003", model) == [
+        (
+            "a closed loop of 50 joints: l0 -> l1 -> l2 -> l3 -> l4 -> l5 -> l6 -> l7 -> "
+            "(42 more) -> l0"
+        )
+    ]
+
+
+def test_two_ways_to_one_link_and_a_joint_to_itself_are_other_findings() -> None:
+    assert told("TRE003", robot("a b c d", "a b", "a c", "b d", "c d")) == []  # TRE004
+    assert told("TRE003", robot("a", "a a")) == []  # TRE006

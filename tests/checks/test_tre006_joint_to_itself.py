@@ -1,0 +1,19 @@
+from __future__ import annotations
+
+from tests.told import messages, places, told
+
+JOINT = (
+    '<link name="a"/><link name="b"/>\n'
+    '<joint name="j" type="fixed"><parent link="{}"/><child link="{}"/></joint>'
+)
+
+
+def test_the_child_is_the_place() -> None:
+    robot = JOINT.format("a", "a")
+    assert messages("TRE006", robot) == ["joint 'j' has link 'a' as parent and as child"]
+    assert places("TRE006", robot) == [(3, "a")]
+    assert told("TRE003", robot) == told("TRE004", robot) == [], "one defect is one finding"
+
+
+def test_two_links_are_right() -> None:
+    assert told("TRE006", JOINT.format("a", "b")) == []

@@ -1,0 +1,64 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import fixed, messages, told, whole_robot
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.source import Source
+
+INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+BASE = f'<link name="base">\n  <inertial><mass value="{{}}"/>{INERTIA}</inertial>\n</link>\n'
+EMPTY = BASE.replace(BASE[BASE.index("\n") : BASE.index("</link>")], "")
+JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="{}"/></joint>\n'
+
+
+def test_the_mass_that_kdl_leaves_out() -> None:
+    (found,) = told("TRE007", BASE.format("8.2"))
+    assert found.message == "root link 'base' has 8.2 kg, which KDL leaves out"
+    assert (found.span.line, found.span.text) == (3, "<inertial>")
+    assert found.severity is Severity.INFO
+
+
+def test_for_kdl_it_is_worth_a_warning() -> None:
+    source = Source("robot.urdf", whole_robot(BASE.format("1")).encode())
+    report = engine.check(source, select=["TRE007"], targets=["kdl"])
+    assert [found.severity for found in report.diagnostics] == [Severity.WARNING]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        EMPTY,
+        BASE.format("0"),
+        EMPTY.replace("base", "root") + BASE.format("1") + JOINT.format("root", "base"),
+        BASE.format("1") + EMPTY.replace("base", "other"),  # TRE002
+    ],
+)
+def test_a_root_without_mass_is_right(robot: str) -> None:
+    assert messages("TRE007", robot) == []
+
+
+def test_the_new_root_has_the_indentation_of_the_old() -> None:
+    robot = f'<robot name="r">\r\n    <link name="base"><inertial><mass value="1"/>{INERTIA}'
+    robot += "</inertial></link>\r\n</robot>\r\n"
+    new = (
+        '    <link name="base_root"/>\r\n'
+        '    <joint name="base_root_joint" type="fixed">\r\n'
+        '      <parent link="base_root"/>\r\n'
+        '      <child link="base"/>\r\n'
+        "    </joint>\r\n"
+    )
+    assert fixed("TRE007", robot) == robot.replace("    <link", new + "    <link")
+
+
+def test_a_name_that_is_taken_and_a_link_of_a_macro_are_left_to_a_person() -> None:
+    taken = (
+        EMPTY.replace("base", "base_root") + BASE.format("1") + JOINT.format("base", "base_root")
+    )
+    assert [found.fix for found in told("TRE007", taken)] == [None]
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:macro name="m" params="">{BASE.format("1")}</xacro:macro><xacro:m/></robot>'
+    )
+    assert [found.fix for found in told("TRE007", robot, "robot.xacro")] == [None]

@@ -1,0 +1,113 @@
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.told import messages, places, told
+from urdfkit import engine
+
+LINK = (
+    '<link name="{}"><collision><origin xyz="{}" rpy="{}"/><geometry>{}</geometry></collision>'
+    "</link>"
+)
+JOINT = (
+    '<joint name="{0}_joint" type="fixed">\n<origin xyz="{1}" rpy="{2}"/><parent link="{0}"/>'
+    '<child link="{3}"/></joint>\n'
+)
+MESSAGE = (
+    "the lowest collision point (link 'base_link') is {} 'base_footprint', which by convention "
+    "lies on the ground"
+)
+BOX = '<box size="1 2 4"/>'
+
+
+def robot(shape: str, height: float, turn: str = "0 0 0", own: str = "0 0 0") -> str:
+    return (
+        '<link name="base_footprint"/>'
+        + LINK.format("base_link", own, "0 0 0", shape)
+        + JOINT.format("base_footprint", f"0 0 {height}", turn, "base_link")
+    )
+
+
+@pytest.mark.parametrize(
+    ("shape", "turn", "reach"),
+    [
+        (BOX, "0 0 0", 2),
+        (BOX, f"{pi / 2} 0 0", 1),
+        (BOX, f"0 {pi / 2} 0", 0.5),
+        (BOX, f"0 {pi / 4} 0", (0.5 + 2) / 2**0.5),
+        ('<sphere radius="0.3"/>', "1 2 3", 0.3),
+        ('<cylinder radius="0.06" length="0.05"/>', "0 0 0", 0.025),
+        ('<cylinder radius="0.06" length="0.05"/>', f"{-pi / 2} 0 0", 0.06),
+        ('<cylinder radius="1" length="2"/>', f"{pi / 4} 0 0", 2**0.5),
+        ('<capsule radius="1" length="2"/>', f"{pi / 4} 0 0", 1 + 0.5**0.5),
+    ],
+)
+def test_the_lowest_point_of_every_primitive(shape: str, turn: str, reach: float) -> None:
+    assert messages("TRE008", robot(shape, reach, turn)) == []
+    assert messages("TRE008", robot(shape, reach - 0.006, turn)) == [
+        MESSAGE.format("0.006 m below")
+    ]
+    assert messages("TRE008", robot(shape, reach + 0.006, turn)) == [
+        MESSAGE.format("0.006 m above")
+    ]
+
+
+def test_tyres_give_way() -> None:
+    assert messages("TRE008", robot(BOX, 2.0049)) == messages("TRE008", robot(BOX, 1.9951)) == []
+
+
+def test_the_shape_s_own_origin_counts() -> None:
+    assert messages("TRE008", robot(BOX, 1, own="0 0 1")) == []
+    assert len(messages("TRE008", robot(BOX, 1, own="0 0 -1"))) == 1
+
+
+def test_the_place_is_the_joint_below_the_footprint() -> None:
+    assert places("TRE008", robot(BOX, 0)) == [
+        (2, '<joint name="base_footprint_joint" type="fixed">')
+    ]
+
+
+def test_a_footprint_that_hangs_below_the_base() -> None:
+    model = (
+        LINK.format("base_link", "0 0 0", "0 0 0", BOX)
+        + '<link name="base_footprint"/>'
+        + JOINT.format("base_link", "0 0 {}", "0 0 0", "base_footprint")
+    )
+    assert messages("TRE008", model.format(-2)) == []
+    assert messages("TRE008", model.format(-1.5)) == [MESSAGE.format("0.5 m below")]
+
+
+MESH = '<mesh filename="wheel.stl"/>'
+SEEN = '<link name="wheel"><visual><geometry><sphere radius="1"/></geometry></visual></link>'
+
+
+@pytest.mark.parametrize(
+    "wheel",
+    [
+        LINK.format("wheel", "0 0 0", "0 0 0", MESH),
+        LINK.format("wheel", "0 0 0", "0 0 0", '<box size="1 x 1"/>'),
+        SEEN,
+    ],
+)
+def test_what_cannot_be_measured_may_reach_the_ground_but_lifts_nothing(wheel: str) -> None:
+    more = wheel + JOINT.format("base_link", "0 0 0", "0 0 0", "wheel")
+    assert messages("TRE008", robot(BOX, 2.5) + more) == []
+    assert len(messages("TRE008", robot(BOX, 1.5) + more)) == 1
+
+
+def test_without_a_footprint_or_a_shape_nothing_is_said() -> None:
+    assert told("TRE008", robot(BOX, 0).replace("base_footprint", "base")) == []
+    assert told("TRE008", '<link name="base_footprint"/>') == []
+    assert told("TRE008", LINK.format("base_footprint", "0 0 0", "0 0 0", BOX)) == []
+
+
+def test_the_mission_s_model() -> None:
+    report = engine.check(
+        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["TRE008"]
+    )
+    (found,) = report.diagnostics
+    assert found.span.text == '<joint name="base_footprint_joint" type="fixed">'
+    assert "is 0.06 m below 'base_footprint'" in found.message

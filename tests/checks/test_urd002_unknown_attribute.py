@@ -1,0 +1,60 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import fixed, messages, places, told
+
+LIMIT = """\
+<link name="a"/>
+<link name="b"/>
+<joint name="j" type="revolute">
+  <parent link="a"/>
+  <child link="b"/>
+  <limit lower="0" upper="1" effort="5" {}/>
+</joint>"""
+
+
+def test_the_nearest_attribute_is_offered() -> None:
+    robot = LIMIT.format('velocty="2"')
+    assert messages("URD002", robot) == [
+        "joint 'j': <limit> has no attribute 'velocty'; did you mean 'velocity'?"
+    ]
+    assert places("URD002", robot) == [(7, "2")]
+    assert 'effort="5" velocity="2"/>' in fixed("URD002", robot)
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [("velocty = '2'", "velocity = '2'"), ('velocty\n="2"', 'velocity\n="2"')],
+)
+def test_the_name_alone_is_changed(written: str, meant: str) -> None:
+    assert fixed("URD002", LIMIT.format(written)) == (
+        f'<robot name="example">\n{LIMIT.format(meant)}\n</robot>\n'
+    )
+
+
+def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
+    robot = LIMIT.format('velocity="2" colour="red"')
+    assert messages("URD002", robot) == ["joint 'j': <limit> has no attribute 'colour'"]
+    assert told("URD002", robot)[0].fix is None
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        '<robot name="r" xmlns="x" xmlns:xacro="y" xml:lang="en"><link name="a"/></robot>',
+        '<robot name="r" xmlns:d="y"><link name="a" d:tag="1"/></robot>',
+        (
+            '<link name="a"><collision group="1" mask="2" concave="yes">'
+            '<geometry><sphere radius="1"/></geometry></collision></link>'
+        ),  # PyBullet
+    ],
+)
+def test_namespaces_and_other_readers_attributes_are_known(robot: str) -> None:
+    assert told("URD002", robot) == []
+
+
+def test_the_attribute_that_was_needed_is_not_told_twice() -> None:
+    robot = '<link name="a"><visual><geometry><sphere radiu="1"/></geometry></visual></link>'
+    assert told("URD002", robot) == []
+    assert len(told("URD003", robot)) == 1

@@ -1,0 +1,89 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import fixed, messages, places, told
+
+BALL = (
+    '<link name="a"><visual><origin xyz="{}"/><geometry><sphere radius="{}"/></geometry></visual>'
+    "</link>"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "is empty"),
+        ("  ", "is empty"),
+        ("0,5", "is written with a comma ('0,5'); the decimal sign is a point"),
+        ("nan", "is 'nan', which URDF does not have"),
+        ("-Inf", "is '-Inf', which URDF does not have"),
+        ("1e400", "holds '1e400', which is not a number"),
+        ("5cm", "holds '5cm', which is not a number"),
+        ("0x10", "holds '0x10', which is not a number"),
+        ("1_000", "holds '1_000', which is not a number"),
+        ("\u0661", "holds '\u0661', which is not a number"),
+        ("0.5 ", "has white space after the number"),
+        ("1 2", "holds 2 numbers, not 1"),
+    ],
+)
+def test_why_a_number_is_none(text: str, why: str) -> None:
+    (message,) = messages("URD005", BALL.format("0 0 0", text))
+    assert message == f"link 'a': radius of <sphere> {why}"
+
+
+@pytest.mark.parametrize("text", ["1", "-1.5e-3", "+.5", "2.", "1E+05", " 1", "1e-400", "0"])
+def test_what_urdfdom_reads_is_a_number(text: str) -> None:
+    assert told("URD005", BALL.format("0 0 0", text)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "better"),
+    [
+        ("0, 0, 0,5", "0 0 0.5"),
+        ("0,5 1 1", "0.5 1 1"),
+        ("1, 2, 3", "1 2 3"),
+        ("1,2,3", "1 2 3"),
+        ("1\t2 3", "1 2 3"),
+        ("1\n 2\r\n 3", "1 2 3"),
+        ("1&#9;2 3", None),  # no text to edit
+        ("1,2 3,4", None),
+        ("a b c", None),
+    ],
+)
+def test_commas_and_white_space_are_mended_where_that_is_enough(
+    text: str, better: str | None
+) -> None:
+    robot = BALL.format(text, "1")
+    (found,) = told("URD005", robot)
+    assert bool(found.fix) == (better is not None)
+    if better:
+        assert fixed("URD005", robot) == (
+            f'<robot name="example">\n{BALL.format(better, "1")}\n</robot>\n'
+        )
+
+
+def test_a_tab_between_numbers_is_told_where_it_stands() -> None:
+    robot = BALL.format("1\t2 3", "1")
+    assert messages("URD005", robot) == [
+        (
+            "link 'a': xyz of <origin> has a tab or a line break between its numbers; "
+            "readers want spaces"
+        )
+    ]
+    assert places("URD005", robot) == [(2, "1\t2 3")]
+
+
+def test_xacro_writes_spaces_for_tabs() -> None:
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    assert told("URD005", robot.format(BALL.format("1\t2 3", "${1}")), "robot.xacro") == []
+
+
+@pytest.mark.parametrize("text", ["${radius}", "$(arg radius)"])
+def test_expressions_are_another_finding(text: str) -> None:
+    assert told("URD005", BALL.format(text, text)) == []
+
+
+def test_numbers_of_other_families_are_theirs() -> None:
+    robot = '<link name="a"/><gazebo reference="a"><mu1 value="x"/></gazebo>'
+    assert told("URD005", robot) == []

@@ -1,0 +1,53 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import messages, places, told
+
+SPHERE = '<geometry><sphere radius="1"/></geometry>'
+
+
+def test_the_second_is_told_and_the_first_is_shown() -> None:
+    robot = (
+        '<link name="a">\n<visual><origin xyz="0 0 1"/>'
+        f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
+    )
+    (found,) = told("URD007", robot)
+    assert found.message == "link 'a': a second <origin> in <visual>; readers take the first"
+    assert found.span.text == '<origin xyz="0 0 2"/>'
+    assert [(one.span.text, one.message) for one in found.related] == [
+        ('<origin xyz="0 0 1"/>', "the first")
+    ]
+
+
+def test_every_surplus_element_is_told() -> None:
+    limit = '<limit lower="0" upper="1" effort="1" velocity="1"/>\n'
+    robot = f'<link name="a"/><joint name="j" type="revolute">\n{limit * 3}</joint>'
+    assert [line for line, _ in places("URD007", robot)] == [4, 5]
+
+
+@pytest.mark.parametrize(
+    ("shapes", "surplus"),
+    [
+        ('<box size="1 1 1"/><sphere radius="1"/>', ["<sphere> after <box> in one <geometry>"]),
+        ('<sphere radius="1"/><sphere radius="2"/>', ["a second <sphere> in <geometry>"]),
+        ('<plane/><box size="1 1 1"/>', []),  # URD009 tells that the box is never read
+    ],
+)
+def test_a_geometry_holds_one_shape(shapes: str, surplus: list[str]) -> None:
+    robot = f'<link name="a"><visual><geometry>{shapes}</geometry></visual></link>'
+    found = [message.split(": ")[1].split("; ")[0] for message in messages("URD007", robot)]
+    assert found == surplus
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        f'<link name="a"><visual>{SPHERE}</visual><visual>{SPHERE}</visual></link>',
+        f'<link name="a"><collision>{SPHERE}</collision><collision>{SPHERE}</collision></link>',
+        '<link name="a"/><gazebo/><gazebo/><transmission/><transmission/>',
+        '<link name="a"><contact/><contact/></link>',
+    ],
+)
+def test_what_may_stand_often(robot: str) -> None:
+    assert told("URD007", robot) == []

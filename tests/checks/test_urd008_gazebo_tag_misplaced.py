@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from tests.conftest import MODELS, SHARED
+from tests.told import places, told
+from urdfkit import engine
+from urdfkit.schema import GAZEBO_TAGS
+
+
+@pytest.mark.parametrize(
+    ("robot", "block"),
+    [
+        ('<link name="wheel"><mu1>1</mu1></link>', 'move it into <gazebo reference="wheel">'),
+        (
+            (
+                '<link name="a"><collision><surface/><geometry><sphere radius="1"/></geometry>'
+                "</collision></link>"
+            ),
+            'move it into <gazebo reference="a">',
+        ),
+        (
+            (
+                '<link name="a"/><joint name="j" type="fixed"><preserveFixedJoint>true'
+                "</preserveFixedJoint></joint>"
+            ),
+            'move it into <gazebo reference="j">',
+        ),
+        (
+            '<link name="a"/><plugin name="p" filename="libgazebo_ros_imu.so"/>',
+            "move it into a <gazebo> block",
+        ),
+    ],
+)
+def test_the_block_it_belongs_in_is_named(robot: str, block: str) -> None:
+    (found,) = told("URD008", robot)
+    assert found.help == block
+
+
+def test_the_eight_of_the_mission_s_model() -> None:
+    report = engine.check(
+        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["URD008"]
+    )
+    assert [found.span.text for found in report.diagnostics] == ["<mu1>", "<mu2>"] * 4
+    assert [found.message.partition(":")[0] for found in report.diagnostics] == [
+        f"link 'wheel_{number}'" for number in (1, 1, 2, 2, 3, 3, 4, 4)
+    ]
+
+
+def test_in_its_block_nothing_is_said() -> None:
+    tags = "".join(f"<{tag}/>" for tag in sorted(GAZEBO_TAGS))
+    assert places("URD008", f'<link name="a"/><gazebo reference="a">{tags}</gazebo>') == []
+
+
+def test_every_tag_that_the_converter_handles_is_known() -> None:
+    catalog = SHARED / "catalog" / "gazebo_extensions.json"
+    if not catalog.is_file():
+        pytest.skip("the catalogue of Gazebo's tags is not beside this checkout")
+    handled = {row["tag"] for row in json.loads(catalog.read_text("utf-8"))["handled_tags"]}
+    assert handled - GAZEBO_TAGS == {"material", "collision", "visual"}  # those of URDF

@@ -1,0 +1,70 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import fixed, messages, told
+
+
+@pytest.mark.parametrize(
+    ("robot", "message"),
+    [
+        (
+            '<link name="a"><origin xyz="0 0 1"/></link>',
+            (
+                "link 'a': readers pass over the <origin> in <link>; it belongs in <collision> or "
+                "<inertial> or <joint> or <visual>"
+            ),
+        ),
+        (
+            '<link name="a"><mass value="1"/></link>',
+            "link 'a': readers pass over the <mass> in <link>; it belongs in <inertial>",
+        ),
+        (
+            '<link name="a"/><inertial/>',
+            "robot 'example': readers pass over the <inertial> in <robot>; it belongs in <link>",
+        ),
+        (
+            '<link name="a"><gazebo><plugin/></gazebo></link>',
+            "link 'a': readers pass over the <gazebo> in <link>; it belongs in <robot>",
+        ),
+    ],
+)
+def test_where_it_belongs_is_told(robot: str, message: str) -> None:
+    assert messages("URD012", robot) == [message]
+    assert told("URD001", robot) == []
+
+
+INLINE = '<link name="a"><visual><geometry><box size="1 1 1"/>{}</geometry>{}</visual></link>'
+MATERIAL = '<material name="m"><color rgba="1 0 0 1"/></material>'
+
+
+def test_a_material_moves_behind_the_geometry() -> None:
+    assert fixed("URD012", INLINE.format(MATERIAL, "")) == (
+        f'<robot name="example">\n{INLINE.format("", MATERIAL)}\n</robot>\n'
+    )
+
+
+def test_lines_and_their_ends_move_along() -> None:
+    robot = (
+        '<robot name="r">\r\n\t<link name="a">\r\n\t\t<visual>\r\n\t\t\t<geometry>\r\n'
+        '\t\t\t\t<box size="1 1 1"/>\r\n{}\t\t\t</geometry>\r\n{}\t\t</visual>\r\n'
+        "\t</link>\r\n</robot>\r\n"
+    )
+    lines = ('<material name="m">', '\t<texture filename="a.png"/>', "</material>")
+    inside = "".join(f"\t\t\t\t{line}\r\n" for line in lines)
+    outside = inside.replace("\t\t\t\t", "\t\t\t")
+    assert fixed("URD012", robot.format(inside, "")) == robot.format("", outside)
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        INLINE.format(MATERIAL, '<material name="other"/>'),
+        INLINE.format(MATERIAL * 2, ""),
+        INLINE.format(MATERIAL, "").replace("visual>", "collision>"),
+    ],
+)
+def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:
+    found = told("URD012", robot)
+    assert found
+    assert [one.fix for one in found] == [None] * len(found)

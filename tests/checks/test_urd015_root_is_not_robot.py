@@ -1,0 +1,26 @@
+from __future__ import annotations
+
+from tests.told import fixed, messages, told
+from urdfkit import engine
+from urdfkit.source import Source
+
+
+def test_another_format_is_one_error_and_no_more() -> None:
+    text = b'<sdf version="1.6"><model name="m"><link name="l"><pose>0</pose></link></model></sdf>'
+    report = engine.check(Source("model.sdf", text))
+    assert [(found.code, found.message) for found in report.diagnostics] == [
+        ("URD015", "the root element is <sdf>, not <robot>")
+    ]
+    assert report.diagnostics[0].fix is None
+
+
+def test_a_misspelt_robot_gets_its_name_back() -> None:
+    robot = '<robt name="r">\n  <link name="a"/>\n</robt>\n'
+    assert messages("URD015", robot) == ["the root element is <robt>, not <robot>"]
+    assert fixed("URD015", robot) == robot.replace("robt", "robot")
+
+
+def test_a_file_of_macros_may_have_any_root() -> None:
+    library = '<macros {}><xacro:macro name="m" params=""/></macros>'
+    namespace = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    assert told("URD015", library.format(namespace), "macros.xacro") == []

@@ -1,0 +1,34 @@
+"""Running one rule on a robot in a test, through the engine as a user runs it."""
+
+from __future__ import annotations
+
+from urdfkit import engine
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.examples import whole_robot
+from urdfkit.fixer import apply_edits
+from urdfkit.source import Source
+
+
+def told(code: str, text: str | bytes, path: str = "robot.urdf") -> list[Diagnostic]:
+    """What a rule says about a robot, or about the inside of one; bytes are a whole file."""
+    data = whole_robot(text).encode() if isinstance(text, str) else text
+    report = engine.check(Source(path, data), select=[code])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def messages(code: str, text: str, path: str = "robot.urdf") -> list[str]:
+    """The messages of a rule about a robot, in the order of the file."""
+    return [diagnostic.message for diagnostic in told(code, text, path)]
+
+
+def places(code: str, text: str, path: str = "robot.urdf") -> list[tuple[int, str]]:
+    """Line and text of the places that a rule points at; line 1 is ``<robot>`` for a piece."""
+    return [(found.span.line, found.span.text) for found in told(code, text, path)]
+
+
+def fixed(code: str, text: str, path: str = "robot.urdf") -> str:
+    """The robot after every fix that a rule offers."""
+    found = told(code, text, path)
+    edits = [edit for diagnostic in found if diagnostic.fix for edit in diagnostic.fix.edits]
+    return apply_edits(whole_robot(text).encode(), edits).decode()
