@@ -1,0 +1,126 @@
+"""``urdfkit gazebo``: what Gazebo makes of a robot."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.errors import ExpansionFailed
+from urdfkit.gazebo import NEW, OLD, Conversion, SimulatedLink
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+VERSION = 1
+
+
+@click.command("gazebo")
+@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+def command(
+    words: tuple[str, ...], form: str, old: bool, package: tuple[str, ...], trust: bool
+) -> int:
+    """Tell what Gazebo makes of a robot.
+
+    Gazebo merges links that fixed joints hold together, drops links without mass together with
+    what hangs on them, and names collisions and visuals itself. Plugins and sensors see the
+    result.
+
+    Exit codes: 0 done, 2 the file cannot be read.
+    """
+    values = {options.FILES: words, "package": package}
+    files = options.files(values)
+    if len(files) != 1:
+        raise options.UsageError("gazebo takes one file; xacro arguments are written name:=value")
+    resolver = Resolver(options.packages(values))
+    source = Source.read(files[0])
+    subject = Subject(source, resolver, options.arguments(values), trust=trust)
+    if subject.reading.document is None:
+        raise ExpansionFailed(f"{files[0]} cannot be read; 'urdfkit check' tells why")
+    conversion = Conversion(subject.tree, OLD if old else NEW)
+    if form == "json":
+        text = json.dumps(as_json(conversion), ensure_ascii=False, indent=2)
+    else:
+        text = "\n".join(render(conversion))
+    output.write(text + "\n")
+    return 0
+
+
+def render(conversion: Conversion) -> Iterator[str]:
+    """The lines of the report: a table of links before and after, then joints and shapes."""
+    model = conversion.model
+    yield f"{len(model.links)} links become {len(conversion.links)}, by {conversion.converter.name}"
+    yield ""
+    rows = [_row(conversion, link.name, link.mass) for link in model.links]
+    width = max((len(row[0]) for row in rows), default=4)
+    yield f"{'link':<{width}}  {'mass / kg':>10}  in Gazebo"
+    for name, mass, fate in rows:
+        yield f"{name:<{width}}  {mass:>10}  {fate}"
+    yield ""
+    for link in conversion.links:
+        yield from _link(link)
+    lost = len(model.joints) - len(conversion.joints)
+    yield f"{len(model.joints)} joints become {len(conversion.joints)}" + (
+        f"; {lost} are merged or dropped" if lost else ""
+    )
+
+
+def _row(conversion: Conversion, name: str, mass: float) -> tuple[str, str, str]:
+    if name in conversion.dropped:
+        fate = f"dropped: {conversion.dropped[name]}"
+    elif name not in conversion.survivor:
+        fate = "not made"
+    elif conversion.survivor[name] == name:
+        fate = "stays"
+    else:
+        fate = f"merged into {conversion.survivor[name]}"
+    return name, f"{mass:g}" if mass else "-", fate
+
+
+def _link(link: SimulatedLink) -> Iterator[str]:
+    mass = link.properties
+    x, y, z = mass.center
+    yield f"{link.name}: {mass.mass:g} kg, centre of mass at {x:.4g} {y:.4g} {z:.4g} m"
+    tensor = mass.tensor
+    yield f"  ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
+    for name, _ in link.collisions:
+        yield f"  collision {name}"
+
+
+def as_json(conversion: Conversion) -> dict[str, Any]:
+    """The same for programs."""
+    return {
+        "version": VERSION,
+        "converter": conversion.converter.name,
+        "links": [
+            {
+                "name": link.name,
+                "merged": [part.name for part, _ in link.body.links[1:]],
+                "mass": link.properties.mass,
+                "center": list(link.properties.center),
+                "inertia": link.properties.tensor._asdict(),
+                "collisions": [name for name, _ in link.collisions],
+                "visuals": [name for name, _ in link.visuals],
+            }
+            for link in conversion.links
+        ],
+        "joints": [
+            {
+                "name": joint.joint.name,
+                "urdf": joint.joint.kind,
+                "sdf": joint.type,
+                "parent": joint.parent,
+                "child": joint.child,
+            }
+            for joint in conversion.joints
+        ],
+        "merged": conversion.merged,
+        "dropped": conversion.dropped,
+    }
