@@ -22,6 +22,7 @@ _START = re.compile(rb"<(%s)" % _NAME)
 _SPACED_START = re.compile(rb"<\s+(%s)(?=\s+[\w:.-]+\s*=|\s*/?>)" % _NAME)
 _END = re.compile(rb"</(%s)\s*>" % _NAME)
 _ATTRIBUTE_NAME = re.compile(_NAME)
+_TARGET = re.compile(rb"<\?%s(?=[\s?])" % _NAME)
 _BLANK = re.compile(rb"[ \t\r\n]*")
 _UNQUOTED = re.compile(rb"[^\s<>\"'/]+")
 _UNOPENED = re.compile(rb"""[^<>="']*""")
@@ -161,6 +162,9 @@ class _Scanner:
             if re.match(rb"<\?[xX][mM][lL][\s?]", data[start : start + 6]):
                 message = "the XML declaration must stand at the very beginning of the file"
                 self._add(start, start + 5, message)
+            if not _TARGET.match(data, start):
+                self._add(start, start + 2, "a name must follow '<?'")
+                return start + 2
             return self._until(start, 2, b"?>", "'<?' instruction")
         if data.startswith(b"<!DOCTYPE", start):
             return self._doctype(start)
@@ -246,6 +250,8 @@ class _Scanner:
                 self._tags.append(Tag("empty", name, start, position + 2))
                 return position + 2
             if position >= len(data):
+                if self._cut_off:  # by a value without its closing quote
+                    return position
                 self._add(start, found.end(), f"the file ends inside <{name}")
                 return self._give_up()
             if data.startswith(b"<", position):
@@ -282,6 +288,8 @@ class _Scanner:
             self._add(*found.span(), f"attribute '{name}' is given twice", first)
         seen[found.group()] = found.span()
         equals = re.compile(rb"\s*=\s*").match(data, found.end())
+        if (equals or found).end() == len(data):
+            return len(data)  # which the caller tells
         if equals is None:
             self._add(*found.span(), f"attribute '{name}' has no value")
             return found.end()
