@@ -84,7 +84,7 @@ def _private_copy() -> Any:
     sys.modules[_PRIVATE_NAME] = module
     stock_writexml = minidom.Element.writexml
     private.loader.exec_module(module)
-    Node.writexml = minidom.Element.writexml  # type: ignore[method-assign]
+    Node.writexml = minidom.Element.writexml
     minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
     missing = [name for name in _REQUIRED if not hasattr(module, name)]
     if missing:
