@@ -58,3 +58,9 @@ def multiply(left: Rotation, right: Rotation) -> Rotation:
     columns = [rotate(left, column) for column in zip(*right, strict=True)]
     a, b, c = zip(*columns, strict=True)
     return (a, b, c)
+
+
+def transposed(rotation: Rotation) -> Rotation:
+    """The inverse of a rotation."""
+    a, b, c = rotation
+    return ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))

@@ -1,0 +1,172 @@
+"""Inertia tensors: principal moments, primitives of uniform density, and what bodies make together.
+
+Tensors in kg m^2 about the centre of mass unless said otherwise, masses in kg, lengths in m.
+Nothing here needs numpy, which alone costs more than checking a robot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import acos, cos, hypot, pi, sqrt
+from typing import NamedTuple
+
+from urdfkit.model import Tensor
+from urdfkit.spatial import Rotation, Vector, rotate
+
+ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+class MassProperties(NamedTuple):
+    """A rigid body as dynamics sees it.
+
+    Attributes:
+        mass: in kg.
+        center: of mass, in m.
+        tensor: about the centre of mass, along the axes of the same frame, in kg m^2.
+    """
+
+    mass: float
+    center: Vector
+    tensor: Tensor
+
+
+def principal_moments(tensor: Tensor) -> Vector:
+    """The three eigenvalues of a symmetric tensor, smallest first, in its unit.
+
+    The error is a few units in the last place of the largest one, whatever the magnitude and
+    however close two of them are. Source: D. Eberly, "A Robust Eigensolver for 3x3 Symmetric
+    Matrices" (2014), non-iterative: the trigonometric roots of the characteristic cubic are good
+    for the eigenvalue that lies apart; the other two come from the plane at right angles to its
+    eigenvector.
+    """
+    scale = max(map(abs, tensor))
+    if scale == 0.0:
+        return (0.0, 0.0, 0.0)
+    xx, xy, xz, yy, yz, zz = (value / scale for value in tensor)
+    mean = (xx + yy + zz) / 3
+    dx, dy, dz = xx - mean, yy - mean, zz - mean
+    off = xy * xy + xz * xz + yz * yz
+    if off < 1e-30:  # these move no eigenvalue by more than rounding does
+        low, middle, high = sorted((tensor.ixx, tensor.iyy, tensor.izz))
+        return (low, middle, high)
+    spread = sqrt((dx * dx + dy * dy + dz * dz + 2 * off) / 6)
+    minor = dx * (dy * dz - yz * yz) - xy * (xy * dz - yz * xz) + xz * (xy * yz - dy * xz)
+    half = max(-1.0, min(1.0, minor / (2 * spread**3)))
+    # The largest root lies apart from the two others if half > 0, the smallest if half < 0.
+    apart = mean + 2 * spread * cos(acos(half) / 3 + (0.0 if half >= 0 else 2 * pi / 3))
+    u, v, w = _eigenbasis(xx - apart, xy, xz, yy - apart, yz, zz - apart)
+    rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    au, av = rotate(rows, u), rotate(rows, v)
+    uu, uv, vv = _dot(u, au), _dot(v, au), _dot(v, av)
+    middle, radius = (uu + vv) / 2, hypot((uu - vv) / 2, uv)
+    low, middle, high = sorted((_dot(w, rotate(rows, w)), middle - radius, middle + radius))
+    return (low * scale, middle * scale, high * scale)
+
+
+def _eigenbasis(
+    a: float, b: float, c: float, d: float, e: float, f: float
+) -> tuple[Vector, Vector, Vector]:
+    """Two unit vectors at right angles to the kernel of a singular symmetric matrix, and it."""
+    rows = ((a, b, c), (b, d, e), (c, e, f))
+    normals = [_cross(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))]
+    w = _unit(max(normals, key=lambda normal: _dot(normal, normal)))
+    # The axis that is least like w makes the best-conditioned right angle.
+    axis = min(range(3), key=lambda i: abs(w[i]))
+    u = _unit(_cross(w, (float(axis == 0), float(axis == 1), float(axis == 2))))
+    return u, _cross(w, u), w
+
+
+def box(mass: float, size: Vector) -> Tensor:
+    """A solid box with edges ``size`` along x, y, z."""
+    xx, yy, zz = (edge * edge * mass / 12 for edge in size)
+    return Tensor(yy + zz, 0.0, 0.0, xx + zz, 0.0, xx + yy)
+
+
+def cylinder(mass: float, radius: float, length: float) -> Tensor:
+    """A solid cylinder along z."""
+    across = mass * (3 * radius * radius + length * length) / 12
+    return Tensor(across, 0.0, 0.0, across, 0.0, mass * radius * radius / 2)
+
+
+def sphere(mass: float, radius: float) -> Tensor:
+    """A solid ball."""
+    moment = 2 * mass * radius * radius / 5
+    return Tensor(moment, 0.0, 0.0, moment, 0.0, moment)
+
+
+def capsule(mass: float, radius: float, length: float) -> Tensor:
+    """A solid cylinder along z of ``length`` with a half ball at each end.
+
+    The half balls have their centre of mass 3/8 of the radius beyond the cylinder's end; the
+    parallel-axis rule there gives the term with ``radius * length``.
+    """
+    ends = mass * 4 * radius / (3 * length + 4 * radius)
+    middle = cylinder(mass - ends, radius, length)
+    ball = 2 * radius * radius / 5
+    across = middle.ixx + ends * (ball + length * length / 4 + 3 * length * radius / 8)
+    return Tensor(across, 0.0, 0.0, across, 0.0, middle.izz + ends * ball)
+
+
+def shifted(tensor: Tensor, mass: float, offset: Vector) -> Tensor:
+    """The tensor about a point ``offset`` away from the centre of mass (Huygens, Steiner).
+
+    With a negative mass, it leads back from that point to the centre of mass.
+    """
+    x, y, z = offset
+    return Tensor(
+        tensor.ixx + mass * (y * y + z * z),
+        tensor.ixy - mass * x * y,
+        tensor.ixz - mass * x * z,
+        tensor.iyy + mass * (x * x + z * z),
+        tensor.iyz - mass * y * z,
+        tensor.izz + mass * (x * x + y * y),
+    )
+
+
+def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
+    """A tensor given along the axes of a child frame, along those of the parent."""
+    xx, xy, xz, yy, yz, zz = tensor
+    rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    x, y, z = rotation
+    tx, ty, tz = rotate(rows, x), rotate(rows, y), rotate(rows, z)
+    return Tensor(_dot(x, tx), _dot(x, ty), _dot(x, tz), _dot(y, ty), _dot(y, tz), _dot(z, tz))
+
+
+def scaled(tensor: Tensor, factor: float) -> Tensor:
+    """Every entry times a factor."""
+    return Tensor(*(factor * value for value in tensor))
+
+
+def added(left: Tensor, right: Tensor) -> Tensor:
+    """The sum of two tensors about the same point."""
+    return Tensor(*(a + b for a, b in zip(left, right, strict=True)))
+
+
+def combined(bodies: Iterable[MassProperties]) -> MassProperties:
+    """Several bodies in one frame as one rigid body; nothing at the origin if they weigh nothing.
+
+    Bodies without mass count with their tensor where the others balance.
+    """
+    bodies = list(bodies)
+    mass = sum(body.mass for body in bodies)
+    if mass == 0.0:
+        return MassProperties(0.0, (0.0, 0.0, 0.0), ZERO)
+    x, y, z = (sum(b.mass * b.center[i] for b in bodies) / mass for i in range(3))
+    total = ZERO
+    for body in bodies:
+        offset = (body.center[0] - x, body.center[1] - y, body.center[2] - z)
+        total = added(total, shifted(body.tensor, body.mass, offset))
+    return MassProperties(mass, (x, y, z), total)
+
+
+def _dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a: Vector, b: Vector) -> Vector:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def _unit(vector: Vector) -> Vector:
+    size = sqrt(_dot(vector, vector))
+    return (vector[0] / size, vector[1] / size, vector[2] / size)
