@@ -319,8 +319,9 @@ def _ignore(_: str) -> None:
 
 
 def entity_problem(source: Source, at: int, name: str) -> Problem:
-    """An entity declaration, which is read over."""
-    return Problem("XML003", Span(source, at, at + 8), f"entity '{name}' is declared")
+    """An entity declaration, which is read over; ``at`` is a place in it."""
+    start = max(source.data.rfind(b"<!ENTITY", 0, at + 8), 0)
+    return Problem("XML003", Span(source, start, start + 8), f"entity '{name}' is declared")
 
 
 def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:

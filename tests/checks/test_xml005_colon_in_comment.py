@@ -1,0 +1,64 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import engine
+from urdfkit.diagnostic import Confidence, Diagnostic
+
+AMENT = "<package><name>a</name><build_type>ament_cmake</build_type></package>"
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def told(
+    folder: Path, robot: str, name: str = "robot.urdf", package: str = AMENT
+) -> list[Diagnostic]:
+    (folder / "package.xml").write_text(package)
+    (folder / name).write_text(robot)
+    return list(engine.check(folder / name, select=["XML005"]).diagnostics)
+
+
+@pytest.mark.parametrize("colon", [": ", ":\n", ":\t"])
+def test_the_first_colon_is_the_place(tmp_path: Path, colon: str) -> None:
+    robot = f'<robot name="r">\n<!-- a -->\n<!-- b{colon}c: -->\n<link name="a"/></robot>'
+    (found,) = told(tmp_path, robot)
+    assert (found.span.line, found.span.column, found.span.text) == (3, 7, colon)
+    assert found.confidence is Confidence.INFERRED
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        '<robot name="r"><!-- a:b ::c --><link name="a"/></robot>',
+        '<robot name="r"><link name="a: b"/></robot>',
+        '<robot name="r"><!-- a -->b: c<!-- d --></robot>',
+    ],
+)
+def test_no_colon_with_white_space_in_a_comment(tmp_path: Path, robot: str) -> None:
+    assert told(tmp_path, robot) == []
+
+
+def test_a_catkin_package_has_no_such_launch_files(tmp_path: Path) -> None:
+    robot = '<robot name="r"><!-- a: b --></robot>'
+    assert told(tmp_path, robot, package="<package><name>a</name></package>") == []
+
+
+def test_a_comment_that_xacro_drops(tmp_path: Path) -> None:
+    robot = f'<robot name="r" {XACRO}>\n<!-- a: b -->\n<xacro:arg name="x" default="1"/>\n'
+    assert told(tmp_path, f'{robot}<link name="l$(arg x)"/></robot>', "robot.xacro") == []
+
+
+def test_a_comment_that_xacro_passes_on(tmp_path: Path) -> None:
+    (tmp_path / "arm.xacro").write_text(
+        f'<robot {XACRO}><xacro:macro name="arm">\n<!-- a: b -->\n<link name="a"/>'
+        "</xacro:macro></robot>"
+    )
+    robot = f'<robot name="r" {XACRO}><xacro:include filename="arm.xacro"/><xacro:arm/></robot>'
+    (found,) = told(tmp_path, robot, "robot.xacro")
+    assert (Path(found.span.source.path).name, found.span.line) == ("arm.xacro", 2)
+
+
+def test_a_library_is_judged_where_it_is_used(tmp_path: Path) -> None:
+    robot = f'<robot {XACRO}><!-- a: b -->\n\n<xacro:macro name="m"><link/></xacro:macro></robot>'
+    assert told(tmp_path, robot, "robot.xacro") == []
