@@ -1,0 +1,100 @@
+"""Launch files: which robot they describe, and which files and packages they need.
+
+XML of ROS 1 and ROS 2 and the Python of ROS 2 are read, as far as constants reach; nothing of a
+launch file is run.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.document import Frame
+from urdfkit.reading import Problem
+from urdfkit.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.resolve import Resolver
+
+SUFFIXES = (".launch", ".launch.xml", ".launch.py")
+#: Launch files that include one another.
+MAX_DEPTH = 8
+
+
+class Description(NamedTuple):
+    """A robot description that a launch file makes.
+
+    Attributes:
+        path: of the URDF or xacro.
+        arguments: for xacro.
+        frame: the launch file's place, for the chain of calls.
+    """
+
+    path: str
+    arguments: dict[str, str]
+    frame: Frame
+
+
+class FileUse(NamedTuple):
+    """A file that a launch file names.
+
+    Attributes:
+        text: as written.
+        path: with its expressions resolved; absolute.
+        exists: False if nothing is there.
+        span: where it is named.
+        purpose: such as ``the RViz configuration``.
+    """
+
+    text: str
+    path: str
+    exists: bool
+    span: Span
+    purpose: str
+
+
+class PackageUse(NamedTuple):
+    """A package that a launch file names, and the folders searched if it was not found."""
+
+    name: str
+    span: Span
+    searched: tuple[str, ...] | None
+
+
+class Launch(NamedTuple):
+    """What a launch file needs.
+
+    Attributes:
+        descriptions: the robots it describes.
+        files, packages: that it names, found or not.
+        problems: why it cannot be read.
+    """
+
+    descriptions: tuple[Description, ...]
+    files: tuple[FileUse, ...]
+    packages: tuple[PackageUse, ...]
+    problems: tuple[Problem, ...]
+
+
+def is_launch(path: str) -> bool:
+    """True for the names that launch files have; ``_launch.py`` is usual, too."""
+    name = os.path.basename(path)
+    return name.endswith(SUFFIXES) or name.endswith(("_launch.py", "_launch.xml"))
+
+
+def read_launch(
+    source: Source, resolver: Resolver, arguments: Mapping[str, str] | None = None
+) -> Launch:
+    """Read a launch file.
+
+    Args:
+        source: the file.
+        resolver: finds packages.
+        arguments: of the launch file, ``name:=value``.
+    """
+    if source.path.endswith(".py"):
+        from urdfkit.launch.python import read
+    else:
+        from urdfkit.launch.xml import read
+    return read(source, resolver, dict(arguments or {}))

@@ -1,0 +1,84 @@
+"""What both kinds of launch file share: packages, files, and the xacro command line."""
+
+from __future__ import annotations
+
+import os
+import shlex
+
+from urdfkit.document import Frame, Tag
+from urdfkit.errors import PackageNotFound
+from urdfkit.launch import Description, FileUse, Launch, PackageUse
+from urdfkit.reading import Problem
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source, Span
+
+#: Stands for the folder of a package that was not found; files in it are not judged.
+UNKNOWN = "/package-not-found"
+
+_XACRO = ("xacro", "xacro.py")
+
+
+class Collector:
+    """Gathers what launch files need while they are read."""
+
+    def __init__(self, resolver: Resolver) -> None:
+        self.resolver = resolver
+        self.descriptions: list[Description] = []
+        self.files: list[FileUse] = []
+        self.packages: dict[str, PackageUse] = {}
+        self.problems: list[Problem] = []
+
+    def package(self, name: str, source: Source, span: Span) -> str | None:
+        """The folder of a package; notes that it is needed."""
+        try:
+            folder: str | None = self.resolver.package(name, source.path)
+            searched = None
+        except PackageNotFound as error:
+            folder, searched = None, error.searched
+        self.packages.setdefault(name, PackageUse(name, span, searched))
+        return folder
+
+    def file(self, path: str, span: Span, purpose: str) -> bool:
+        """Note that a file is needed; True if it is there."""
+        if path.startswith(f"{UNKNOWN}/"):
+            return False  # its package is told already
+        exists = os.path.exists(path) or self.resolver.installed(path) is not None
+        self.files.append(FileUse(span.text, path, exists, span, purpose))
+        return exists
+
+    def command(self, text: str, span: Span, frame: Frame) -> None:
+        """A shell command whose output is the robot description."""
+        try:
+            words = shlex.split(text)
+        except ValueError:
+            return  # an unfinished quote: the shell will say so
+        while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
+            words = words[1:]
+        if len(words) > 1 and words[0] == words[1] == "xacro":
+            words = words[1:]  # rosrun xacro xacro
+        if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
+            return
+        files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
+        arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
+        if len(files) == 1:
+            self.description(files[0], arguments, span, frame)
+
+    def description(self, path: str, arguments: dict[str, str], span: Span, frame: Frame) -> None:
+        """A file that is the robot description, expanded with arguments."""
+        if not os.path.exists(path):
+            path = self.resolver.installed(path) or path
+        if self.file(path, span, "the robot description"):
+            self.descriptions.append(Description(path, arguments, frame))
+
+    def launch(self) -> Launch:
+        return Launch(
+            tuple(self.descriptions),
+            tuple(self.files),
+            tuple(self.packages.values()),
+            tuple(self.problems),
+        )
+
+
+def frame_at(source: Source, tag: Tag, outer: Frame | None) -> Frame:
+    """The step from a launch file to what it starts."""
+    return Frame("launch", os.path.basename(source.path), tag, None, outer)
