@@ -197,7 +197,8 @@ def _structural(run: Run, error: BaseException) -> tuple[list[Problem], dom.Node
     if "*" in run.lost and str(error).startswith("unknown macro name") and node is not None:
         return [], node
     code, message, help = describe.classify(run, error)
-    if code == "XAC013" or node is None or node.parentNode is None:
+    detached = node is not None and node.parentNode is None and node.tagName != "xacro:property"
+    if code == "XAC013" or node is None or detached:
         at = node.tag_at.span if node is not None else Span(run.source, 0, 0)
         frame = node.frame if node is not None else None
         return [Problem(code, at, message, help, frame)], None
@@ -213,6 +214,8 @@ def _at(node: dom.Node, message: str) -> Span:
         return spans.get("filename", node.tag_at.span)
     if message.startswith("unknown macro name"):
         return node.tag_at.name_span
+    if "'_setitem'" in message and "scope" in spans:
+        return spans["scope"]
     for name in spans:
         if f'Invalid parameter "{name}"' in message or f'conditional "{name}"' in message:
             return spans[name]

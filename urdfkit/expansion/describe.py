@@ -58,7 +58,7 @@ def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> P
     node, local = node_in(frame)
     if located.resolving:
         table, key = located.resolving[-1]
-        definer = _places(table).get(key, (None,))[0]
+        definer = _places(table).get(key)
         if isinstance(definer, Node):
             used = _span(node, local, located) if node is not None else None
             notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
@@ -78,7 +78,7 @@ def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]
         scope = table
         while scope is not None:
             if name in _places(scope):
-                definer = _places(scope)[name][0]
+                definer = _places(scope)[name]
                 span = definer.tag_at.span
                 if definer.tagName == "xacro:property":
                     found.append(Related(span, f"'{name}' is defined here"))

@@ -38,6 +38,7 @@ class Node(_StockElement):  # type: ignore[misc]
 
     Attributes:
         tag_at: where it was written.
+        around: where the element around it was written; None for a root.
         raw: names and values of its attributes as written, alternating.
         frame: the innermost macro call or include that led here.
         given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
@@ -46,6 +47,7 @@ class Node(_StockElement):  # type: ignore[misc]
     """
 
     tag_at: Tag
+    around: Tag | None
     raw: list[str]
     frame: Frame | None
     given: dict[str, Tag] | None
@@ -97,7 +99,8 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
         raise TooMuch(f"the macros make more than {MAX_NODES} elements")
     copy = Node(node.tagName, node.namespaceURI, node.prefix)
     copy.ownerDocument = node.ownerDocument
-    copy.tag_at, copy.raw, copy.copies = node.tag_at, node.raw, node.copies
+    copy.tag_at, copy.around = node.tag_at, node.around
+    copy.raw, copy.copies = node.raw, node.copies
     copy.given, copy.traces = node.given, node.traces
     copy.frame = node.frame if keep else frame
     if node._attrs:
@@ -144,6 +147,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.__class__ = Node
         start = self._parser.CurrentByteIndex
         node.tag_at = Tag(self._source, start, start)
+        parent = node.parentNode
+        node.around = parent.tag_at if isinstance(parent, Node) else None
         node.raw, node.frame = raw, self._frame
         node.given = node.traces = None
         node.copies = self._copies

@@ -297,20 +297,18 @@ class Run:
         if definer.tagName == "xacro:property":
             self.properties.append(_definition(definer)._replace(name=key))
             self._note_redefinition(table, key, definer, places.get(key))
-        places[key] = (definer, definer.parentNode)
+        places[key] = definer
         table.__dict__.setdefault("used", set()).discard(key)
 
     def note_use(self, table: Any, key: str) -> None:
         """A name is looked up."""
         table.__dict__.setdefault("used", set()).add(key)
 
-    def _note_redefinition(self, table: Any, key: str, node: Node, before: Any) -> None:
-        if before is None or key in table.used or key.startswith("**"):
+    def _note_redefinition(self, table: Any, key: str, node: Node, earlier: Node | None) -> None:
+        if earlier is None or key in table.used or key.startswith("**"):
             return
-        earlier, parent = before
-        same_block = parent is node.parentNode and earlier.tagName == node.tagName
+        same_block = earlier.around == node.around and earlier.tagName == node.tagName
         same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
-        # Parts that each define what they need, to the same value, do no harm.
         if same_block and not same_value and earlier.tag_at != node.tag_at:
             message = f"property '{key}' is defined again before its first value is used"
             related = describe.related(earlier.tag_at.span, "first defined here")

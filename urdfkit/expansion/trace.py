@@ -68,7 +68,7 @@ class Tracer:
 
     def defined(self, table: Any, key: str) -> None:
         """A name got the value of the text that was evaluated last."""
-        definer = table.__dict__.get("places", {}).get(key, (None,))[0]
+        definer = table.__dict__.get("places", {}).get(key)
         if isinstance(definer, Node) and "$" in _definition(definer, key)[2]:
             table.__dict__.setdefault("inputs", {})[key] = self._last
 
@@ -77,7 +77,7 @@ class Tracer:
         if not self._collected or key.startswith("*"):
             return
         # Not getattr: a name space of xacro takes attributes for properties.
-        definer = table.__dict__.get("places", {}).get(key, (None,))[0]
+        definer = table.__dict__.get("places", {}).get(key)
         if not isinstance(definer, Node):
             return  # built in
         inputs = table.__dict__.get("inputs", {}).get(key, ())

@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.xacros import marked, told, xacro
+from urdfkit import engine
+from urdfkit.schema import XACRO_TAGS
+from urdfkit.source import Source
+
+ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro>\n'
+
+
+def test_a_macro() -> None:
+    (found,) = told("XAC002", f'{ARM}<link name="base"/>\n<arm side="left"/>')
+    assert (found.span.line, found.span.text) == (4, '<arm side="left"/>')
+    assert found.message == "<arm> is a macro, called without its prefix"
+    assert found.help == "write the tag, and its end tag, with the prefix: <xacro:...>"
+
+
+def test_a_macro_inside_a_link() -> None:
+    body = (
+        '<xacro:macro name="default_inertial" params="m"><inertial/></xacro:macro>\n'
+        '<link name="base">\n<default_inertial m="1"/></link>'
+    )
+    assert marked(told("XAC002", body)) == [(4, '<default_inertial m="1"/>')]
+
+
+@pytest.mark.parametrize("tag", sorted(XACRO_TAGS))
+def test_a_tag_of_xacro(tag: str) -> None:
+    (found,) = told("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} name="b"/>')
+    assert found.span.line == 4
+    assert found.message == f"<{tag}> is a tag of xacro, without its prefix"
+
+
+def test_no_other_rule_says_the_same() -> None:
+    body = f'{ARM}<link name="base"><arm side="l"/></link>\n<arm side="r"/><include/>'
+    report = engine.check(Source("robot.xacro", xacro(body).encode()))
+    codes = [one.code for one in report.diagnostics]
+    assert codes.count("XAC002") == 3
+    assert not [code for code in codes if code.startswith("URD") or code == "XAC005"]
+
+
+def test_elements_of_urdf_and_of_gazebo_may_be_called_like_a_macro() -> None:
+    body = (
+        '<xacro:macro name="inertial" params=""><inertial/></xacro:macro>\n'
+        '<xacro:macro name="plugin" params=""><gazebo/></xacro:macro>\n'
+        '<link name="a"><inertial/></link><gazebo><plugin/><include/></gazebo>'
+    )
+    assert told("XAC002", body) == []
+
+
+def test_a_plain_urdf_is_another_rule() -> None:
+    report = engine.check(Source("a.urdf", b'<robot name="r"><link name="a"/><include/></robot>'))
+    assert [one.code for one in report.diagnostics] == ["URD001"]
