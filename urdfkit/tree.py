@@ -46,6 +46,17 @@ class KinematicTree:
         return (parent, child) if parent in known and child in known else None
 
     @cached_property
+    def is_sound(self) -> bool:
+        """True if every link and joint has a name of its own and they form one tree."""
+        model, links = self.model, len(self.parents)
+        return (
+            len(model.links) == links == len(model.joints) + 1
+            and len(model.joints_by_name) == len(model.joints)
+            and len(self.roots) == 1
+            and len(self.below(self.roots[0].name)) == links
+        )
+
+    @cached_property
     def roots(self) -> tuple[Link, ...]:
         """The links that are nobody's child, in the order of the document."""
         links = self.model.links_by_name

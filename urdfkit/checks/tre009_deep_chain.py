@@ -29,21 +29,34 @@ BAD = """\
       <child link="segment_${n + 1}"/>
     </joint>
   </xacro:macro>
-  <xacro:macro name="segments" params="n left">
-    <xacro:if value="${left == 1}">
-      <xacro:segment n="${n}"/>
-    </xacro:if>
-    <xacro:if value="${left > 1}">
-      <xacro:segments n="${n}" left="${left // 2}"/>
-      <xacro:segments n="${n + left // 2}" left="${left - left // 2}"/>
-    </xacro:if>
+  <xacro:macro name="ten" params="n">
+    <xacro:segment n="${n + 0}"/><xacro:segment n="${n + 1}"/>
+    <xacro:segment n="${n + 2}"/><xacro:segment n="${n + 3}"/>
+    <xacro:segment n="${n + 4}"/><xacro:segment n="${n + 5}"/>
+    <xacro:segment n="${n + 6}"/><xacro:segment n="${n + 7}"/>
+    <xacro:segment n="${n + 8}"/><xacro:segment n="${n + 9}"/>
+  </xacro:macro>
+  <xacro:macro name="hundred" params="n">
+    <xacro:ten n="${n + 0}"/><xacro:ten n="${n + 10}"/>
+    <xacro:ten n="${n + 20}"/><xacro:ten n="${n + 30}"/>
+    <xacro:ten n="${n + 40}"/><xacro:ten n="${n + 50}"/>
+    <xacro:ten n="${n + 60}"/><xacro:ten n="${n + 70}"/>
+    <xacro:ten n="${n + 80}"/><xacro:ten n="${n + 90}"/>
+  </xacro:macro>
+  <xacro:macro name="thousand" params="n">
+    <xacro:hundred n="${n + 0}"/><xacro:hundred n="${n + 100}"/>
+    <xacro:hundred n="${n + 200}"/><xacro:hundred n="${n + 300}"/>
+    <xacro:hundred n="${n + 400}"/><xacro:hundred n="${n + 500}"/>
+    <xacro:hundred n="${n + 600}"/><xacro:hundred n="${n + 700}"/>
+    <xacro:hundred n="${n + 800}"/><xacro:hundred n="${n + 900}"/>
   </xacro:macro>
 
   <link name="segment_0"/>
-  <xacro:segments n="0" left="1001"/>
+  <xacro:thousand n="0"/>
+  <xacro:segment n="1000"/>
 </robot>
 """
-GOOD = BAD.replace('"1001"', '"20"')
+GOOD = BAD.replace('<xacro:thousand n="0"/>\n  <xacro:segment n="1000"/>', '<xacro:hundred n="0"/>')
 
 
 @rule("TRE009", "deep-chain", Severity.INFO, help="split the chain, or make it in the simulator")

@@ -1,0 +1,57 @@
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import manifest, model_id, needs_corpus
+from urdfkit import examples, glance, rules
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
+
+
+def silent(subject: Subject) -> set[str]:
+    if subject.reading.document is None:
+        return set()
+    return glance.silent(subject.model, subject.tree)
+
+
+def overlooked(subject: Subject) -> list[str]:
+    """The codes of rules that were called silent and have something to say."""
+    return [code for code in sorted(silent(subject)) if any(rules.get(code).check(subject))]
+
+
+def test_a_plain_robot_needs_none_of_these_rules() -> None:
+    robot = examples.whole_robot(
+        '<link name="base"/><link name="wheel-2"/><joint name="axle" type="continuous">'
+        '<parent link="base"/><child link="wheel-2"/></joint>'
+    )
+    subject = Subject(Source("robot.urdf", robot.encode()), Resolver(environment={}))
+    others = {"NAM006", "NAM009", "REF003", "REF004", "JNT020", "TRE008", "TRE009"}
+    assert silent(subject) == glance.ABOUT_TREES | glance.ABOUT_NAMES | others
+
+
+@pytest.mark.parametrize("code", rules.codes())
+@pytest.mark.parametrize("which", ["BAD", "GOOD"])
+def test_no_rule_is_silenced_that_would_speak_of_an_example(code: str, which: str) -> None:
+    rule = rules.get(code)
+    text = rule.example(which)
+    assert text
+    with examples.laid_out(rule, text) as source:
+        subject = Subject(source, Resolver(environment={}))
+        assert overlooked(subject) == []
+        assert which == "GOOD" or code not in silent(subject)
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", PLAIN, ids=model_id)
+def test_no_rule_is_silenced_that_would_speak_of_a_real_robot(
+    entry: tuple[Path, dict[str, Any]],
+) -> None:
+    folder, model = entry
+    source = Source.read(folder / model["path"])
+    assert overlooked(Subject(source, Resolver(environment={}))) == []
