@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from urdfkit import rules
 from urdfkit.diagnostic import Diagnostic, Report, Skipped
 from urdfkit.judge import Verdict, judge
+from urdfkit.reading import is_launch
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -17,6 +18,7 @@ from urdfkit.subject import Subject
 if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.discovery import Found
+    from urdfkit.document import Frame
     from urdfkit.targets import Targets
 
 
@@ -28,12 +30,14 @@ class Job(NamedTuple):
         name: of the variant; empty if there is one only.
         arguments: for xacro.
         found: True if it was found in a folder, not named.
+        frame: the launch file that asks for it, if one does.
     """
 
     source: Source
     name: str
     arguments: dict[str, str]
     found: bool
+    frame: Frame | None = None
 
 
 class Settings(NamedTuple):
@@ -62,7 +66,7 @@ def check(
     """Check descriptions of robots.
 
     Args:
-        files: URDF or xacro files, Sources, or folders, whose entry points are then checked.
+        files: URDF, xacro or launch files, Sources, or folders, whose entry points are checked.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
         select: codes, beginnings of codes or names; only these rules run. All if empty.
@@ -140,7 +144,7 @@ class _Plan:
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """A file, with its variants if the configuration has some, or a folder."""
         if isinstance(file, Source):
-            self._add(file, "", {}, found=False)
+            self._add_source(file)
         elif os.path.isdir(file):
             from urdfkit.config import Config
             from urdfkit.discovery import discover
@@ -160,11 +164,16 @@ class _Plan:
     def add_found(self, found: Found) -> None:
         """The entry points of a folder."""
         for robot in found.robots:
-            path = os.path.relpath(robot.file) if os.path.isabs(robot.file) else robot.file
-            self._add(Source.read(path), robot.name, robot.arguments, found=True)
+            self._add(Source.read(_shown(robot.file)), robot.name, robot.arguments, found=True)
         for library in found.libraries:
             reason = "makes no link itself, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
+
+    def _add_source(self, source: Source) -> None:
+        if is_launch(source.path):
+            self._add_launch(source)
+        else:
+            self._add(source, "", {}, found=False)
 
     def _add_file(self, path: str) -> None:
         source = Source.read(path)
@@ -172,14 +181,31 @@ class _Plan:
         real = os.path.abspath(path)
         variants = [robot for robot in robots if robot.file == real]
         if not variants or self.arguments:
-            self._add(source, "", {}, found=False)
+            self._add_source(source)
         for robot in variants if not self.arguments else ():
             self._add(source, robot.name, robot.arguments, found=False)
+
+    def _add_launch(self, source: Source) -> None:
+        """A launch file, and the robots that it describes."""
+        from urdfkit.launch import read_launch
+
+        self.jobs.append(Job(source, "", self.arguments, False))
+        launch = read_launch(source, self.resolver, self.arguments)
+        for description in launch.descriptions:
+            robot = Source.read(_shown(description.path))
+            common = self.config.arguments if self.config else {}
+            arguments = {**common, **description.arguments}
+            self.jobs.append(Job(robot, "", arguments, False, description.frame))
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
         common = self.config.arguments if self.config else {}
         every = {**common, **arguments, **self.arguments}
         self.jobs.append(Job(source, name, every, found))
+
+
+def _shown(path: str) -> str:
+    """A path as a user would type it."""
+    return os.path.relpath(path)
 
 
 def _verdicts(
@@ -218,7 +244,12 @@ def _run_alone(job: Job, settings: Settings) -> Verdict:
 
 def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
     subject = Subject(
-        job.source, resolver, job.arguments, trust=settings.trust, targets=settings.targets
+        job.source,
+        resolver,
+        job.arguments,
+        trust=settings.trust,
+        targets=settings.targets,
+        frame=job.frame,
     )
     verdict = judge(subject, settings.chosen, settings.config)
     return _without_arguments(verdict, job) if job.found else verdict

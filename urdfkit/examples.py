@@ -3,7 +3,8 @@
 A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
 beside the robot, by relative path; ``FOLDER`` stands for the folder that holds them all. Rules
-of other packages are tested with the same functions.
+of other packages are tested with the same functions. ``NAME`` is the name of the example's file
+where it is no ``example.urdf``.
 """
 
 from __future__ import annotations
@@ -39,7 +40,9 @@ def whole_robot(text: str) -> str:
 @contextmanager
 def laid_out(rule: Rule, text: str) -> Iterator[Source]:
     """An example in a folder of its own, with the files that its rule puts beside it."""
-    files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FILES", {})
+    module = sys.modules[rule.module]
+    files: Mapping[str, bytes] = getattr(module, "FILES", {})
+    example: str = getattr(module, "NAME", "example.urdf")
     with tempfile.TemporaryDirectory() as folder:
         for name, data in files.items():
             path = os.path.join(folder, name)
@@ -47,7 +50,7 @@ def laid_out(rule: Rule, text: str) -> Iterator[Source]:
             with open(path, "wb") as file:
                 file.write(data)
         robot = whole_robot(text).replace(FOLDER, folder)
-        yield Source(os.path.join(folder, "example.urdf"), robot.encode("utf-8", "surrogateescape"))
+        yield Source(os.path.join(folder, example), robot.encode("utf-8", "surrogateescape"))
 
 
 def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from urdfkit import rules
+from urdfkit import glance, rules
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
 from urdfkit.document import Attribute, Element, Step
+from urdfkit.reading import is_launch
 from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
 from urdfkit.subject import Outcome, Subject, Unavailable
@@ -122,9 +123,12 @@ class _Run:
 
 def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     """The rules that may have something to say; the others need not even be imported."""
+    if is_launch(subject.source.path):
+        return [rules.get(code) for code in chosen if code.startswith("LAU")]
     reading = subject.reading
     told = {problem.code for problem in reading.problems}
-    silent: set[str] = set()
+    silent = {"LAU"}
+    waiting = rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES
     if reading.xacro is None:
         silent.add("XAC")
         told.add("XAC003")  # the one among them that is about plain files
@@ -133,13 +137,13 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     else:
         told.update(subject.deviations)
         model = subject.model
+        waiting |= glance.silent(model, subject.tree)
         if not model.joints:
             silent.add("JNT")
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         elif not rules.TOLD_BY_FILES.isdisjoint(chosen):
             told |= subject.files.told
-    waiting = rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES
     return [
         rules.get(code)
         for code in chosen
@@ -149,9 +153,10 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
 
 def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
     """The rules that cannot look at a description, because it cannot be read."""
-    reading, path = subject.reading, subject.source.path
-    if reading.document is not None:
+    path = subject.source.path
+    if is_launch(path) or subject.reading.document is not None:
         return []
+    reading = subject.reading
     families, reason = _OF_THE_DOCUMENT, "the description cannot be read"
     if reading.xacro is not None:
         families, reason = families | {"XAC"}, "the xacro does not expand"
@@ -182,7 +187,8 @@ def diagnose(
         span, via = place(finding)
         key: tuple[object, ...] = (span.source.path, span.start, span.end)
         # Only different calls of one macro are one cause; a plain place can have two defects.
-        groups.setdefault(key if via else (*key, number), []).append(finding)
+        is_copied = any(step.kind != "launch" for step in via)
+        groups.setdefault(key if is_copied else (*key, number), []).append(finding)
     return [_fold(rule, group, targets) for group in groups.values()]
 
 

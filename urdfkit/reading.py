@@ -73,18 +73,27 @@ def is_xacro(source: Source) -> bool:
     return has_namespace and re.search(rb"\$[{(]", text) is not None
 
 
-def read_xml(source: Source) -> tuple[Document | None, list[Problem]]:
+def is_launch(path: str) -> bool:
+    """True for the names that launch files have."""
+    return path.endswith((".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py"))
+
+
+def read_xml(source: Source, frame: Frame | None = None) -> tuple[Document | None, list[Problem]]:
     """Read plain XML.
 
     What urdfdom loads although it is not strict XML (text before the declaration, another
     version number, undeclared prefixes) is read, and told as a Problem.
+
+    Args:
+        source: the file.
+        frame: the launch file that asks for it, if one does.
 
     Returns:
         The document, or None if it is not well formed, and what is wrong with it.
     """
     problems = encoding_problems(source, strict=False)
     data = _forgiven(source, problems)
-    builder = _Builder(source)
+    builder = _Builder(source, frame)
     try:
         builder.parse(data)
     except expat.ExpatError:
@@ -199,8 +208,9 @@ def _before_declaration(before: Span, end: int) -> Problem:
 class _Builder:
     """Builds Elements from expat's events."""
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, frame: Frame | None = None) -> None:
         self.source = source
+        self.frame = frame
         self.root: Element | None = None
         self.problems: list[Problem] = []
         self._open: list[Element] = []
@@ -226,7 +236,7 @@ class _Builder:
             raise TooMuch(f"more than {MAX_ELEMENTS} elements")
         at = self._parser.CurrentByteIndex
         parent = self._open[-1] if self._open else None
-        element = Element(name, Tag(self.source, at, at), parent)
+        element = Element(name, Tag(self.source, at, at), parent, self.frame)
         for key, value in zip(attributes[::2], attributes[1::2], strict=True):
             element.attributes[key] = Attribute(key, value, element)
         for qualified in (name, *element.attributes):

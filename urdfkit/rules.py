@@ -53,6 +53,7 @@ class Need(Enum):
     MODEL = "model"  # the expanded document and the robot in it
     FILES = "files"  # the files that the model names
     GAZEBO = "gazebo"  # what Gazebo makes of the model
+    LAUNCH = "launch"  # the launch file
 
 
 class Written(NamedTuple):

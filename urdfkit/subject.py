@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from urdfkit.document import Document
-from urdfkit.reading import Problem, is_xacro, read_xml
+from urdfkit.document import Document, Frame
+from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from urdfkit.files import Files
     from urdfkit.gazebo import Conversion
     from urdfkit.grammar import Deviation
+    from urdfkit.launch import Launch
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
     from urdfkit.suppress import Ignore
@@ -61,6 +62,7 @@ class Subject:
         resolver: finds packages and files.
         arguments: ``name:=value`` for xacro.
         trust: True if the model's expressions and files are not fenced in.
+        frame: the launch file that asks for it; None if it was named itself.
         outcome: what the rules before the present one found; set by the engine alone.
     """
 
@@ -72,7 +74,9 @@ class Subject:
         *,
         trust: bool = False,
         targets: Targets | None = None,
+        frame: Frame | None = None,
     ) -> None:
+        self.frame = frame
         self._given_targets = targets
         self.outcome = Outcome()
         self.source = source
@@ -83,11 +87,13 @@ class Subject:
     @cached_property
     def reading(self) -> Reading:
         if not is_xacro(self.source):
-            document, problems = read_xml(self.source)
+            document, problems = read_xml(self.source, self.frame)
             return Reading(document, tuple(problems), None)
         from urdfkit.expansion import expand
 
-        xacro = expand(self.source, self.resolver, self.arguments, trust=self.trust)
+        xacro = expand(
+            self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
+        )
         return Reading(xacro.document, xacro.problems, xacro)
 
     def problems(self, code: str) -> list[Problem]:
@@ -179,8 +185,9 @@ class Subject:
     @cached_property
     def ignores(self) -> tuple[Ignore, ...]:
         """The ignore comments in its files."""
-        xacro = self.reading.xacro
-        sources = xacro.sources if xacro else (self.source,)
+        sources: tuple[Source, ...] = (self.source,)
+        if not is_launch(self.source.path) and self.reading.xacro:
+            sources = self.reading.xacro.sources
         if not any(b"urdfkit" in source.data for source in sources):
             return ()
         from urdfkit.suppress import ignores
@@ -200,6 +207,23 @@ class Subject:
         from urdfkit.gazebo import Conversion
 
         return Conversion(self.tree)
+
+    @cached_property
+    def launch(self) -> Launch:
+        """What the launch file needs.
+
+        Raises:
+            Unavailable: the file is no launch file.
+        """
+        from urdfkit.launch import read_launch
+
+        if not is_launch(self.source.path):
+            raise Unavailable("not a launch file")
+        return read_launch(self.source, self.resolver, self.arguments)
+
+    def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
+        """Another description, read in the same way."""
+        return Subject(Source.read(path), self.resolver, arguments, trust=self.trust)
 
     @cached_property
     def files(self) -> Files:

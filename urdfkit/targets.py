@@ -7,12 +7,12 @@ the build system of its package.
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.manifest import manifest_of
 from urdfkit.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -39,10 +39,6 @@ TARGETS = {
 GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 
 _CLASSIC_PLUGIN = re.compile(r"(lib)?(gazebo_ros|hector_gazebo|hector|rotors)_")
-_ROS_OF_MANIFEST = (
-    (re.compile(rb"<(buildtool_depend|build_type)>\s*ament"), "ros2"),
-    (re.compile(rb"<(buildtool_depend|build_type)>\s*catkin"), "ros1"),
-)
 
 
 class UnknownTarget(UrdfkitError):
@@ -103,15 +99,8 @@ def _evidence(subject: Subject) -> Iterator[tuple[str, str]]:
 
 
 def _ros_of_package(subject: Subject) -> str | None:
-    package = subject.resolver.packages.enclosing(subject.source.path)
-    if package is None:
-        return None
-    try:
-        with open(os.path.join(package[1], "package.xml"), "rb") as file:
-            manifest = file.read(1 << 20)
-    except OSError:
-        return None  # a rosbuild package
-    return next((ros for pattern, ros in _ROS_OF_MANIFEST if pattern.search(manifest)), None)
+    manifest = manifest_of(subject.resolver.packages, subject.source.path)
+    return f"ros{manifest.ros}" if manifest and manifest.ros else None
 
 
 def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None:

@@ -24,6 +24,8 @@ PARTS = {
     Need.XACRO: ("xacro",),
     Need.MODEL: ("document", "deviations", "model", "tree"),
     Need.FILES: ("files",),
+    Need.GAZEBO: {"gazebo"},
+    Need.LAUNCH: {"launch", "beside"},
 }
 
 pytestmark = pytest.mark.parametrize("code", rules.codes())

@@ -111,6 +111,7 @@ def expand(
     trust: bool = False,
     root_dir: str = os.curdir,
     traced: bool = False,
+    frame: Frame | None = None,
 ) -> Xacro:
     """Expand a xacro file.
 
@@ -124,11 +125,12 @@ def expand(
         trust: run expressions unfenced, read any file and variable.
         root_dir: relative paths of the command line start there.
         traced: note where every value comes from, for ``Xacro.inputs``; slower.
+        frame: the launch file that asks for it, if one does.
     """
     collecting = gc.isenabled()
     gc.disable()  # the trees are large and live until the end
     try:
-        options = {"trust": trust, "root_dir": root_dir, "traced": traced}
+        options = {"trust": trust, "root_dir": root_dir, "traced": traced, "frame": frame}
         return _expand(source, resolver, dict(arguments or {}), **options)
     finally:
         if collecting:

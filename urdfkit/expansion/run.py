@@ -87,6 +87,7 @@ class Run:
         trust: bool,
         root_dir: str = os.curdir,
         traced: bool = False,
+        frame: Frame | None = None,
         without: frozenset[tuple[str, int]] = frozenset(),
         lost: frozenset[str] = frozenset(),
     ) -> None:
@@ -95,6 +96,7 @@ class Run:
         self.arguments = dict(arguments)
         self.trust = trust
         self.root_dir = root_dir
+        self.frame = frame
         self.without = without
         self.lost = set(lost)
         self.problems: list[Problem] = []
@@ -124,7 +126,7 @@ class Run:
         """A file as DOM; the counterpart of ``xacro.parse``."""
         include = self.including[-1] if self.including else None
         if include is None:
-            frame, source = None, self.source
+            frame, source = self.frame, self.source
         else:
             self.included.add((include.tag_at.source.path, include.tag_at.start))
             frame = Frame("include", filename, include.tag_at, None, include.frame)

@@ -6,7 +6,6 @@ launch file is run.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -17,7 +16,6 @@ from urdfkit.source import Source, Span
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
 
-SUFFIXES = (".launch", ".launch.xml", ".launch.py")
 #: Launch files that include one another.
 MAX_DEPTH = 8
 
@@ -75,12 +73,6 @@ class Launch(NamedTuple):
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
     problems: tuple[Problem, ...]
-
-
-def is_launch(path: str) -> bool:
-    """True for the names that launch files have; ``_launch.py`` is usual, too."""
-    name = os.path.basename(path)
-    return name.endswith(SUFFIXES) or name.endswith(("_launch.py", "_launch.xml"))
 
 
 def read_launch(

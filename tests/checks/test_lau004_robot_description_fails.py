@@ -1,0 +1,26 @@
+"""LAU004: see the rule."""
+
+from urdfkit import check
+from urdfkit.source import Source
+
+ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n<link name="{}"/>\n</robot>'
+LAUNCH = (
+    b'<launch>\n<param name="robot_description" command="xacro $(dirname)/r.xacro"/>\n</launch>'
+)
+
+
+def test_the_launch_file_and_the_error_itself_are_told(tmp_path):
+    (tmp_path / "r.xacro").write_text(ROBOT.format("${nothing}"))
+    report = check(Source(str(tmp_path / "a.launch"), LAUNCH))
+    by_code = {diagnostic.code: diagnostic for diagnostic in report.diagnostics}
+    assert by_code["LAU004"].span.line == 2
+    assert by_code["XAC001"].span.line == 2
+    (step,) = by_code["XAC001"].calls[0].via
+    assert (step.kind, step.name) == ("launch", "a.launch")
+
+
+def test_a_robot_that_expands_is_checked_with_the_launch_file_in_the_chain(tmp_path):
+    (tmp_path / "r.xacro").write_text(ROBOT.format("a").replace("</robot>", "<bad/></robot>"))
+    (finding,) = check(Source(str(tmp_path / "a.launch"), LAUNCH)).diagnostics
+    assert finding.code == "URD001"
+    assert [step.kind for step in finding.calls[0].via] == ["launch"]

@@ -1,0 +1,116 @@
+"""Launch files in Python: constants are followed, nothing is run."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.launch import Launch, read_launch
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+
+HEAD = """
+import os
+import xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
+    (tmp_path / "launch").mkdir()
+    return tmp_path
+
+
+def read(package: Path, body: str) -> Launch:
+    path = package / "launch" / "a.launch.py"
+    lines = "".join(f"    {line}\n" for line in body.strip().splitlines())
+    path.write_text(HEAD + lines)
+    return read_launch(Source.read(path), Resolver(environment={}))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        """
+share = get_package_share_directory('arm')
+path = os.path.join(share, 'urdf', 'arm.xacro')
+description = xacro.process_file(path, mappings={'side': 'left'}).toxml()
+""",
+        """
+description = Command([
+    PathJoinSubstitution([FindExecutable(name='xacro')]), ' ',
+    PathJoinSubstitution([FindPackageShare('arm'), 'urdf', 'arm.xacro']),
+    ' side:=', LaunchConfiguration('side'),
+])
+DeclareLaunchArgument('side', default_value='left')
+""",
+        """
+path = get_package_share_directory('arm') + '/urdf/arm.xacro'
+description = Command(['xacro ', path, ' side:=left'])
+""",
+        """
+name = 'arm'
+description = Command(f"xacro {get_package_share_directory(name)}/urdf/{name}.xacro side:=left")
+""",
+    ],
+)
+def test_the_robot_and_its_arguments(package, body):
+    (description,) = read(package, body).descriptions
+    assert Path(description.path) == package / "urdf" / "arm.xacro"
+    assert description.arguments == {"side": "left"}
+
+
+def test_files_and_packages(package):
+    launch = read(
+        package,
+        """
+config = os.path.join(get_package_share_directory('arm'), 'rviz', 'a.rviz')
+Node(package='rviz2', executable='rviz2', arguments=['-d', config])
+IncludeLaunchDescription(PythonLaunchDescriptionSource(
+    [FindPackageShare('no_such_pkg'), '/launch/x.launch.py']))
+""",
+    )
+    assert [(f.purpose, f.exists, f.span.text) for f in launch.files] == [
+        ("the RViz configuration", False, "config")
+    ]
+    assert {use.name: use.searched is None for use in launch.packages} == {
+        "arm": True,
+        "rviz2": False,
+        "no_such_pkg": False,
+    }
+
+
+def test_what_only_a_run_would_tell_is_left(package):
+    launch = read(package, "path = open('x').read()\nCommand(['xacro ', path])")
+    assert launch.descriptions == ()
+    assert launch.files == ()
+
+
+def test_names_that_refer_to_themselves_end(package):
+    assert read(package, "a = a + 'x'\nCommand(['xacro ', a])").descriptions == ()
+
+
+def test_nothing_is_run(package):
+    marker = package / "ran"
+    read(package, f"open({str(marker)!r}, 'w')")
+    assert not marker.exists()
+
+
+@pytest.mark.parametrize("data", [b"def (:\n", b"\x00", b"x = " + b"(" * 5000])
+def test_what_is_no_program_is_told_at_its_place(data):
+    launch = read_launch(Source("a.launch.py", data), Resolver(environment={}))
+    (problem,) = launch.problems
+    assert problem.code == "LAU001"
+    assert problem.span.line == 1

@@ -1,0 +1,32 @@
+"""A launch file cannot be read.
+
+`roslaunch` and `ros2 launch` stop before anything starts: the XML is not well formed, the root is
+not `<launch>`, or the Python of a ROS 2 launch file has a syntax error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = "<launch><node></launch>"
+GOOD = "<launch/>"
+
+
+@rule(
+    "LAU001",
+    "launch-file-unreadable",
+    Severity.ERROR,
+    needs=(Need.LAUNCH,),
+    help="mend the file; the place is where reading stopped",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for problem in subject.launch.problems:
+        yield Finding(Written(problem.span, problem.frame), problem.message)

@@ -1,0 +1,41 @@
+"""A launch file needs a package that is not found and that its own package does not declare.
+
+`roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not found". Packages that
+come with ROS are known by name, and packages that `package.xml` declares are somebody else's to
+install: neither is told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.manifest import manifest_of
+from urdfkit.ros_packages import comes_with_ros
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = '<launch><node name="a" pkg="no_such_package_of_ours" type="a"/></launch>'
+GOOD = '<launch><node name="a" pkg="robot_state_publisher" type="a"/></launch>'
+
+
+@rule(
+    "LAU002",
+    "package-not-found",
+    Severity.WARNING,
+    needs=(Need.LAUNCH,),
+    help="mend the name, or declare the package in package.xml",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    manifest = manifest_of(subject.resolver.packages, subject.source.path)
+    declared = manifest.dependencies if manifest else frozenset()
+    for package in subject.launch.packages:
+        known = comes_with_ros(package.name) or package.name in declared
+        if package.searched is not None and not known:
+            searched = ", ".join(package.searched)
+            place = Written(package.span)
+            yield Finding(place, f"package '{package.name}' is not found; searched {searched}")

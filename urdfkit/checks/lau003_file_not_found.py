@@ -1,0 +1,38 @@
+"""A launch file names a file that does not exist.
+
+RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
+file stops the launch.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = '<launch><rosparam file="$(dirname)/config/no_such_file.yaml"/></launch>'
+GOOD = "<launch/>"
+
+
+@rule(
+    "LAU003",
+    "file-not-found",
+    Severity.WARNING,
+    needs=(Need.LAUNCH,),
+    help="make the file, or mend its name",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for file in subject.launch.files:
+        if not file.exists:
+            folder, name = os.path.split(file.path)
+            meant = nearest(name, os.listdir(folder)) if os.path.isdir(folder) else None
+            hint = f"there is '{meant}' beside it" if meant else ""
+            yield Finding(Written(file.span), f"{file.purpose} '{file.path}' does not exist", hint)

@@ -1,0 +1,40 @@
+"""The robot description of a launch file does not expand.
+
+The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are told
+at their places in the xacro.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+_ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
+FILES = {"bad.xacro": _ROBOT % b"${x}", "good.xacro": _ROBOT % b"x"}
+BAD = '<launch><param name="robot_description" command="xacro $(dirname)/bad.xacro"/></launch>'
+GOOD = BAD.replace("bad.xacro", "good.xacro")
+
+
+@rule(
+    "LAU004",
+    "robot-description-fails",
+    Severity.ERROR,
+    needs=(Need.LAUNCH,),
+    help="mend the errors in the xacro, or pass the arguments that it needs",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for description in subject.launch.descriptions:
+        robot = subject.beside(description.path, description.arguments)
+        if robot.reading.document is None:
+            count = len(robot.reading.problems)
+            place = Written(description.frame.call.span, description.frame.outer)
+            yield Finding(
+                place, f"'{description.path}' does not expand: {count} errors, told at their places"
+            )
