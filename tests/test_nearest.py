@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.nearest import Speller, did_you_mean, nearest
 
 CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 
@@ -35,3 +35,31 @@ def test_an_endless_word_costs_little() -> None:
     start = time.process_time()
     nearest("x" * 10_000_000, [f"link_{n}" for n in range(1000)])
     assert time.process_time() - start < 5
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("base_lnk", "base_link"),
+        ("Base_Link", "base_link"),
+        ("left_weel", "left_wheel"),
+        ("wheel_3", ""),  # wheel_1 and wheel_2 are its siblings
+        ("right_wheel", ""),
+        ("rl_leg", ""),
+        ("gripper", ""),
+    ],
+)
+def test_a_sibling_is_not_a_slip(word: str, meant: str) -> None:
+    known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg"]
+    assert Speller(known).meant(word) == meant
+
+
+def test_a_speller_bounds_its_work() -> None:
+    speller = Speller(["base_link"])
+    slips = [f"bas{'e' * length}_link" for length in range(2, Speller.MAX_WORDS + 12)]
+    assert speller.meant(slips[0]) == "base_link"
+    for slip in slips:
+        speller.meant(slip)
+    assert speller.meant("base_lnk") == "", "more words are not looked at"
+    assert speller.meant(slips[0]) == "base_link", "a word is looked at once"
+    assert Speller([f"l{n}" for n in range(Speller.MAX_KNOWN + 1)]).meant("l1x") == ""

@@ -1,9 +1,7 @@
 from __future__ import annotations
 
-from tests.told import told, whole_robot
-from urdfkit import engine
+from tests.told import told
 from urdfkit.diagnostic import Severity
-from urdfkit.source import Source
 
 ROBOT = """\
 <link name="a"/>
@@ -23,6 +21,5 @@ def test_the_joint_is_the_place_and_the_link_is_shown() -> None:
 
 
 def test_gz_sim_refuses_the_model() -> None:
-    source = Source("robot.urdf", whole_robot(ROBOT.format("b")).encode())
-    report = engine.check(source, select=["NAM003"], targets=["gz-harmonic"])
-    assert [found.severity for found in report.diagnostics] == [Severity.ERROR]
+    report = told("NAM003", ROBOT.format("b"), targets=("gz-harmonic",))
+    assert [found.severity for found in report] == [Severity.ERROR]

@@ -1,9 +1,7 @@
 from __future__ import annotations
 
-from tests.told import messages, told, whole_robot
-from urdfkit import engine
+from tests.told import messages, told
 from urdfkit.diagnostic import Severity
-from urdfkit.source import Source
 
 ROBOT = '<link name="2nd"/><link name="arm2"/><joint name="1_2" type="fixed"/><link name="\u0662"/>'
 
@@ -17,6 +15,5 @@ def test_links_and_joints_that_begin_with_a_digit() -> None:
 
 
 def test_for_isaac_it_is_worth_a_warning() -> None:
-    source = Source("robot.urdf", whole_robot(ROBOT).encode())
-    report = engine.check(source, select=["NAM008"], targets=["isaac"])
-    assert {found.severity for found in report.diagnostics} == {Severity.WARNING}
+    report = told("NAM008", ROBOT, targets=("isaac",))
+    assert {found.severity for found in report} == {Severity.WARNING}

@@ -2,10 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, told, whole_robot
-from urdfkit import engine
+from tests.told import fixed, messages, told
 from urdfkit.diagnostic import Severity
-from urdfkit.source import Source
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 BASE = f'<link name="base">\n  <inertial><mass value="{{}}"/>{INERTIA}</inertial>\n</link>\n'
@@ -21,9 +19,8 @@ def test_the_mass_that_kdl_leaves_out() -> None:
 
 
 def test_for_kdl_it_is_worth_a_warning() -> None:
-    source = Source("robot.urdf", whole_robot(BASE.format("1")).encode())
-    report = engine.check(source, select=["TRE007"], targets=["kdl"])
-    assert [found.severity for found in report.diagnostics] == [Severity.WARNING]
+    report = told("TRE007", BASE.format("1"), targets=("kdl",))
+    assert [found.severity for found in report] == [Severity.WARNING]
 
 
 @pytest.mark.parametrize(
