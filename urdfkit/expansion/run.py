@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
 
 MAX_MACRO_DEPTH = 150
+#: Macro calls of one expansion; PR2 has 140.
+MAX_CALLS = 50_000
 MAX_SECONDS = 60.0
 MAX_PROBLEMS = 500
 #: Uses of one failing property that are worth naming.
@@ -276,6 +278,8 @@ class Run:
         self._calls += 1
         if len(load_xacro().macrostack) > MAX_MACRO_DEPTH:
             raise TooMuch(f"macros call each other more than {MAX_MACRO_DEPTH} levels deep")
+        if self._calls > MAX_CALLS:
+            raise TooMuch(f"more than {MAX_CALLS} macro calls")
         if self._calls % 64 == 0 and time.monotonic() > self._deadline:
             raise TooMuch(f"the expansion takes longer than {MAX_SECONDS:g} s")
 
