@@ -9,10 +9,12 @@ from urdfkit.fixer import apply_edits
 from urdfkit.source import Source
 
 
-def told(code: str, text: str | bytes, path: str = "robot.urdf") -> list[Diagnostic]:
+def told(
+    code: str, text: str | bytes, path: str = "robot.urdf", targets: tuple[str, ...] = ()
+) -> list[Diagnostic]:
     """What a rule says about a robot, or about the inside of one; bytes are a whole file."""
     data = whole_robot(text).encode() if isinstance(text, str) else text
-    report = engine.check(Source(path, data), select=[code])
+    report = engine.check(Source(path, data), select=[code], targets=targets)
     assert report.crashed == ()
     return list(report.diagnostics)
 
