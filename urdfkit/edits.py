@@ -28,13 +28,32 @@ def rename_element(element: Element, name: str) -> tuple[Edit, ...] | None:
 
 def rename_attribute(attribute: Attribute, name: str) -> tuple[Edit, ...] | None:
     """Give an attribute another name and leave its value alone."""
-    tag, value = attribute.element.tag_at, attribute.element.tag_at.attribute_spans()
-    if attribute.written_in is not None or attribute.name not in value:
+    span = _name_span(attribute)
+    return None if span is None else (Edit(span, name),)
+
+
+def remove_attribute(attribute: Attribute) -> tuple[Edit, ...] | None:
+    """Take an attribute out, with the white space before it.
+
+    None in a macro, whose other calls may need it.
+    """
+    span = _name_span(attribute)
+    if span is None or from_macro(attribute.element):
         return None
-    before = tag.source.data[tag.start : value[attribute.name].start - 1]
+    source, name_start, _ = span
+    tag_start = attribute.element.tag_at.start
+    start = tag_start + len(source.data[tag_start:name_start].rstrip())
+    return (Edit(Span(source, start, attribute.span.end + 1), ""),)
+
+
+def _name_span(attribute: Attribute) -> Span | None:
+    """The name of an attribute in its tag; None if an expression put it there."""
+    tag, values = attribute.element.tag_at, attribute.element.tag_at.attribute_spans()
+    if attribute.written_in is not None or attribute.name not in values:
+        return None
+    before = tag.source.data[tag.start : values[attribute.name].start - 1]
     end = tag.start + len(before.rstrip().removesuffix(b"=").rstrip())
-    start = end - len(attribute.name.encode())
-    return (Edit(Span(tag.source, start, end), name),)
+    return Span(tag.source, end - len(attribute.name.encode()), end)
 
 
 def as_written(attribute: Attribute) -> str:

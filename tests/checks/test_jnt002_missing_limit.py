@@ -1,0 +1,61 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.jointed import joint, needs_check_urdf, robot, urdfdom_reads
+from tests.told import messages, places, told
+
+CASES = {
+    ("revolute", ""): ["joint 'j' is revolute and has no <limit>"],
+    ("prismatic", ""): ["joint 'j' is prismatic and has no <limit>"],
+    ("continuous", ""): [],
+    ("fixed", ""): [],
+    ("floating", ""): [],
+    ("planar", ""): [],
+    ("revolute", "<limit/>"): ["joint 'j': <limit> has no effort and no velocity"],
+    ("revolute", '<limit lower="0" upper="1" effort="1"/>'): ["joint 'j': <limit> has no velocity"],
+    ("continuous", '<limit velocity="1"/>'): ["joint 'j': <limit> has no effort"],
+    ("fixed", '<limit velocity="1"/>'): ["joint 'j': <limit> has no effort"],
+    ("floating", '<limit effort="1"/>'): ["joint 'j': <limit> has no velocity"],
+    ("revolute", '<limit effort="1" velocity="1"/>'): [],
+    ("continuous", '<limit effort="1" velocity="1"/>'): [],
+}
+
+
+@pytest.mark.parametrize(("kind", "content"), CASES)
+def test_what_is_missing(kind: str, content: str) -> None:
+    assert messages("JNT002", robot(joint("j", kind, content))) == CASES[kind, content]
+
+
+@needs_check_urdf
+@pytest.mark.parametrize(("kind", "content"), CASES)
+def test_urdfdom_agrees(kind: str, content: str, tmp_path: Path) -> None:
+    assert urdfdom_reads(robot(joint("j", kind, content)), tmp_path) == (CASES[kind, content] == [])
+
+
+def test_the_place_is_the_limit_or_else_the_joint() -> None:
+    assert places("JNT002", robot(joint("j", "fixed", '<limit effort="1"/>'))) == [
+        (4, '<limit effort="1"/>')
+    ]
+    assert places("JNT002", robot(joint("j", "revolute"))) == [
+        (4, '<joint name="j" type="revolute">')
+    ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "help"),
+    [
+        (
+            "revolute",
+            "add <limit> with lower and upper in rad, effort in N m and velocity in rad/s",
+        ),
+        ("prismatic", "add <limit> with lower and upper in m, effort in N and velocity in m/s"),
+    ],
+)
+def test_the_help_has_the_units(kind: str, help: str) -> None:
+    assert [found.help for found in told("JNT002", robot(joint("j", kind)))] == [help]
+    short = robot(joint("j", kind, "<limit/>"))
+    effort, velocity = ("N m", "rad/s") if kind == "revolute" else ("N", "m/s")
+    assert told("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"

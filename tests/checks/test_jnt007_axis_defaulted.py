@@ -1,0 +1,34 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, robot
+from tests.told import messages, places, told
+
+
+@pytest.mark.parametrize(
+    ("kind", "does"),
+    [
+        ("revolute", "turns about"),
+        ("continuous", "turns about"),
+        ("prismatic", "moves along"),
+        ("planar", "moves in the plane across"),
+    ],
+)
+def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
+    text = robot(joint("j", kind))
+    assert messages("JNT007", text) == [f"joint 'j' has no <axis> and {does} x, 1 0 0"]
+    assert places("JNT007", text) == [(4, f'<joint name="j" type="{kind}">')]
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("continuous", '<axis xyz="1 0 0"/>'),
+        ("continuous", "<axis/>"),  # JNT005
+        ("fixed", ""),
+        ("floating", ""),
+    ],
+)
+def test_no_finding(kind: str, content: str) -> None:
+    assert told("JNT007", robot(joint("j", kind, content))) == []

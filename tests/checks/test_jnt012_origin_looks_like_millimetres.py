@@ -1,0 +1,63 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, robot
+from tests.told import messages, places, told
+from urdfkit.diagnostic import Confidence
+
+
+def at(name: str, xyz: str) -> str:
+    return joint(name, "fixed", f'<origin xyz="{xyz}"/>')
+
+
+def shown(geometry: str) -> str:
+    return f'<link name="s"><visual><geometry>{geometry}</geometry></visual></link>'
+
+
+NEAR = [at("a", "0 0 0.1"), at("b", "0 0.2 0"), at("c", "0.3 0 0"), at("d", "0 0 0")]
+MESH = '<mesh filename="arm.stl" scale="{0} {0} {0}"/>'
+
+
+def test_one_origin_far_from_all_others() -> None:
+    text = robot(*NEAR, at("j", "0 0 -150"))
+    (found,) = told("JNT012", text)
+    assert found.message == (
+        "joint 'j': the origin is 150 m away, but half of the other 3 joints lie less than 0.2 m "
+        "apart; that looks like millimetres"
+    )
+    assert found.confidence is Confidence.INFERRED
+    assert places("JNT012", text) == [(12, '<origin xyz="0 0 -150"/>')]
+
+
+def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
+    far = robot(at("a", "0 0 120"), at("b", "0 250 0"))
+    (message,) = messages("JNT012", shown(MESH.format("0.001")) + far)
+    assert message == (
+        "joints 'a' and 'b': the origin is 120 m away, but meshes are scaled by 0.001; that looks "
+        "like millimetres"
+    )
+    assert told("JNT012", shown(MESH.format("1")) + far) == []
+
+
+@pytest.mark.parametrize(
+    ("size", "count"), [("0.4 0.4 0.4", 1), ("0.1 1.19 0.1", 1), ("0.1 1.21 0.1", 0)]
+)
+def test_shapes_tell_the_size_of_the_robot(size: str, count: int) -> None:
+    text = shown(f'<box size="{size}"/>') + robot(at("a", "0 0 120"), at("b", "0 250 0"))
+    assert len(told("JNT012", text)) == count
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        [*NEAR],
+        [*NEAR, at("j", "0 0 9.9")],
+        [*NEAR, at("j", "0 0 15")],  # a frame in the room, 75 times as far
+        [at("a", "0 0 2"), at("b", "0 5 0"), at("c", "4 0 0"), at("j", "0 0 600")],  # a crane
+        [at("a", "0 0 0.1"), at("b", "0 0.2 0"), at("j", "0 0 150")],  # too few to compare with
+        [at("a", "0 0 120"), at("b", "0 250 0")],
+    ],
+)
+def test_no_evidence(joints: list[str]) -> None:
+    assert told("JNT012", robot(*joints)) == []

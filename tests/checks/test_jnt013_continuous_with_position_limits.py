@@ -1,0 +1,66 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, of_xacro, robot
+from tests.told import fixed, messages, places, told
+
+
+@pytest.mark.parametrize(
+    ("content", "shown", "mended"),
+    [
+        (
+            limit("-6.28", "6.28"),
+            'lower="-6.28" and upper="6.28"',
+            '<limit effort="10" velocity="1"/>',
+        ),
+        (
+            '<limit effort="1" upper="0"\n  velocity="2"\n  lower = "0"/>',
+            'upper="0" and lower="0"',
+            '<limit effort="1"\n  velocity="2"/>',
+        ),
+        ('<limit effort="1" velocity="2" lower="1"/>', 'lower="1"', None),
+        ("<limit  upper='x' effort='1' velocity='2' />", 'upper="x"', None),
+    ],
+)
+def test_limits_without_effect(content: str, shown: str, mended: str | None) -> None:
+    text = robot(joint("j", "continuous", content))
+    assert messages("JNT013", text) == [
+        f"joint 'j' is continuous and has {shown}, which only Drake obeys"
+    ]
+    after = fixed("JNT013", text)
+    assert told("JNT013", after) == []
+    if mended:
+        assert mended in after
+
+
+def test_the_place_is_the_first_of_the_two() -> None:
+    assert places("JNT013", robot(joint("j", "continuous", limit("-3", "4")))) == [(4, "-3")]
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("continuous", '<limit effort="1" velocity="1"/>'),
+        ("continuous", ""),
+        ("revolute", limit("-1", "1")),
+        ("fixed", limit("-1", "1")),
+    ],
+)
+def test_no_finding(kind: str, content: str) -> None:
+    assert told("JNT013", robot(joint("j", kind, content))) == []
+
+
+def test_another_call_of_a_macro_may_need_the_limits() -> None:
+    macro = joint("${kind}", "${kind}", limit("-1", "1"))
+    text = of_xacro(
+        f'<xacro:macro name="arm" params="kind">{macro}</xacro:macro><link name="base"/>'
+        '<xacro:arm kind="revolute"/><xacro:arm kind="continuous"/>'
+    )
+    assert [found.fix for found in told("JNT013", text, "robot.xacro")] == [None]
+
+
+def test_outside_of_macros_a_xacro_is_mended() -> None:
+    text = of_xacro(robot(joint("j", "continuous", limit("${-pi}", "3"))))
+    mended = fixed("JNT013", text, "robot.xacro")
+    assert '<limit effort="10" velocity="1"/>' in mended

@@ -1,0 +1,34 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, robot
+from tests.told import messages, places, told
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+from urdfkit.targets import TARGETS
+
+
+@pytest.mark.parametrize("kind", ["floating", "planar"])
+def test_a_joint_that_few_readers_know(kind: str) -> None:
+    text = robot(joint("j", kind))
+    assert messages("JNT022", text) == [
+        f"joint 'j' is {kind}: Gazebo makes no joint of it, and KDL a fixed one"
+    ]
+    assert places("JNT022", text) == [(4, kind)]
+
+
+@pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "fixed", "Floating"])
+def test_no_finding(kind: str) -> None:
+    assert told("JNT022", robot(joint("j", kind))) == []
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_who_suffers(target: str) -> None:
+    source = Source("robot.urdf", whole_robot(robot(joint("j", "planar"))).encode())
+    (found,) = engine.check(source, select=["JNT022"], targets=[target]).diagnostics
+    suffers = target == "kdl" or target.startswith(("classic", "gz"))
+    assert found.severity is (Severity.WARNING if suffers else Severity.INFO)
+    assert found.targets == ((target,) if suffers else ())

@@ -1,0 +1,46 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, mimic, robot
+from tests.told import messages, places, told
+
+
+@pytest.mark.parametrize(
+    ("kind", "lower", "upper", "unit"),
+    [
+        ("revolute", "0.5", "2.5", "rad"),
+        ("revolute", "-2.77", "-0.54", "rad"),
+        ("prismatic", "0.1", "0.2", "m"),
+        ("revolute", "-1.54462", "-0.0349066", "rad"),  # the elbow of a NAO
+    ],
+)
+def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
+    text = robot(joint("j", kind, limit(lower, upper)))
+    assert messages("JNT023", text) == [
+        f"joint 'j': 0 is not within the limits {lower} to {upper} {unit}"
+    ]
+    assert places("JNT023", text) == [(4, limit(lower, upper))]
+
+
+def test_all_joints_are_one_finding() -> None:
+    legs = [joint(name, "revolute", limit("-2", "-1")) for name in "abcd"]
+    (found,) = told("JNT023", robot(*legs))
+    assert found.message == "joints 'a', 'b' and 2 more: 0 is not within the limits -2 to -1 rad"
+    assert [other.span.line for other in found.related] == [6, 8, 10]
+
+
+@pytest.mark.parametrize(
+    ("kind", "content"),
+    [
+        ("revolute", limit("-1", "1")),
+        ("revolute", limit("0", "1")),
+        ("revolute", limit("0.00872665", "1.64934")),  # a margin of half a degree
+        ("revolute", limit("0.5", "0.5")),  # JNT004
+        ("revolute", limit("2", "1")),  # JNT003
+        ("continuous", limit("1", "2")),  # JNT013
+        ("revolute", limit("1", "2") + mimic("b")),
+    ],
+)
+def test_no_finding(kind: str, content: str) -> None:
+    assert told("JNT023", robot(joint("a", kind, content), joint("b", "continuous"))) == []

@@ -1,0 +1,63 @@
+"""A joint has a type that URDF does not know.
+
+The types are revolute, continuous, prismatic, fixed, floating and planar, in small letters.
+urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, refuses the whole robot; so does Drake.
+`spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
+in a row, with links of almost no size between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, rule
+from urdfkit.schema import JOINT_TYPES
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="Revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace("Revolute", "revolute")
+FIXED = GOOD
+
+#: How like a type another word must be to be its misspelling.
+_LIKENESS = 0.75
+
+
+@rule(
+    "JNT001",
+    "unknown-type",
+    Severity.ERROR,
+    help=f"use one of {', '.join(JOINT_TYPES)}",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        kind = joint.at.attributes.get("type")
+        if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):
+            continue
+        meant = nearest(kind.value.strip(), JOINT_TYPES, _LIKENESS)
+        yield Finding(
+            kind,
+            f"joint '{joint.name}' has type '{kind.value}', which URDF does not know"
+            + (f"; did you mean '{meant}'?" if meant else ""),
+            fix=_renamed(kind, meant) if meant else None,
+        )
+
+
+def _renamed(kind: Attribute, meant: str) -> Fix | None:
+    edits = replace_value(kind, meant)
+    return Fix(f'write type="{meant}"', edits) if edits else None

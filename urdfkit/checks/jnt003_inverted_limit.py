@@ -1,0 +1,63 @@
+"""The lower limit of a joint is above its upper limit.
+
+Nothing can lie between the two. Drake ends the program, Gazebo swaps them, MuJoCo and PyBullet
+take the joint for unlimited, MoveIt and Pinocchio compute on with an empty range. PyBullet's own
+robots write lower="1" upper="-1" for a free joint: a free revolute joint is `continuous` in URDF,
+and a free prismatic one has limits that are far apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.joints import bounds, unit
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Limit
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="camera"/>
+<joint name="pan" type="revolute">
+  <parent link="base"/>
+  <child link="camera"/>
+  <limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
+FIXED = GOOD
+
+#: How robots made for PyBullet say that a joint is free.
+_FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
+
+
+@rule("JNT003", "inverted-limit", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        ends = bounds(joint)
+        if ends is None or ends[0] <= ends[1]:
+            continue
+        assert joint.limit is not None
+        lower, upper = ends
+        message = f"joint '{joint.name}': lower limit {lower:g} {unit(joint)} is above upper limit "
+        message += f"{upper:g} {unit(joint)}"
+        for key in ("lower", "upper"):
+            if key not in joint.limit.at.attributes:
+                message += f" ({key} is not written, so it is 0)"
+        if ends in _FREE_IN_PYBULLET:
+            free = "make it continuous" if joint.kind == "revolute" else "set them far apart"
+            yield Finding(joint.limit.at, message, f"swap them; if it shall be free, {free}")
+        else:
+            yield Finding(joint.limit.at, message, "swap them", _swapped(joint.limit))
+
+
+def _swapped(limit: Limit) -> Fix | None:
+    lower, upper = limit.at.attributes.get("lower"), limit.at.attributes.get("upper")
+    if lower is None or upper is None:
+        return None
+    first, second = replace_value(lower, upper.value), replace_value(upper, lower.value)
+    return Fix("swap lower and upper", (*first, *second)) if first and second else None

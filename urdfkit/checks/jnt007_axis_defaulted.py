@@ -1,0 +1,37 @@
+"""A joint that moves has no axis, so that it takes the x axis.
+
+1 0 0 is what URDF says, and all readers agree. Few joints are meant to turn about x: most that
+were meant to turn about y or z without an `<axis>` go unnoticed until the robot moves. Write the
+axis, also where it is x.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import MOVING
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="wheel"/>
+<joint name="axle" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+</joint>"""
+GOOD = BAD.replace("</joint>", '  <axis xyz="0 1 0"/>\n</joint>')
+
+_DOES = {"prismatic": "moves along", "planar": "moves in the plane across"}
+
+
+@rule("JNT007", "axis-defaulted", Severity.INFO, help="write the axis, also if it is x")
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.kind in (*MOVING, "planar") and joint.at.child("axis") is None:
+            does = _DOES.get(joint.kind, "turns about")
+            yield Finding(joint.at, f"joint '{joint.name}' has no <axis> and {does} x, 1 0 0")

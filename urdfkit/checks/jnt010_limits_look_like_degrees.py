@@ -1,0 +1,91 @@
+"""The limits of a joint look like degrees.
+
+Angles are radians in URDF, and every reader takes them so: a limit of 180 lets the joint turn 28
+times, which is no limit at all. Joints that turn more than once have limits such as 6.28 or 12.57,
+or round numbers such as 100. A joint is reported if its limits are whole numbers up to 360, reach
+further than two turns, and either are angles that people name (45, 90, 135, 180, 270, 360) or are
+multiples of 5 that differ from joint to joint, as the ranges of motors do. Write them in radians,
+or, in xacro, as `${radians(90)}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, radians
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Edit, Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.joints import bounds
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="elbow" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <limit lower="-90" upper="90" effort="10" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
+FIXED = GOOD
+
+#: Further than two turns to one side, in rad.
+_FAR = 4 * pi
+
+#: Angles that have a name of their own.
+_NAMED = frozenset((45, 90, 135, 180, 270, 360))
+
+#: Numbers that stand for "far enough".
+_ROUND = frozenset((50, 100, 200, 300))
+
+
+@rule(
+    "JNT010",
+    "limits-look-like-degrees",
+    Severity.WARNING,
+    help="write them in radians",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    suspects: list[tuple[Joint, tuple[float, float]]] = []
+    for joint in subject.model.joints:
+        ends = bounds(joint)
+        if ends and joint.kind == "revolute" and _whole(ends) and max(map(abs, ends)) > _FAR:
+            suspects.append((joint, ends))
+    sizes = {abs(end) for _, ends in suspects for end in ends if end}
+    many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
+    for joint, (lower, upper) in suspects:
+        if not many and not {abs(lower), abs(upper)} & _NAMED:
+            continue
+        assert joint.limit is not None
+        turns = max(abs(lower), abs(upper)) / (2 * pi)
+        yield Finding(
+            joint.limit.at,
+            f"joint '{joint.name}' may turn from {lower:g} to {upper:g} rad, {turns:.1f} times "
+            "round; that looks like degrees",
+            fix=_in_radians(joint),
+            confidence=Confidence.INFERRED,
+        )
+
+
+def _whole(ends: tuple[float, float]) -> bool:
+    return ends[0] < ends[1] and all(end == int(end) and abs(end) <= 360 for end in ends)
+
+
+def _in_radians(joint: Joint) -> Fix | None:
+    assert joint.limit is not None
+    edits: list[Edit] = []
+    for key in ("lower", "upper"):
+        attribute = joint.limit.at.attributes.get(key)
+        if attribute is None or not float(attribute.value):
+            continue
+        edit = replace_value(attribute, f"{radians(float(attribute.value)):.10g}")
+        if edit is None:
+            return None
+        edits += edit
+    return Fix("write the limits in radians", tuple(edits))

@@ -1,0 +1,66 @@
+"""A continuous joint has position limits.
+
+A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio pass over
+`lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
+all with 0 and 0. Remove them, or make the joint revolute if it has an end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Edit, Fix, Severity
+from urdfkit.edits import remove_attribute
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="wrist" type="continuous">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-6.28" upper="6.28" effort="9" velocity="6.28"/>
+</joint>"""
+GOOD = BAD.replace('lower="-6.28" upper="6.28" ', "")
+FIXED = GOOD
+
+
+@rule(
+    "JNT013",
+    "continuous-with-position-limits",
+    Severity.WARNING,
+    help="remove lower and upper, or make the joint revolute",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.kind != "continuous" or joint.limit is None:
+            continue
+        written = [
+            attribute
+            for name, attribute in joint.limit.at.attributes.items()
+            if name in ("lower", "upper")
+        ]
+        if written:
+            values = " and ".join(f'{attribute.name}="{attribute.value}"' for attribute in written)
+            yield Finding(
+                written[0],
+                f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
+                fix=_without(written),
+            )
+
+
+def _without(written: list[Attribute]) -> Fix | None:
+    edits: list[Edit] = []
+    for attribute in written:
+        edit = remove_attribute(attribute)
+        if edit is None:
+            return None
+        edits += edit
+    return Fix("remove lower and upper", tuple(edits))

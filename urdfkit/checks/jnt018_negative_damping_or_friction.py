@@ -1,0 +1,50 @@
+"""The damping or the friction of a joint is negative.
+
+Both take energy out of the motion, so a negative one puts energy in: in MuJoCo the joint moves
+faster and faster by itself. Drake refuses a negative damping, Pinocchio a negative friction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import effort_unit, unit
+from urdfkit.model import number
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="continuous">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <dynamics damping="-0.1"/>
+</joint>"""
+GOOD = BAD.replace("-0.1", "0.1")
+
+
+@rule(
+    "JNT018",
+    "negative-damping-or-friction",
+    Severity.ERROR,
+    help="write the positive amount, or 0 for none",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        dynamics = joint.at.child("dynamics")
+        if dynamics is None:
+            continue
+        effort = effort_unit(joint)
+        for key, of in (("damping", f"{effort} s/{unit(joint)}"), ("friction", effort)):
+            value = number(dynamics.get(key))
+            if value is not None and value < 0:
+                yield Finding(
+                    dynamics.attributes[key],
+                    f"joint '{joint.name}': the {key} is {value:g} {of}, below 0",
+                )

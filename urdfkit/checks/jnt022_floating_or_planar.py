@@ -1,0 +1,48 @@
+"""A joint is floating or planar.
+
+Few readers can do it. Gazebo makes no joint of it at all: the link and what hangs on it become a
+body of their own, which falls, and a planar joint keeps nothing in its plane. KDL, and with it
+robot_state_publisher, takes both for fixed. Drake sets a floating link free. MuJoCo, Pinocchio and
+MoveIt understand both. Three prismatic and revolute joints in a row say planar for everyone; a
+robot that may go anywhere needs no joint at its root.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="odom"/>
+<link name="base"/>
+<joint name="drive" type="planar">
+  <parent link="odom"/>
+  <child link="base"/>
+  <axis xyz="0 0 1"/>
+</joint>"""
+GOOD = """\
+<link name="base"/>"""
+
+
+@rule(
+    "JNT022",
+    "floating-or-planar",
+    Severity.INFO,
+    help="leave the joint out where it only sets the robot free, or build it of single joints",
+    by_target=dict.fromkeys((*GAZEBO, "kdl"), Severity.WARNING),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.kind in ("floating", "planar") and joint.type:
+            yield Finding(
+                joint.type,
+                f"joint '{joint.name}' is {joint.kind}: Gazebo makes no joint of it, and KDL a "
+                "fixed one",
+            )

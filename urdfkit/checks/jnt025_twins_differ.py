@@ -1,0 +1,124 @@
+"""A joint differs from its twin on the other side.
+
+Builders draw one side and copy it. Where the left elbow may give 80 N m and the right one 1000,
+or one steering joint has an end and the other none, one of the two was forgotten in a correction:
+the robot pulls to one side, and a policy learnt on it does so too. Twins are found by name (left
+and right, l and r, FL and FR, ...) or, for numbers, by joints at mirrored places of one link, and
+they hang on different branches. Limits may be equal or mirrored; a twentieth of the range is
+allowed for, as real robots differ so much, and 1 % of effort and velocity. Zeros have rules of
+their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.joints import MOVING, bounds, effort_unit, unit
+from urdfkit.rules import Finding, rule
+from urdfkit.twins import apart, numbered_pairs, pairs
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint, Placed
+    from urdfkit.spatial import Vector
+    from urdfkit.subject import Subject
+    from urdfkit.tree import KinematicTree
+
+BAD = """\
+<link name="torso"/>
+<link name="left_arm"/>
+<link name="right_arm"/>
+<joint name="left_shoulder" type="revolute">
+  <parent link="torso"/>
+  <child link="left_arm"/>
+  <origin xyz="0 0.2 0"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1" upper="2" effort="80" velocity="11"/>
+</joint>
+<joint name="right_shoulder" type="revolute">
+  <parent link="torso"/>
+  <child link="right_arm"/>
+  <origin xyz="0 -0.2 0"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1" upper="2" effort="1000" velocity="11"/>
+</joint>"""
+GOOD = BAD.replace("1000", "80")
+
+_TOLERANCE = 0.01
+#: Of the range; the legs of a NAO differ by 0.005 of it.
+_RANGE_TOLERANCE = 0.05
+
+
+@rule(
+    "JNT025",
+    "twins-differ",
+    Severity.WARNING,
+    help="give both the right value",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for first, second in _twins(subject.tree):
+        if differences := list(_differences(first, second)):
+            yield Finding(
+                second.limit.at if second.limit and first.kind == second.kind else second.at,
+                f"joint '{second.name}' differs from its twin '{first.name}': "
+                + ", ".join(differences),
+                related=(Related(first.at.span, f"the twin '{first.name}'"),),
+                confidence=Confidence.INFERRED,
+            )
+
+
+def _twins(tree: KinematicTree) -> Iterator[tuple[Joint, Joint]]:
+    joints: dict[str, Joint] = {}
+    parents: dict[str, str] = {}
+    beside: dict[str, dict[str, Vector]] = {}
+    for child, above in tree.parents.items():
+        joint = above[0] if above else None
+        if joint is None or joint.parent is None or joint.child is None:
+            continue
+        parents[child] = joint.parent.value
+        if joint.kind in MOVING and joint.name:
+            joints[joint.name] = joint
+            beside.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
+    found = pairs(joints)
+    taken = {name for pair in found for name in pair}
+    for places in beside.values():
+        free = {name: place for name, place in places.items() if name not in taken}
+        found += numbered_pairs(free) if len(free) > 1 else []
+    children = {joint.child.value: joint for joint in joints.values() if joint.child}
+    links = [(joints[a].child, joints[b].child) for a, b in found]
+    for a, b in apart([(a.value, b.value) for a, b in links if a and b], parents):
+        yield children[a], children[b]
+
+
+def _differences(first: Joint, second: Joint) -> Iterator[str]:
+    """What differs, as ``effort 1000, not 80 N m``: the second's value before the first's."""
+    if first.kind != second.kind:
+        yield f"{second.kind}, not {first.kind}"
+        return
+    one, other = first.limit, second.limit
+    if one is None or other is None:
+        return
+    for name, a, b, of in (
+        ("effort", one.effort, other.effort, effort_unit(first)),
+        ("velocity", one.velocity, other.velocity, f"{unit(first)}/s"),
+    ):
+        if a and b and _differ(a, b):
+            yield f"{name} {b.value:g}, not {a.value:g} {of}"
+    ours, theirs = bounds(first), bounds(second)
+    if ours is None or theirs is None or ours[0] >= ours[1] or theirs[0] >= theirs[1]:
+        return
+    if not (_same(ours, theirs) or _same((-ours[1], -ours[0]), theirs)):
+        yield (
+            f"limits {theirs[0]:g} to {theirs[1]:g}, not {ours[0]:g} to {ours[1]:g} {unit(first)}"
+        )
+
+
+def _differ(a: Placed[float], b: Placed[float]) -> bool:
+    high, low = max(a.value, b.value), min(a.value, b.value)
+    return low > 0 and high - low > _TOLERANCE * high
+
+
+def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
+    allowed = _RANGE_TOLERANCE * max(ours[1] - ours[0], theirs[1] - theirs[0])
+    return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed

@@ -1,0 +1,91 @@
+"""Joints mimic others in a program that does not know mimic.
+
+RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress pass over
+`<mimic>`: the followers swing freely. From Harmonic on, only the physics engine
+bullet-featherstone couples them; the default one says so once and lets them swing. A joint that
+is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic
+plugins. KDL takes a follower for a joint of its own, and so does Pinocchio unless it is asked for
+mimic joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import MOVING, related, several
+from urdfkit.rules import Finding, rule
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.model import RobotModel
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="hand"/>
+<link name="left_finger"/>
+<link name="right_finger"/>
+<joint name="left_finger_joint" type="prismatic">
+  <parent link="hand"/>
+  <child link="left_finger"/>
+  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
+</joint>
+<joint name="right_finger_joint" type="prismatic">
+  <parent link="hand"/>
+  <child link="right_finger"/>
+  <limit lower="0" upper="0.04" effort="20" velocity="0.2"/>
+  <mimic joint="left_finger_joint"/>
+</joint>
+<gazebo>
+  <plugin name="control" filename="libgazebo_ros_control.so"/>
+</gazebo>"""
+GOOD = BAD.replace(
+    "</gazebo>",
+    """\
+  <plugin name="fingers" filename="libroboticsgroup_gazebo_mimic_joint_plugin.so">
+    <joint>left_finger_joint</joint>
+    <mimicJoint>right_finger_joint</mimicJoint>
+  </plugin>
+</gazebo>""",
+)
+
+
+@rule(
+    "JNT026",
+    "mimic-unsupported",
+    Severity.INFO,
+    help="list them in <ros2_control>, add a mimic plugin, or choose bullet-featherstone",
+    by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    """One finding for all: a hand has a dozen of them."""
+    if not subject.targets.any_of(GAZEBO):
+        return
+    coupled = _coupled(subject.model)
+    joints = [
+        joint
+        for joint in subject.model.joints
+        if joint.mimic and joint.kind in MOVING and joint.name not in coupled
+    ]
+    if joints and joints[0].mimic:
+        yield Finding(
+            joints[0].mimic.at,
+            f"{several(joints)}: Gazebo does not couple a joint that mimics another one",
+            related=related((joint, joint.mimic.at.span) for joint in joints if joint.mimic),
+        )
+
+
+def _coupled(model: RobotModel) -> set[str]:
+    """The joints that something else moves: a control plugin, a transmission or a mimic plugin."""
+    names = {
+        element.get("name") or ""
+        for owner in (*model.ros2_controls, *model.transmissions)
+        for element in owner.children
+        if element.tag.endswith("joint")  # passive_joint, gap_joint, ...
+    }
+    for block in model.gazebo:
+        for plugin in block.all("plugin"):
+            if "mimic" in (plugin.get("filename") or ""):
+                names.update(element.text.strip() for element in plugin.walk())
+    return names
