@@ -1,0 +1,195 @@
+"""Plugins of Gazebo: which library each is, where it belongs and which tags it reads."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Any, NamedTuple
+
+from urdfkit.catalog import data
+
+#: The generations whose plugins a target loads.
+GENERATIONS = {
+    "classic-ros1": ("classic-ros1", "classic"),
+    "classic-ros2": ("classic-ros2", "classic"),
+    "gz-fortress": ("gz",),
+    "gz-harmonic": ("gz",),
+    "gz-jetty": ("gz",),
+}
+
+#: Types of parameters that the plugin looks up in the simulated model. ``joints`` is a list.
+REFERENCES = ("link", "joint", "joints")
+
+_GZ_NAME = re.compile(r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so)?$")
+_ROS2_CONTROL = re.compile(r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$")
+
+
+class Parameter(NamedTuple):
+    """A tag that a plugin reads.
+
+    Attributes:
+        name: its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``.
+        type: ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on.
+        required: True if the plugin does nothing, or fails, without it.
+        repeatable: True if more than one may stand there.
+        default: as text; None if there is none, or it is found at run time.
+        words: the values that it may have; empty if any.
+    """
+
+    name: str
+    type: str
+    required: bool
+    repeatable: bool
+    default: str | None
+    words: tuple[str, ...] = ()
+
+
+class Plugin(NamedTuple):
+    """A plugin of one generation.
+
+    Attributes:
+        id: the library and the generation.
+        files: the names that it is loaded by.
+        fortress_files: those in Gazebo Fortress; empty if it is not there.
+        generation: ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``.
+        kinds: what it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
+        sensors: the types of sensor that it serves; empty if it says nothing about them.
+        package: that has it.
+        class_name: of gz; the ``name`` that the model must give. Empty elsewhere.
+        fortress_class: the same in Fortress.
+        removed: True if the generation has no such library any more.
+        successor: file name of what replaces it in the next generation, or None.
+        advice: what else to do then.
+        missing: what happens if a link or joint that it names is not there.
+        open: children of which it reads anything; ``*`` for all.
+        patterns: regular expressions of more names that it reads.
+        node: True if its name becomes that of a ROS node.
+        parameters: the tags that it reads, by path.
+    """
+
+    id: str
+    files: tuple[str, ...]
+    fortress_files: tuple[str, ...]
+    generation: str
+    kinds: tuple[str, ...]
+    sensors: tuple[str, ...]
+    package: str
+    class_name: str
+    fortress_class: str
+    removed: bool
+    successor: str | None
+    advice: str
+    missing: str
+    open: tuple[str, ...]
+    patterns: tuple[str, ...]
+    node: bool
+    parameters: dict[str, Parameter]
+
+    def reads(self, path: str) -> bool:
+        """True if it reads a tag or an attribute at a path in it, or something inside that tag."""
+        top = path.partition("/")[0]
+        if path in self.parameters or "*" in self.open or top in self.open:
+            return True
+        if any(name.startswith(f"{path}/") for name in self.parameters):
+            return True
+        return any(re.fullmatch(pattern, path) for pattern in self.patterns)
+
+
+@cache
+def _content() -> dict[str, Any]:
+    return data("plugins")
+
+
+@cache
+def _by_file() -> dict[str, list[dict[str, Any]]]:
+    found: dict[str, list[dict[str, Any]]] = {}
+    for entry in _content()["plugins"]:
+        for file in (*entry["files"], *entry.get("fortress_files", ())):
+            found.setdefault(file, []).append(entry)
+    return found
+
+
+@cache
+def _by_id() -> dict[str, Plugin]:
+    return {}
+
+
+def files() -> list[str]:
+    """Every file name of every plugin."""
+    return list(_by_file())
+
+
+def find(filename: str) -> tuple[Plugin, ...]:
+    """The plugins that a ``filename`` means: of each generation one, or one for each class.
+
+    Gazebo Classic wants the name of the library as it is; gz-sim forgives a missing ``lib`` and
+    ``.so``, and the version number in ``gz-sim8-``.
+    """
+    entries = _by_file().get(filename, ())
+    if not entries and (match := _GZ_NAME.match(filename)):
+        entries = _by_file().get("".join(match.groups()), ())
+    if not entries and (match := _ROS2_CONTROL.match(filename)):
+        entries = _by_file().get(match.group(1), ())
+    return tuple(_plugin(entry) for entry in entries)
+
+
+def all_plugins() -> tuple[Plugin, ...]:
+    """Every plugin of every generation."""
+    return tuple(_plugin(entry) for entry in _content()["plugins"])
+
+
+def renames() -> dict[str, str]:
+    """What the tags of ROS 1 plugins are called in ROS 2, where the plugin has that tag."""
+    found: dict[str, str] = _content()["renames"]
+    return found
+
+
+def often_unread() -> dict[str, list[str]]:
+    """Tags that shipped examples give to plugins which do not read them, by generation."""
+    found: dict[str, list[str]] = _content()["unread"]
+    return found
+
+
+def _plugin(entry: dict[str, Any]) -> Plugin:
+    plugin = _by_id().get(entry["id"])
+    if plugin is None:
+        plugin = _by_id()[entry["id"]] = _read(entry)
+    return plugin
+
+
+def _read(entry: dict[str, Any]) -> Plugin:
+    written: dict[str, str] = dict(_content()["ros_block"]) if entry.get("ros") else {}
+    written.update(entry["parameters"])
+    words = entry.get("words", {})
+    return Plugin(
+        entry["id"],
+        tuple(entry["files"]),
+        tuple(entry.get("fortress_files", ())),
+        entry["generation"],
+        tuple(entry["kinds"]),
+        tuple(entry.get("sensors", ())),
+        entry["package"],
+        entry.get("class", ""),
+        entry.get("fortress_class", ""),
+        entry.get("removed", False),
+        entry.get("successor"),
+        entry.get("advice", ""),
+        entry.get("missing", ""),
+        tuple(entry.get("open", ())),
+        tuple(entry.get("patterns", ())),
+        entry.get("node", False),
+        {name: _parameter(name, text, words.get(name, ())) for name, text in written.items()},
+    )
+
+
+def _parameter(name: str, text: str, words: list[str]) -> Parameter:
+    """Read ``TYPE``, ``!`` if required, ``*`` if repeatable, ``= DEFAULT``."""
+    kind, has_default, default = text.partition(" = ")
+    return Parameter(
+        name,
+        kind.rstrip("!*"),
+        "!" in kind,
+        "*" in kind,
+        default if has_default else None,
+        tuple(words),
+    )
