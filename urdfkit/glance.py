@@ -6,10 +6,13 @@ The answers here are cautious: a rule that is not named as silent may still find
 
 from __future__ import annotations
 
+from math import pi
 from typing import TYPE_CHECKING
 
+from urdfkit.model import DEGREES_OF_FREEDOM
+
 if TYPE_CHECKING:
-    from urdfkit.model import RobotModel
+    from urdfkit.model import Joint, RobotModel
     from urdfkit.tree import KinematicTree
 
 #: Silent if links and joints form one tree.
@@ -17,6 +20,20 @@ ABOUT_TREES = frozenset("NAM001 NAM002 REF001 TRE001 TRE002 TRE003 TRE004 TRE006
 
 #: Silent if every name is plain.
 ABOUT_NAMES = frozenset("NAM003 NAM004 NAM005 NAM007 NAM008 NAM010".split())
+
+#: Silent if no joint has the child.
+ABOUT_CHILDREN = {
+    "mimic": frozenset("REF004 JNT014 JNT015 JNT016 JNT017 JNT026".split()),
+    "safety_controller": frozenset(("JNT019", "JNT029")),
+    "calibration": frozenset(("JNT024",)),
+    "dynamics": frozenset(("JNT018",)),
+}
+
+#: Silent if every axis is x, y or z, and written.
+ABOUT_AXES = frozenset("JNT005 JNT006 JNT007 JNT027".split())
+
+#: Silent if all limits are written where they must be, in order, and on both sides of 0.
+ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT028".split())
 
 
 def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
@@ -30,15 +47,67 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
         codes.add("NAM006")
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
-    if not any(joint.mimic for joint in model.joints):
-        codes.add("REF004")
-    if not any(joint.kind == "fixed" and joint.at.child("axis") for joint in model.joints):
-        codes.add("JNT020")
+    codes |= _about_joints(model)
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     if len(model.joints) < 1000:
         codes.add("TRE009")
     return codes
+
+
+def _about_joints(model: RobotModel) -> set[str]:
+    joints = model.joints
+    codes: set[str] = set()
+    children = {child.tag for joint in joints for child in joint.at.children}
+    for tag, about in ABOUT_CHILDREN.items():
+        if tag not in children:
+            codes |= about
+    if all(map(_axis_is_plain, joints)):
+        codes |= ABOUT_AXES
+    if all(map(_limit_is_plain, joints)):
+        codes |= ABOUT_LIMITS
+    if not any(joint.kind == "fixed" and joint.at.child("axis") for joint in joints):
+        codes.add("JNT020")
+    if all(abs(part) < 5 for joint in joints for part in joint.origin.position):
+        codes.add("JNT012")  # which begins at 10 m
+    return codes | _about_types([joint.kind for joint in joints])
+
+
+def _about_types(kinds: list[str]) -> set[str]:
+    codes: set[str] = set()
+    if all(kind == "fixed" or kind in DEGREES_OF_FREEDOM for kind in kinds):
+        codes.add("JNT001")
+    if "continuous" not in kinds:
+        codes |= {"JNT013", "JNT021"}
+    if not {"floating", "planar"}.intersection(kinds):
+        codes.add("JNT022")
+    if sum(kind in DEGREES_OF_FREEDOM for kind in kinds) < 2:
+        codes.add("JNT025")
+    return codes
+
+
+def _axis_is_plain(joint: Joint) -> bool:
+    if joint.kind not in DEGREES_OF_FREEDOM:
+        return True
+    return joint.axis is not None and sorted(map(abs, joint.axis.value)) == [0, 0, 1]
+
+
+def _limit_is_plain(joint: Joint) -> bool:
+    limit = joint.limit
+    bounded = joint.kind in ("revolute", "prismatic")
+    if limit is None:
+        return not bounded
+    if not (
+        limit.effort and limit.effort.value > 0 and limit.velocity and limit.velocity.value > 0
+    ):
+        return False
+    if not bounded:
+        return True
+    if limit.lower is None or limit.upper is None:
+        return False
+    return -4 * pi < limit.lower.value <= 0 <= limit.upper.value < 4 * pi and bool(
+        limit.upper.value - limit.lower.value
+    )
 
 
 def _names_are_plain(model: RobotModel) -> bool:
