@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit import glance, rules
+from urdfkit.beside import srdf_files
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
 
 #: Families of rules that look at the document or the robot in it.
-_OF_THE_DOCUMENT = frozenset({"URD", "REF", "NAM", "TRE", "JNT", "INE", "GEO", "MSH"})
+_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH GAZ RCT SRD".split())
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -140,6 +141,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         waiting |= glance.silent(model, subject.tree)
         if not model.joints:
             silent.add("JNT")
+        if not srdf_files(subject.source.path, subject.resolver):
+            silent.add("SRD")
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         elif not rules.TOLD_BY_FILES.isdisjoint(chosen):

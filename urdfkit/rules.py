@@ -54,6 +54,7 @@ class Need(Enum):
     FILES = "files"  # the files that the model names
     GAZEBO = "gazebo"  # what Gazebo makes of the model
     LAUNCH = "launch"  # the launch file
+    SRDF = "srdf"  # MoveIt's file beside the model
 
 
 class Written(NamedTuple):

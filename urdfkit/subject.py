@@ -17,8 +17,10 @@ if TYPE_CHECKING:
     from urdfkit.gazebo import Conversion
     from urdfkit.grammar import Deviation
     from urdfkit.launch import Launch
+    from urdfkit.masses import Masses
     from urdfkit.model import RobotModel
     from urdfkit.resolve import Resolver
+    from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
     from urdfkit.tree import KinematicTree
@@ -209,6 +211,13 @@ class Subject:
         return Conversion(self.tree)
 
     @cached_property
+    def srdf(self) -> Srdf | None:
+        """The SRDF beside the robot, if there is one."""
+        from urdfkit.srdf import find
+
+        return find(self)
+
+    @cached_property
     def launch(self) -> Launch:
         """What the launch file needs.
 
@@ -224,6 +233,13 @@ class Subject:
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
         """Another description, read in the same way."""
         return Subject(Source.read(path), self.resolver, arguments, trust=self.trust)
+
+    @cached_property
+    def masses(self) -> Masses:
+        """The masses and inertias of the model, and what is doubtful about them."""
+        from urdfkit.masses import Masses
+
+        return Masses(self.model, self.tree)
 
     @cached_property
     def files(self) -> Files:

@@ -26,6 +26,7 @@ PARTS = {
     Need.FILES: ("files",),
     Need.GAZEBO: {"gazebo"},
     Need.LAUNCH: {"launch", "beside"},
+    Need.SRDF: {"srdf"},
 }
 
 pytestmark = pytest.mark.parametrize("code", rules.codes())

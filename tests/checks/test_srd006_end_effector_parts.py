@@ -1,0 +1,44 @@
+"""SRD006: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+
+BAD = [
+    (
+        '<group name="a"><link name="arm"/><link name="hand"/></group><group name="h">'
+        '<link name="hand"/></group>'
+        '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>',
+        "end effector 'e' and group 'a' share 'hand'",
+        None,
+    ),
+    (
+        '<group name="h"><link name="hand"/></group>'
+        '<end_effector name="e" group="h" parent_link="hand"/>',
+        "end effector 'e' hangs on 'hand', its own link",
+        None,
+    ),
+]
+GOOD = [
+    (
+        '<group name="a"><chain base_link="base" tip_link="arm"/></group>'
+        '<group name="h"><link name="hand"/></group>'
+        '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "message", "word"), BAD)
+def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
+    (finding,) = findings(tmp_path, text, "SRD006")
+    assert finding.message == message
+    assert finding.span.source.path == str(tmp_path / "r.srdf")
+    assert finding.span.line == 2
+    assert word is None or finding.span.text == word
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+    assert findings(tmp_path, text, "SRD006") == []

@@ -1,0 +1,37 @@
+"""SRD007: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+
+BAD = [
+    (
+        '<virtual_joint name="v" type="hinge" parent_frame="w" child_link="base"/>',
+        "virtual joint 'v' is of type 'hinge', not one of fixed, planar, floating",
+        None,
+    ),
+    (
+        '<virtual_joint name="v" type="fixed" parent_frame="w" child_link="arm"/>',
+        "virtual joint 'v' holds 'arm', which is not the robot's root",
+        None,
+    ),
+]
+GOOD = [
+    '<virtual_joint name="v" type="floating" parent_frame="world" child_link="base"/>',
+]
+
+
+@pytest.mark.parametrize(("text", "message", "word"), BAD)
+def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
+    (finding,) = findings(tmp_path, text, "SRD007")
+    assert finding.message == message
+    assert finding.span.source.path == str(tmp_path / "r.srdf")
+    assert finding.span.line == 2
+    assert word is None or finding.span.text == word
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+    assert findings(tmp_path, text, "SRD007") == []

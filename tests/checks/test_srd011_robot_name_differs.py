@@ -1,0 +1,16 @@
+"""SRD011: see the rule."""
+
+from pathlib import Path
+
+from tests.srdfs import findings
+
+
+def test_both_names_are_told(tmp_path: Path) -> None:
+    (finding,) = findings(tmp_path, "", "SRD011", name="other")
+    assert finding.message == "the SRDF is of robot 'other', the description of 'r'"
+    assert (finding.span.line, finding.span.text) == (1, "other")
+
+
+def test_of_several_files_the_one_with_the_name_counts(tmp_path: Path) -> None:
+    (tmp_path / "old.srdf").write_text('<robot name="old"/>')
+    assert findings(tmp_path, "", "SRD011") == []

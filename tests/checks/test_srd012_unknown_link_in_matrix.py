@@ -1,0 +1,32 @@
+"""SRD012: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+
+BAD = [
+    (
+        '<disable_collisions link1="base" link2="hnad" reason="Never"/>',
+        "there is no link 'hnad'; did you mean 'hand'?",
+        "hnad",
+    ),
+]
+GOOD = [
+    '<disable_collisions link1="base" link2="hand" reason="Never"/>',
+]
+
+
+@pytest.mark.parametrize(("text", "message", "word"), BAD)
+def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
+    (finding,) = findings(tmp_path, text, "SRD012")
+    assert finding.message == message
+    assert finding.span.source.path == str(tmp_path / "r.srdf")
+    assert finding.span.line == 2
+    assert word is None or finding.span.text == word
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
+    assert findings(tmp_path, text, "SRD012") == []

@@ -1,0 +1,28 @@
+"""A robot with an SRDF beside it, for the tests of the SRD rules."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from urdfkit import Diagnostic, check
+
+ROBOT = """<robot name="r">
+  <link name="base"/>
+  <link name="arm"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
+  <link name="hand"/>
+  <link name="finger"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/></joint>
+  <joint name="knuckle" type="fixed"><parent link="hand"/><child link="finger"/></joint>
+</robot>
+"""
+
+
+def findings(folder: Path, body: str, code: str, name: str = "r") -> list[Diagnostic]:
+    """What one rule says about an SRDF; its first line is line 2 of the file."""
+    (folder / "r.urdf").write_text(ROBOT)
+    (folder / "r.srdf").write_text(f'<robot name="{name}">\n{body}\n</robot>\n')
+    return list(check(folder / "r.urdf", select=[code]).diagnostics)

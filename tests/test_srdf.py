@@ -1,0 +1,88 @@
+"""Finding an SRDF, and MoveIt's real ones."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, needs_corpus
+from tests.srdfs import ROBOT
+from urdfkit import check
+from urdfkit.beside import srdf_files
+from urdfkit.reading import read_xml
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.srdf import Srdf, read
+from urdfkit.subject import Subject
+
+
+def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot(tmp_path):
+    robots, moveit, other = (
+        tmp_path / name for name in ("arm", "arm_moveit_config", "b_moveit_config")
+    )
+    for folder in (robots / "urdf", robots / "config", moveit / "config", other / "config"):
+        folder.mkdir(parents=True)
+    for package in (robots, moveit, other):
+        (package / "package.xml").write_text(f"<package><name>{package.name}</name></package>")
+    robot = robots / "urdf" / "r.urdf"
+    robot.write_text(ROBOT)
+    for place in (robots / "config", moveit / "config", other / "config"):
+        (place / "r.srdf").write_text('<robot name="r"/>')
+    setup = (
+        "moveit_setup_assistant_config:\n  URDF:\n    package: {}\n    relative_path: urdf/r.urdf\n"
+    )
+    (moveit / ".setup_assistant").write_text(setup.format("arm"))
+    (other / ".setup_assistant").write_text(setup.format("b"))
+    assert srdf_files(str(robot), Resolver(environment={})) == [
+        str(robots / "config" / "r.srdf"),
+        str(moveit / "config" / "r.srdf"),
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "<robot", "<srdf/>"])
+def test_what_cannot_be_read_is_no_srdf(tmp_path, text):
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    (tmp_path / "r.srdf").write_text(text)
+    assert check(tmp_path / "r.urdf", select=["SRD"]).diagnostics == ()
+
+
+def srdf(text: str) -> Srdf:
+    subject = Subject(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
+    document, _ = read_xml(Source("r.srdf", text.encode()))
+    assert document is not None
+    return Srdf("r.srdf", document.root, subject.tree)
+
+
+def test_a_way_goes_down_the_tree():
+    robot = srdf("<robot name='r'/>")
+    assert [joint.name for joint in robot.way("base", "finger") or ()] == [
+        "shoulder", "wrist", "knuckle",
+    ]  # fmt: skip
+    assert robot.way("finger", "base") is None
+    assert robot.way("arm", "arm") == []
+
+
+def test_the_links_of_a_group_come_from_all_its_parts():
+    text = """<robot name='r'>
+      <group name='a'><chain base_link='base' tip_link='arm'/><group name='b'/></group>
+      <group name='b'><joint name='wrist'/><link name='finger'/><group name='a'/></group>
+    </robot>"""
+    assert srdf(text).links_of("a") == {"arm", "hand", "finger"}
+
+
+@needs_corpus
+@pytest.mark.parametrize(
+    ("robot", "semantic"),
+    [
+        ("fanuc_description/urdf/fanuc.urdf", "fanuc_moveit_config/config/fanuc.srdf"),
+        ("panda_description/urdf/panda.urdf", "panda_moveit_config/config/panda.srdf"),
+    ],
+)
+def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
+    folder = CORPUS / "moveit_resources"
+    copied = tmp_path / Path(robot).name
+    copied.write_bytes((folder / robot).read_bytes())
+    (tmp_path / "robot.srdf").write_bytes((folder / semantic).read_bytes())
+    report = check(copied, select=["SRD"])
+    assert report.diagnostics == ()
+    subject = Subject(Source.read(copied), Resolver(environment={}))
+    assert read(str(tmp_path / "robot.srdf"), subject) is not None

@@ -1,0 +1,65 @@
+"""A chain's tip does not hang below its base.
+
+A chain goes from a base link down the tree to a tip link. MoveIt refuses one that does not, and the
+group has no joints. Base and tip are swapped, or one of them is on another branch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <group name="arm"><chain base_link="hand" tip_link="base"/></group>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <group name="arm"><chain base_link="base" tip_link="hand"/></group>
+</robot>
+""",
+}
+
+
+@rule(
+    "SRD002",
+    "chain-not-a-path",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="swap base and tip, or name links of one branch",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    links = srdf.known("link")
+    for group in srdf.groups:
+        for chain in group.all("chain"):
+            base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
+            if base in links and tip in links and srdf.way(base, tip) is None:
+                message = f"group '{group.get('name')}': link '{tip}' does not hang below '{base}'"
+                yield Finding(chain, message)

@@ -1,0 +1,66 @@
+"""A named state sets a joint that cannot be set.
+
+A fixed joint has no position: MoveIt ignores the value or refuses the state. Leave the joint out. A
+joint that mimics another may be set, to the value that it has anyway; maintained robots do so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <group name="arm"><joint name="shoulder"/></group>
+  <group_state name="up" group="arm"><joint name="wrist" value="0"/></group_state>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <group name="arm"><joint name="shoulder"/></group>
+  <group_state name="up" group="arm"><joint name="shoulder" value="0"/></group_state>
+</robot>
+""",
+}
+
+
+@rule(
+    "SRD005",
+    "state-sets-immovable-joint",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="leave the joint out of the state",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    for state in srdf.states:
+        for element in state.all("joint"):
+            joint = subject.model.joints_by_name.get(element.get("name") or "")
+            if joint is not None and joint.kind == "fixed":
+                message = f"state '{state.get('name')}' sets joint '{joint.name}', which is fixed"
+                yield Finding(element, message)

@@ -1,0 +1,72 @@
+"""An end effector and the group that carries it do not fit together.
+
+The links of the end effector's group must not be in the parent group, and the parent link must be
+in it. MoveIt otherwise takes the hand for a part of the arm, or finds nothing to attach it to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <group name="arm"><link name="arm"/><link name="hand"/></group>
+  <group name="hand"><link name="hand"/></group>
+  <end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <group name="arm"><link name="arm"/></group>
+  <group name="hand"><link name="hand"/></group>
+  <end_effector name="hand" group="hand" parent_link="arm" parent_group="arm"/>
+</robot>
+""",
+}
+
+
+@rule(
+    "SRD006",
+    "end-effector-parts",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="let the groups share no link, and let the parent link be one of the parent group",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    for effector in srdf.end_effectors:
+        name, parent = effector.get("name"), effector.get("parent_group")
+        hand = srdf.links_of(effector.get("group") or "")
+        arm = srdf.links_of(parent) if parent else set()
+        if shared := sorted(hand & arm):
+            links = ", ".join(f"'{link}'" for link in shared)
+            yield Finding(effector, f"end effector '{name}' and group '{parent}' share {links}")
+        link = effector.get("parent_link")
+        if link in hand:
+            yield Finding(effector, f"end effector '{name}' hangs on '{link}', its own link")

@@ -1,0 +1,70 @@
+"""A virtual joint does not fit the robot.
+
+It joins the root of the robot to a frame of the world, and is `fixed`, `planar` or `floating`.
+MoveIt ignores one of another type or on another link, and the robot cannot be placed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <virtual_joint name="v" type="fixed" parent_frame="world" child_link="arm"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>
+</robot>
+""",
+}
+
+
+_TYPES = ("fixed", "planar", "floating")
+
+
+@rule(
+    "SRD007",
+    "virtual-joint",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="attach it to the root link, with type fixed, planar or floating",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    roots = {link.name for link in subject.tree.roots}
+    for joint in srdf.virtual_joints:
+        name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
+        if kind not in _TYPES:
+            types = ", ".join(_TYPES)
+            yield Finding(joint, f"virtual joint '{name}' is of type '{kind}', not one of {types}")
+        elif child in subject.model.links_by_name and child not in roots:
+            message = f"virtual joint '{name}' holds '{child}', which is not the robot's root"
+            yield Finding(joint, message)

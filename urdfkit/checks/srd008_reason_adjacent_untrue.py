@@ -1,0 +1,76 @@
+"""A pair of links is allowed to collide as "Adjacent" although no joint holds them together.
+
+The pair is then never checked, whatever the robot does. The matrix is of an older robot, or the
+reason was written by hand. Links between which only links without collision geometry lie count as
+adjacent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm">
+    <collision><geometry><sphere radius="0.1"/></geometry></collision>
+  </link>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <disable_collisions link1="base" link2="hand" reason="Adjacent"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+""",
+}
+
+
+@rule(
+    "SRD008",
+    "reason-adjacent-untrue",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.SRDF),
+    help="compute the collision matrix anew, or give the true reason",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    for pair in srdf.root.all("disable_collisions"):
+        first, second = pair.get("link1") or "", pair.get("link2") or ""
+        if (pair.get("reason") or "").lower() != "adjacent":
+            continue
+        joints = srdf.way(first, second) or srdf.way(second, first)
+        known = first in srdf.known("link") and second in srdf.known("link")
+        if known and (joints is None or not _adjacent(joints, subject)):
+            yield Finding(pair, f"no joint holds '{first}' and '{second}' together")
+
+
+def _adjacent(joints: list[Joint], subject: Subject) -> bool:
+    """True if no link with collision geometry lies between the ends of a way."""
+    between = [joint.child.value for joint in joints[:-1] if joint.child]
+    return not any(subject.model.links_by_name[name].collisions for name in between)

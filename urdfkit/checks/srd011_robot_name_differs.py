@@ -1,0 +1,53 @@
+"""The SRDF is of a robot with another name.
+
+MoveIt compares the names and refuses: "Semantic description is not specified for the same robot as
+the URDF". Give both the same name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"other"')
+FILES = {"example.srdf": b'<robot name="other"/>'}
+
+
+@rule(
+    "SRD011",
+    "robot-name-differs",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="give the SRDF the name of the robot",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    name = srdf.root.attributes.get("name")
+    if name is not None and name.value != subject.model.name:
+        message = f"the SRDF is of robot '{name.value}', the description of '{subject.model.name}'"
+        yield Finding(name, message)

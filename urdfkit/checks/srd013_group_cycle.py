@@ -1,0 +1,82 @@
+"""Planning groups contain one another in a circle.
+
+MoveIt cannot resolve them and leaves all of them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.srdf import Srdf
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <link name="hand"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="wrist" type="fixed">
+    <parent link="arm"/>
+    <child link="hand"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <group name="a"><group name="b"/></group>
+  <group name="b"><group name="a"/></group>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <group name="a"><group name="b"/></group>
+  <group name="b"><link name="arm"/></group>
+</robot>
+""",
+}
+
+
+@rule(
+    "SRD013",
+    "group-cycle",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.SRDF),
+    help="take one of the subgroups out",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    if srdf is None:
+        return
+    for name, elements in srdf.groups_by_name.items():
+        way = _circle(name, srdf)
+        # A circle is told once, at the first of its groups.
+        if way and name == min(way):
+            yield Finding(elements[0], "groups contain one another: " + " -> ".join((*way, name)))
+
+
+def _circle(name: str, srdf: Srdf) -> tuple[str, ...]:
+    """The groups on a way from a group through its subgroups back to it; empty without one."""
+    stack: list[tuple[str, ...]] = [(name,)]
+    seen: set[str] = set()
+    while stack:
+        way = stack.pop()
+        for element in srdf.groups_by_name.get(way[-1], ()):
+            for child in element.all("group"):
+                inner = child.get("name") or ""
+                if inner == name:
+                    return way
+                if inner not in seen:
+                    seen.add(inner)
+                    stack.append((*way, inner))
+    return ()

@@ -1,0 +1,147 @@
+"""SRDF: MoveIt's groups, states and allowed collisions, read beside the robot that they are of.
+
+Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which refuses what does not fit
+the robot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.beside import srdf_files
+from urdfkit.document import Attribute, Element
+from urdfkit.errors import UnreadableFile
+from urdfkit.reading import is_xacro, read_xml
+from urdfkit.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+    from urdfkit.tree import KinematicTree
+
+
+class Srdf:
+    """One SRDF and the robot it belongs to.
+
+    Attributes:
+        path: of the file.
+        root: its ``<robot>`` element.
+        groups, states, end_effectors, virtual_joints: their elements.
+    """
+
+    def __init__(self, path: str, root: Element, tree: KinematicTree) -> None:
+        self.path = path
+        self.root = root
+        self.tree = tree
+        self.groups = tuple(root.all("group"))
+        self.states = tuple(root.all("group_state"))
+        self.end_effectors = tuple(root.all("end_effector"))
+        self.virtual_joints = tuple(root.all("virtual_joint"))
+
+    @cached_property
+    def groups_by_name(self) -> dict[str, list[Element]]:
+        """The elements of each group; a name may have several, which MoveIt joins."""
+        found: dict[str, list[Element]] = {}
+        for group in self.groups:
+            found.setdefault(group.get("name") or "", []).append(group)
+        return found
+
+    def references(self) -> Iterator[tuple[str, Attribute]]:
+        """What names a ``link``, ``joint`` or ``group``, apart from the collision matrix."""
+        for group in self.groups:
+            for child in group.children:
+                if child.tag in ("link", "joint", "group"):
+                    yield from _named(child.tag, child, "name")
+                elif child.tag == "chain":
+                    yield from _named("link", child, "base_link", "tip_link")
+        for state in self.states:
+            yield from _named("group", state, "group")
+            for joint in state.all("joint"):
+                yield from _named("joint", joint, "name")
+        for effector in self.end_effectors:
+            yield from _named("group", effector, "group", "parent_group")
+            yield from _named("link", effector, "parent_link")
+        for virtual in self.virtual_joints:
+            yield from _named("link", virtual, "child_link")
+        for passive in self.root.all("passive_joint"):
+            yield from _named("joint", passive, "name")
+
+    def known(self, kind: str) -> set[str]:
+        """The names of a kind that the robot or this file has."""
+        if kind == "group":
+            return set(self.groups_by_name)
+        if kind == "link":
+            return set(self.tree.model.links_by_name)
+        virtual = {joint.get("name") or "" for joint in self.virtual_joints}
+        return virtual | set(self.tree.model.joints_by_name)
+
+    def way(self, base: str, tip: str) -> list[Joint] | None:
+        """The joints from a link down to another one; None if the second is not below."""
+        joints: list[Joint] = []
+        name = tip
+        while name != base:
+            above = self.tree.parents.get(name)
+            if not above or above[0].parent is None or len(joints) > len(self.tree.parents):
+                return None
+            joints.append(above[0])
+            name = above[0].parent.value
+        return joints[::-1]
+
+    def links_of(self, name: str, seen: frozenset[str] = frozenset()) -> set[str]:
+        """The links of a group, with those of its subgroups; bounded where they are circular."""
+        links: set[str] = set()
+        if name in seen:
+            return links
+        for group in self.groups_by_name.get(name, ()):
+            for child in group.children:
+                links |= self._links_of_part(child, seen | {name})
+        return links
+
+    def _links_of_part(self, part: Element, seen: frozenset[str]) -> set[str]:
+        name = part.get("name") or ""
+        if part.tag == "link":
+            return {name}
+        if part.tag == "joint":
+            joint = self.tree.model.joints_by_name.get(name)
+            return {joint.child.value} if joint and joint.child else set()
+        if part.tag == "group":
+            return self.links_of(name, seen)
+        if part.tag == "chain":
+            joints = self.way(part.get("base_link") or "", part.get("tip_link") or "")
+            return {joint.child.value for joint in joints or () if joint.child}
+        return set()
+
+
+def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attribute]]:
+    for key in keys:
+        attribute = element.attributes.get(key)
+        if attribute is not None:
+            yield kind, attribute
+
+
+def find(subject: Subject) -> Srdf | None:
+    """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none."""
+    paths = srdf_files(subject.source.path, subject.resolver)
+    fitting = [srdf for path in paths if (srdf := read(path, subject)) is not None]
+    same = [srdf for srdf in fitting if srdf.root.get("name") == subject.model.name]
+    chosen = same or fitting
+    return chosen[0] if len(chosen) == 1 else None
+
+
+def read(path: str, subject: Subject) -> Srdf | None:
+    """An SRDF file; None if it cannot be read."""
+    try:
+        source = Source.read(path)
+    except UnreadableFile:
+        return None
+    if is_xacro(source):
+        from urdfkit.expansion import expand
+
+        document = expand(source, subject.resolver, trust=subject.trust).document
+    else:
+        document, _ = read_xml(source)
+    if document is None or document.root.tag != "robot":
+        return None
+    return Srdf(path, document.root, subject.tree)
