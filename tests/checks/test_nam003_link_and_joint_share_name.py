@@ -16,7 +16,7 @@ def test_the_joint_is_the_place_and_the_link_is_shown() -> None:
     (found,) = told("NAM003", ROBOT.format("b"))
     assert (found.span.line, found.span.text) == (4, "b")
     assert [one.span.text for one in found.related] == ['<link name="b"/>']
-    assert found.severity is Severity.WARNING
+    assert found.severity is Severity.INFO
     assert told("NAM003", ROBOT.format("ab")) == []
 
 

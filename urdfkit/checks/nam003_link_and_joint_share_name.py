@@ -29,9 +29,12 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
 @rule(
     "NAM003",
     "link-and-joint-share-name",
-    Severity.WARNING,
+    Severity.INFO,
     help="rename the joint, and its name in controllers and launch files",
-    by_target=dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
+    by_target={
+        **dict.fromkeys(("classic-ros1", "classic-ros2"), Severity.WARNING),
+        **dict.fromkeys(("gz-fortress", "gz-harmonic", "gz-jetty"), Severity.ERROR),
+    },
 )
 def check(subject: Subject) -> Iterator[Finding]:
     links = subject.model.links_by_name
