@@ -66,7 +66,7 @@ def test_select_and_ignore(check: Screen, bad: str) -> None:
 
 
 def fake(severity: Severity) -> Rule:
-    def find(subject: Subject):  # type: ignore[no-untyped-def]
+    def find(subject: Subject):
         yield Finding(subject.document.root, "it is there")
 
     return Rule("ABC123", "fake", severity, frozenset({Need.MODEL}), find, "", False, __name__, {})
@@ -93,7 +93,7 @@ def test_fail_on(
 def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
     check: Screen, bad: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def crash(subject: Subject):  # type: ignore[no-untyped-def]
+    def crash(subject: Subject):
         raise ValueError("boom")
 
     rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]
