@@ -17,6 +17,7 @@ from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
 from urdfkit.resolve import Resolver
+from urdfkit.schema import JOINT_TYPES
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 
@@ -46,6 +47,12 @@ def inertial(content: str) -> str:
 def joint(content: str = "", attributes: str = 'name="j" type="continuous"') -> str:
     ends = '<parent link="a"/><child link="b"/>'
     return robot(f'<link name="a"/><link name="b"/><joint {attributes}>{ends}{content}</joint>')
+
+
+def revolute(**limits: str) -> str:
+    values = {"lower": "-1", "upper": "1", "effort": "1", "velocity": "1", **limits}
+    attributes = " ".join(f'{name}="{value}"' for name, value in values.items())
+    return joint(f"<limit {attributes}/>", 'name="j" type="revolute"')
 
 
 def joints(links: str, *pairs: str) -> str:
@@ -125,6 +132,17 @@ CASES = {
     },
     **{f"axis {text!r}": joint(f'<axis xyz="{text}"/>') for text in ("0 0 1", "0 1", "", "0 0 z")},
     "origin without numbers": visual("<origin/>" + SHAPE),
+    **{
+        f"{kind} with {limit or 'nothing'}": joint(limit, f'name="j" type="{kind}"')
+        for kind in (*JOINT_TYPES, "Revolute", "spherical")
+        for limit in (
+            "",
+            '<limit lower="-1" upper="1" effort="1" velocity="1"/>',
+            '<limit effort="1" velocity="1"/>',
+            '<limit lower="-1" upper="1" effort="1"/>',
+            '<limit lower="-1" upper="1" velocity="1"/>',
+        )
+    },
     "two origins": joint('<origin xyz="0 0 0"/><origin xyz="1 0 0"/>'),
     "dynamics without numbers": joint("<dynamics/>"),
     "damping": joint('<dynamics damping="x"/>'),
@@ -187,6 +205,14 @@ STRICTER = {
     ),
     "empty name of a link": (robot('<link name=""/>'), "TF, Drake and PyBullet refuse it"),
     "empty name of a joint": (joint("", 'name="" type="fixed"'), "PyBullet crashes"),
+    "axis without xyz": (joint("<axis/>"), "read as 0 0 0; MuJoCo refuses it"),
+    "zero axis": (joint('<axis xyz="0 0 0"/>'), "MuJoCo and Drake refuse it, Gazebo too"),
+    "inverted limits": (revolute(lower="1", upper="-2"), "Drake ends, Gazebo swaps them"),
+    "negative effort": (revolute(effort="-1"), "Pinocchio refuses it"),
+    "negative velocity": (revolute(velocity="-1"), "Pinocchio refuses it, Drake ends"),
+    "negative damping": (joint('<dynamics damping="-1"/>'), "Drake refuses it"),
+    "negative friction": (joint('<dynamics friction="-1"/>'), "Pinocchio refuses it"),
+    "a joint that mimics itself": (joint('<mimic joint="j"/>'), "MuJoCo and Drake refuse it"),
     "unknown leader": (joint('<mimic joint="z"/>'), "Drake refuses it, MoveIt drops it"),
     "loose cycle": (joints("r a b", "a b", "b a"), "lost; MuJoCo and Drake refuse it"),
     "two parents": (joints("a b c", "a b", "a c", "b c"), "MuJoCo refuses it, PyBullet crashes"),
