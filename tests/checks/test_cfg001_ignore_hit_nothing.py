@@ -1,0 +1,32 @@
+"""CFG001: see the rule; ``tests/test_suppress.py`` has what comments do."""
+
+from urdfkit import check
+from urdfkit.source import Source
+
+ROBOT = """<robot name="r">
+  <!-- urdfkit: ignore[{codes}] reason -->
+  <link name="a"/>
+</robot>
+"""
+
+
+def findings(codes: str, **options: list[str]) -> list[tuple[str, str]]:
+    report = check(Source("r.urdf", ROBOT.format(codes=codes).encode()), **options)
+    told = [(found.code, found.message) for found in report.diagnostics]
+    return [(code, message) for code, message in told if code.startswith("CFG")]
+
+
+def test_the_codes_that_hit_nothing_are_named():
+    assert findings("TRE006, JNT") == [("CFG001", "nothing here is found by TRE006, JNT")]
+
+
+def test_an_empty_list_hits_nothing():
+    assert findings("") == [("CFG001", "nothing here is found by no rule")]
+
+
+def test_rules_that_were_not_run_are_not_missed():
+    assert findings("TRE006", select=["CFG", "JNT"]) == []
+
+
+def test_an_unknown_code_is_not_told_twice():
+    assert [code for code, _ in findings("TRE999")] == ["CFG002"]
