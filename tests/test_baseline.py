@@ -21,7 +21,7 @@ def robot(folder: Path, *joints: str, comment: str = "") -> tuple[Diagnostic, ..
     body = "".join(JOINT.format(name=name, parent="base", axis=AXIS) for name in joints)
     path = folder / "r.urdf"
     path.write_text(f'<robot name="r">\n{comment}  <link name="base"/>\n{body}</robot>\n')
-    return check(path).diagnostics
+    return check(path, select=["JNT020"]).diagnostics
 
 
 def save(folder: Path, diagnostics: tuple[Diagnostic, ...]) -> str:

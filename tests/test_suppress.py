@@ -37,7 +37,8 @@ MACRO = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 
 
 def run(text: str) -> Report:
-    return check(Source("r.xacro" if "xacro" in text else "r.urdf", text.encode()))
+    source = Source("r.xacro" if "xacro" in text else "r.urdf", text.encode())
+    return check(source, select=["CFG", "JNT", "TRE"])
 
 
 def codes(report: Report) -> list[str]:
