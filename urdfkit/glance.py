@@ -35,6 +35,9 @@ ABOUT_AXES = frozenset("JNT005 JNT006 JNT007 JNT027".split())
 #: Silent if all limits are written where they must be, in order, and on both sides of 0.
 ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT028".split())
 
+#: Silent if no ``<gazebo>`` holds a plugin.
+ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
+
 
 def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     """The codes of rules that need not be imported for a model."""
@@ -48,6 +51,8 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
     codes |= _about_joints(model)
+    if not any(part.tag == "plugin" for block in model.gazebo for part in block.walk()):
+        codes |= ABOUT_PLUGINS
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     if len(model.joints) < 1000:

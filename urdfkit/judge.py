@@ -129,7 +129,9 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     reading = subject.reading
     told = {problem.code for problem in reading.problems}
     silent = {"LAU"}
-    waiting = rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES
+    waiting = (
+        rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES | rules.TOLD_BY_MASSES
+    )
     if reading.xacro is None:
         silent.add("XAC")
         told.add("XAC003")  # the one among them that is about plain files
@@ -141,12 +143,16 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         waiting |= glance.silent(model, subject.tree)
         if not model.joints:
             silent.add("JNT")
+        if not model.gazebo:
+            silent.add("GAZ")
         if not srdf_files(subject.source.path, subject.resolver):
             silent.add("SRD")
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         elif not rules.TOLD_BY_FILES.isdisjoint(chosen):
             told |= subject.files.told
+        if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
+            told |= subject.masses.told
     return [
         rules.get(code)
         for code in chosen

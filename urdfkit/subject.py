@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.launch import Launch
     from urdfkit.masses import Masses
     from urdfkit.model import RobotModel
+    from urdfkit.plugins import Use
     from urdfkit.resolve import Resolver
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
@@ -209,6 +210,13 @@ class Subject:
         from urdfkit.gazebo import Conversion
 
         return Conversion(self.tree)
+
+    @cached_property
+    def plugins(self) -> tuple[Use, ...]:
+        """The plugins that the model gives to Gazebo."""
+        from urdfkit.plugins import uses
+
+        return uses(self.model, self.targets)
 
     @cached_property
     def srdf(self) -> Srdf | None:

@@ -28,6 +28,7 @@ def test_a_plugin_is_described_in_the_terms_that_are_documented(plugin: plugins.
     assert bool(plugin.kinds) is not plugin.removed
     assert {parameter.type for parameter in plugin.parameters.values()} <= TYPES
     assert all(name == parameter.name for name, parameter in plugin.parameters.items())
+    assert set(plugin.any_of) <= set(plugin.parameters)
     assert all(re.compile(pattern) for pattern in plugin.patterns)
     assert bool(plugin.class_name) <= (plugin.generation == "gz")
     assert bool(plugin.fortress_class) == bool(plugin.fortress_files)

@@ -24,7 +24,7 @@ PARTS = {
     Need.XACRO: ("xacro",),
     Need.MODEL: ("document", "deviations", "model", "tree"),
     Need.FILES: ("files",),
-    Need.GAZEBO: {"gazebo"},
+    Need.GAZEBO: {"gazebo", "plugins"},
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
 }

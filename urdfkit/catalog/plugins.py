@@ -64,6 +64,7 @@ class Plugin(NamedTuple):
         open: children of which it reads anything; ``*`` for all.
         patterns: regular expressions of more names that it reads.
         node: True if its name becomes that of a ROS node.
+        any_of: parameters of which one is required.
         parameters: the tags that it reads, by path.
     """
 
@@ -83,6 +84,7 @@ class Plugin(NamedTuple):
     open: tuple[str, ...]
     patterns: tuple[str, ...]
     node: bool
+    any_of: tuple[str, ...]
     parameters: dict[str, Parameter]
 
     def reads(self, path: str) -> bool:
@@ -178,6 +180,7 @@ def _read(entry: dict[str, Any]) -> Plugin:
         tuple(entry.get("open", ())),
         tuple(entry.get("patterns", ())),
         entry.get("node", False),
+        tuple(entry.get("any_of", ())),
         {name: _parameter(name, text, words.get(name, ())) for name, text in written.items()},
     )
 

@@ -1,0 +1,186 @@
+"""The plugins that a model gives to Gazebo, each with what is known about its library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.gazebo import Conversion
+    from urdfkit.model import RobotModel
+    from urdfkit.targets import Targets
+
+#: Blocks of ROS 2 in which not every tag is catalogued.
+_FREE = ("ros/qos", "ros/parameter")
+
+
+class Item(NamedTuple):
+    """A tag or an attribute in a plugin.
+
+    Attributes:
+        path: from the plugin, such as ``leftJoint`` or ``wheel/@link_name``.
+        at: the element or attribute.
+        text: its value, without the white space around it.
+    """
+
+    path: str
+    at: Element | Attribute
+    text: str
+
+
+class Reference(NamedTuple):
+    """A name of a link or joint that a plugin looks up in the simulated model."""
+
+    parameter: Parameter
+    item: Item
+    name: str
+
+    @property
+    def kind(self) -> str:
+        """``link`` or ``joint``."""
+        return "link" if self.parameter.type == "link" else "joint"
+
+
+class Use(NamedTuple):
+    """A ``<plugin>`` of a model.
+
+    Attributes:
+        at: its element.
+        block: the ``<gazebo>`` that it is in.
+        known: what its file name means, one plugin of each generation; empty if unknown.
+        plugin: the one of them that a simulator will load, as far as one can tell, or None.
+    """
+
+    at: Element
+    block: Element
+    known: tuple[Plugin, ...]
+    plugin: Plugin | None
+
+    @property
+    def filename(self) -> str:
+        return (self.at.get("filename") or "").strip()
+
+    @property
+    def name(self) -> str:
+        return self.at.get("name") or ""
+
+    @property
+    def title(self) -> str:
+        """For messages."""
+        return f"plugin '{self.name}' ({self.filename})"
+
+    @property
+    def place(self) -> str:
+        """``model``, ``link`` (a block with a reference), or the tag that it is in."""
+        assert self.at.parent is not None
+        if self.at.parent is not self.block:
+            return self.at.parent.tag
+        return "link" if self.block.get("reference") else "model"
+
+    def items(self) -> Iterator[Item]:
+        """Everything in it, outer tags before inner ones."""
+        stack = [("", child) for child in reversed(self.at.children)]
+        while stack:
+            path, element = stack.pop()
+            path += element.tag
+            yield Item(path, element, element.text.strip())
+            for attribute in element.attributes.values():
+                yield Item(f"{path}/@{attribute.name}", attribute, attribute.value.strip())
+            stack += [(f"{path}/", child) for child in reversed(element.children)]
+
+    def values(self, path: str) -> list[Item]:
+        """The tags or attributes at a path."""
+        return [item for item in self.items() if item.path == path]
+
+    def unread(self, plugin: Plugin) -> list[Item]:
+        """The tags that a plugin does not read; of a block that it does not know only the first."""
+        found: list[Item] = []
+        closed: list[str] = []
+        for item in self.items():
+            if "@" in item.path or any(item.path.startswith(outer) for outer in closed):
+                continue
+            if not plugin.reads(item.path):
+                found.append(item)
+                closed.append(f"{item.path}/")
+            elif item.path in _FREE:
+                closed.append(f"{item.path}/")
+        return found
+
+    def references(self) -> Iterator[Reference]:
+        """The links and joints that its plugin looks up, where they are given."""
+        parameters = self.plugin.parameters if self.plugin else {}
+        for item in self.items():
+            parameter = parameters.get(item.path)
+            if parameter is None or parameter.type not in REFERENCES:
+                continue
+            names = [item.text]
+            if parameter.type == "joints":
+                names = item.text.replace(",", " ").split()
+            for name in names:
+                if name and name not in parameter.words and "::" not in name:
+                    yield Reference(parameter, item, name)
+
+
+def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
+    """Every plugin in the ``<gazebo>`` blocks of a model."""
+    wanted = {name for target in targets.names for name in GENERATIONS.get(target, ())}
+    found: list[Use] = []
+    for block in model.gazebo:
+        for element in block.walk():
+            if element.tag == "plugin" and element.parent is not None:
+                known = find((element.get("filename") or "").strip())
+                use = Use(element, block, known, None)
+                found.append(use._replace(plugin=_loaded(use, wanted)))
+    return tuple(found)
+
+
+def _loaded(use: Use, wanted: set[str]) -> Plugin | None:
+    """The plugin of a wanted generation, else of any, that reads most of the tags."""
+    present = [plugin for plugin in use.known if not plugin.removed]
+    candidates = [plugin for plugin in present if plugin.generation in wanted] or present
+    return min(candidates, key=lambda plugin: len(use.unread(plugin)), default=None)
+
+
+def generations(use: Use) -> set[str]:
+    """The generations that a plugin can be of, judged by its library and its tags.
+
+    A plugin without ROS runs with both of them. Empty if the library is not known.
+    """
+    present = [plugin for plugin in use.known if not plugin.removed]
+    if not present:
+        return set()
+    left = {plugin.id: len(use.unread(plugin)) for plugin in present}
+    best = {plugin.generation for plugin in present if left[plugin.id] == min(left.values())}
+    return best | {"classic-ros1", "classic-ros2"} if "classic" in best else best
+
+
+def fate(conversion: Conversion, kind: str, name: str) -> str:
+    """What becomes of a link or joint in Gazebo.
+
+    Returns:
+        ``kept``, ``merged``, ``dropped``, ``unknown``, or ``other``: it depends on more than the
+        catalogue knows.
+    """
+    model = conversion.model
+    if name in conversion.added:
+        return "kept"
+    if kind == "link":
+        if name not in model.links_by_name:
+            return "unknown"
+        if name in conversion.dropped:
+            return "dropped"
+        survivor = conversion.survivor.get(name)
+        return "other" if survivor is None else "kept" if survivor == name else "merged"
+    joint = model.joints_by_name.get(name)
+    if joint is None:
+        return "unknown"
+    if any(simulated.joint.name == name for simulated in conversion.joints):
+        return "kept"
+    if joint.child is not None and joint.child.value in conversion.dropped:
+        return "dropped"
+    if joint.kind == "fixed" and joint.child and joint.child.value in conversion.survivor:
+        return "merged"
+    return "other"
