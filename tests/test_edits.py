@@ -52,6 +52,20 @@ def test_rename_attribute(text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("<a x='1' y = \"2\" z='3'/>", "<a x='1' z='3'/>"),
+        ("<a x='1'\n\ty\n=\n'2'/>", "<a x='1'/>"),
+        ("<a y='y'/>", "<a/>"),
+        ("<a  y='2' ></a>", "<a ></a>"),
+    ],
+)
+def test_remove_attribute(text: str, left: str) -> None:
+    root = read(text)
+    assert after(root, edits.remove_attribute(root.attributes["y"])) == left
+
+
+@pytest.mark.parametrize(
     ("written", "value", "new"),
     [("1", "2", "2"), (" 1\t2", "1 2", "1 2"), ("x", "a\"b'<&", "a&quot;b&apos;&lt;&amp;")],
 )
