@@ -1,0 +1,44 @@
+"""The gazebo command: a table for people, JSON for programs."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+
+
+def test_the_table_tells_the_fate_of_every_link(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gazebo", MODEL]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("10 links become 5")
+    assert any(line.split() == ["laser_frame", "0.01", "merged", "into", "dummy"] for line in lines)
+    assert lines[-1] == "9 joints become 4; 5 are merged or dropped"
+
+
+def test_json_has_the_merged_properties(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gazebo", MODEL, "--format", "json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    (dummy, *wheels) = document["links"]
+    assert dummy["mass"] == pytest.approx(8.2301)
+    assert [wheel["name"] for wheel in wheels] == ["wheel_1", "wheel_2", "wheel_3", "wheel_4"]
+    assert document["merged"]["base_link"] == "dummy"
+    assert document["joints"][0] == {
+        "name": "base_to_wheel1",
+        "urdf": "continuous",
+        "sdf": "revolute",
+        "parent": "dummy",
+        "child": "wheel_1",
+    }
+
+
+@pytest.mark.parametrize("words", [["no.urdf"], [MODEL, MODEL]])
+def test_what_cannot_be_done_is_said(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gazebo", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
