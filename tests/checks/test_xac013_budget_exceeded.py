@@ -24,7 +24,7 @@ COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n
         ),
         (
             '<link name="${[x for x in range(10**9)]}"/>',
-            "refused: a range of 1000000000 numbers in ${[x for x in range(10**9)]}",
+            "refused: a value of 1e+09 characters or items in ${[x for x in range(10**9)]}",
         ),
     ],
 )

@@ -243,7 +243,11 @@ def test_every_element_of_the_corpus_is_at_its_place(corpus: Oracle) -> None:
     assert len(places) > 40_000
 
 
-@pytest.mark.parametrize("name", models.BODIES)
+#: The mark would be a parameter that the macro does not have.
+NOT_TO_BE_MARKED = {"element of a call"}
+
+
+@pytest.mark.parametrize("name", sorted(models.BODIES.keys() - NOT_TO_BE_MARKED))
 def test_every_element_of_a_small_model_is_at_its_place(name: str, tmp_path: Path) -> None:
     (tmp_path / "plain").mkdir()
     file = models.write(tmp_path / "plain", models.document(models.BODIES[name]))

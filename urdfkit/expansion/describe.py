@@ -12,7 +12,8 @@ from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.errors import PackageNotFound
 from urdfkit.expansion.dom import Node
 from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
-from urdfkit.expansion.expressions import TooLarge, UnsafeExpression
+from urdfkit.expansion.fence import TooLarge, UnsafeExpression
+from urdfkit.expansion.notes import notes_of
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
 from urdfkit.expansion.wording import macro_of, words
@@ -58,8 +59,8 @@ def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> P
     node, local = node_in(frame)
     if located.resolving:
         table, key = located.resolving[-1]
-        definer = _places(table).get(key)
-        if isinstance(definer, Node):
+        definer = notes_of(table).definers.get(key)
+        if definer is not None:
             used = _span(node, local, located) if node is not None else None
             notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
             made = _made(run, error, located, _span(definer, {}, located))
@@ -77,20 +78,13 @@ def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]
     for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
         scope = table
         while scope is not None:
-            if name in _places(scope):
-                definer = _places(scope)[name]
-                span = definer.tag_at.span
+            definer = notes_of(scope).definers.get(name)
+            if definer is not None:
                 if definer.tagName == "xacro:property":
-                    found.append(Related(span, f"'{name}' is defined here"))
+                    found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
                 break
             scope = getattr(scope, "__dict__", {}).get("parent")
     return tuple(found)
-
-
-def _places(table: Any) -> dict[str, Any]:
-    """Who defined the names of a table; not by getattr, which a name space answers itself."""
-    places: dict[str, Any] = getattr(table, "__dict__", {}).get("places", {})
-    return places
 
 
 def _span(node: Node, local: dict[str, Any], located: Located) -> Span:

@@ -13,7 +13,8 @@ from xml.dom import expatbuilder, minidom
 from xml.parsers import expat
 
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
-from urdfkit.reading import Problem, TooMuch, entity_problem
+from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
+from urdfkit.reading import Problem, entity_problem
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -23,13 +24,10 @@ ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE
 CDATA = minidom.Node.CDATA_SECTION_NODE
 
-#: Nodes that all macro calls of one expansion may copy together.
-MAX_NODES = 1_000_000
-
-
 # minidom's stubs describe the DOM, not the attributes that its own code works with.
 _StockElement: Any = minidom.Element
 _StockBuilder: Any = expatbuilder.ExpatBuilderNS
+_NodeList: Any = vars(minidom)["NodeList"]
 Dom = Any  #: a ``minidom.Document`` whose elements are Nodes
 
 
@@ -43,7 +41,7 @@ class Node(_StockElement):  # type: ignore[misc]
         frame: the innermost macro call or include that led here.
         given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
         traces: what the expressions of its attributes looked up, if the run is traced.
-        copies: the count of copied nodes that the whole expansion shares.
+        budget: what the whole expansion may make.
     """
 
     tag_at: Tag
@@ -52,7 +50,7 @@ class Node(_StockElement):  # type: ignore[misc]
     frame: Frame | None
     given: dict[str, Tag] | None
     traces: dict[str, tuple[Origin, ...]] | None
-    copies: list[int]
+    budget: Budget
 
     def cloneNode(self, deep: bool) -> Any:  # noqa: N802 - the name of the DOM
         frame = self.frame
@@ -94,13 +92,11 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
 
     ``minidom`` does the same five times slower, by way of ``setAttributeNS``.
     """
-    node.copies[0] += 1
-    if node.copies[0] > MAX_NODES:
-        raise TooMuch(f"the macros make more than {MAX_NODES} elements")
+    size = ELEMENT_SIZE
     copy = Node(node.tagName, node.namespaceURI, node.prefix)
     copy.ownerDocument = node.ownerDocument
     copy.tag_at, copy.around = node.tag_at, node.around
-    copy.raw, copy.copies = node.raw, node.copies
+    copy.raw, copy.budget = node.raw, node.budget
     copy.given, copy.traces = node.given, node.traces
     copy.frame = node.frame if keep else frame
     if node._attrs:
@@ -115,28 +111,71 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
             twin.specified = attribute.specified
             copy._attrs[name] = twin
             copy._attrsNS[twin.namespaceURI, twin.localName] = twin
+            size += len(twin.value or "")
     previous: Any = None
     for child in node.childNodes:
-        twin = (
-            _clone(child, frame, keep=keep) if child.nodeType == ELEMENT else child.cloneNode(True)
-        )
+        if child.nodeType == ELEMENT:
+            twin = _clone(child, frame, keep=keep)
+        else:
+            twin = _clone_text(child) if type(child) is minidom.Text else child.cloneNode(True)
+            size += len(child.data)
         twin.parentNode = copy
         twin.previousSibling = previous
         if previous is not None:
             previous.nextSibling = twin
         copy.childNodes.append(twin)
         previous = twin
+    node.budget.charge(size)
     return copy
+
+
+def _clone_text(text: minidom.Text) -> minidom.Text:
+    copy = minidom.Text()
+    copy.data = text.data
+    copy.ownerDocument = text.ownerDocument
+    return copy
+
+
+def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
+    """xacro's ``replace_node``; by one step instead of one for every child.
+
+    Args:
+        node: that goes.
+        by: a node or a list of nodes that come; None for none.
+        content_only: their children come instead.
+    """
+    coming = [] if by is None else by if isinstance(by, list) else [by]
+    if content_only:
+        around, coming = coming, [child for one in coming for child in one.childNodes]
+        for one in around:
+            one.childNodes = _NodeList()
+    else:
+        for one in coming:
+            if one.parentNode is not None:
+                one.parentNode.removeChild(one)
+    parent = node.parentNode
+    at = parent.childNodes.index(node)
+    parent.childNodes[at : at + 1] = coming
+    previous = node.previousSibling
+    for one in (*coming, node.nextSibling):
+        if one is not None:
+            one.previousSibling = previous
+        if previous is not None:
+            previous.nextSibling = one
+        previous = one
+    for one in coming:
+        one.parentNode = parent
+    node.parentNode = node.previousSibling = node.nextSibling = None
 
 
 class _Builder(_StockBuilder):  # type: ignore[misc]
     """The stock builder, whose elements become Nodes."""
 
-    def __init__(self, source: Source, frame: Frame | None, copies: list[int]) -> None:
+    def __init__(self, source: Source, frame: Frame | None, budget: Budget) -> None:
         super().__init__()
         self._source = source
         self._frame = frame
-        self._copies = copies
+        self._budget = budget
         self.problems: list[Problem] = []
         self.arguments: list[Node] = []
 
@@ -151,7 +190,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.around = parent.tag_at if isinstance(parent, Node) else None
         node.raw, node.frame = raw, self._frame
         node.given = node.traces = None
-        node.copies = self._copies
+        node.budget = self._budget
+        self._budget.charge(ELEMENT_SIZE)
         if node.tagName == "xacro:arg":
             self.arguments.append(node)
 
@@ -174,7 +214,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
 
 
 def parse(
-    source: Source, frame: Frame | None, copies: list[int]
+    source: Source, frame: Frame | None, budget: Budget
 ) -> tuple[Dom, list[Problem], list[Node]]:
     """Parse one xacro file.
 
@@ -184,13 +224,14 @@ def parse(
     Args:
         source: the file.
         frame: the include that asks for it; None for the checked file.
-        traces: what the expressions of its attributes looked up, if the run is traced.
-        copies: the count of nodes that the expansion shares.
+        budget: what the expansion may make.
 
     Raises:
+        TooMuch: it is larger than that.
         xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
     """
-    builder = _Builder(source, frame, copies)
+    budget.charge(len(source.data))
+    builder = _Builder(source, frame, budget)
     document = builder.parseString(source.data)
     return document, builder.problems, builder.arguments
 

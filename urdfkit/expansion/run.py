@@ -1,36 +1,35 @@
-"""One expansion: its budgets, what it met, and the places of its errors."""
+"""One expansion: what xacro asks for, what it meets, and the places of its errors."""
 
 from __future__ import annotations
 
 import os
 import sys
-import time
+from collections.abc import Mapping
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
 from urdfkit.expansion import describe, dom
+from urdfkit.expansion.budget import Budget
 from urdfkit.expansion.dom import Dom, Node
-from urdfkit.expansion.engine import load_xacro
-from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
-from urdfkit.expansion.expressions import MAX_LENGTH, TooLarge
+from urdfkit.expansion.engine import load_engine
+from urdfkit.expansion.errors import MissingArgument, root_cause
+from urdfkit.expansion.fence import Fence
+from urdfkit.expansion.ledger import ANY, Ledger, Message
+from urdfkit.expansion.notes import notes_of
+from urdfkit.expansion.reader import Reader
 from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
 from urdfkit.expansion.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
-from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
+    from urdfkit.source import Source
 
 MAX_MACRO_DEPTH = 150
 #: Macro calls of one expansion; PR2 has 140.
 MAX_CALLS = 50_000
-MAX_SECONDS = 60.0
-MAX_PROBLEMS = 500
-#: Uses of one failing property that are worth naming.
-MAX_RELATED = 5
-MAX_YAML_BYTES = 8 * 1024 * 1024
 
 
 class Definition(NamedTuple):
@@ -49,14 +48,6 @@ class Definition(NamedTuple):
     attributes: dict[str, str]
 
 
-class Message(NamedTuple):
-    """What xacro or the model itself says while it is expanded."""
-
-    kind: str
-    text: str
-    span: Span | None
-
-
 class Located(NamedTuple):
     """An expression in the text it was found in, and the properties being resolved around it."""
 
@@ -69,29 +60,40 @@ class Located(NamedTuple):
 class Run:
     """The state of one expansion.
 
+    Args:
+        source: the checked file.
+        resolver: finds packages, and knows which files may be read.
+        arguments: values of ``xacro:arg`` by name.
+        trust: True to let expressions and files be.
+        root_dir: relative paths of the command line start there.
+        traced: True to note where values come from.
+        frame: what led to the file, such as a launch file.
+        without: tags that failed in an earlier run and were reported, as (path, offset).
+        ledger: takes problems and messages.
+        deadline: time at which it must have ended.
+
     Attributes:
-        problems: errors and warnings, each with its place.
+        reader: the files.
         macros, properties: everything that was defined, in order.
-        messages: of xacro and of the model, in order.
-        sources: the xacro files by path, the checked one first.
-        data_files: YAML files that were read.
-        included: places of the include tags that were carried out, as (path, offset).
         declared: every ``xacro:arg`` of the files, evaluated or not.
-        first_error: text of the first error, as stock xacro words it.
+        included: places of the include tags that were carried out, as (path, offset).
+        dependencies: included and loaded files, as the models spell them.
+        document: the DOM, as far as it got.
     """
 
     def __init__(
         self,
         source: Source,
         resolver: Resolver,
-        arguments: dict[str, str],
+        arguments: Mapping[str, str],
         *,
         trust: bool,
-        root_dir: str = os.curdir,
-        traced: bool = False,
-        frame: Frame | None = None,
-        without: frozenset[tuple[str, int]] = frozenset(),
-        lost: frozenset[str] = frozenset(),
+        root_dir: str,
+        traced: bool,
+        frame: Frame | None,
+        without: frozenset[tuple[str, int]],
+        ledger: Ledger,
+        deadline: float,
     ) -> None:
         self.source = source
         self.resolver = resolver
@@ -100,27 +102,23 @@ class Run:
         self.root_dir = root_dir
         self.frame = frame
         self.without = without
-        self.lost = set(lost)
-        self.problems: list[Problem] = []
+        self.budget = Budget(deadline)
+        self.fence = Fence(self.budget)
+        self.ledger = ledger
+        self.reader = Reader(source, resolver, self.budget, trust=trust)
+        self.tracer = Tracer(self) if traced else None
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
-        self.messages: list[Message] = []
-        self.sources: dict[str, Source] = {source.path: source}
-        self.included: set[tuple[str, int]] = set()
-        self.data_files: list[str] = []
-        self.first_error: str | None = None
         self.declared: list[Definition] = []
+        self.included: set[tuple[str, int]] = set()
+        self.dependencies: list[str] = []
         self.document: Dom | None = None
-        self.tracer = Tracer(self) if traced else None
         # What the instrumented engine is doing at the moment.
-        self.depth = 0
         self.resolving: list[tuple[Any, str]] = []
         self.including: list[Node] = []
         self._location: Located | None = None
         self._declared_nodes: list[Node] = []
-        self._copies = [0]
         self._calls = 0
-        self._deadline = time.monotonic() + MAX_SECONDS
 
     # ------------------------------------------------------------------ files
 
@@ -132,20 +130,31 @@ class Run:
         else:
             self.included.add((include.tag_at.source.path, include.tag_at.start))
             frame = Frame("include", filename, include.tag_at, None, include.frame)
-            source = self._read(filename)
+            source = self._included(filename)
         try:
-            document, problems, arguments = dom.parse(source, frame, self._copies)
+            document, problems, arguments = dom.parse(source, frame, self.budget)
         except Exception as error:
-            error.urdfkit_source = source  # type: ignore[attr-defined]
-            error.urdfkit_frame = frame  # type: ignore[attr-defined]
+            error.urdfkit_place = (source, frame, include)  # type: ignore[attr-defined]
             raise
-        self.problems += [problem._replace(frame=frame) for problem in problems]
+        for problem in problems:
+            self.ledger.add(problem._replace(frame=frame))
         self._declared_nodes += arguments
         self.declared += [_definition(node) for node in arguments]
         self._drop_reported(document)
         if include is None:
             self.document = document
         return document
+
+    def _included(self, filename: str) -> Source:
+        xacro = load_engine().xacro
+        try:
+            return self.reader.xacro(os.path.join(self.root_dir, filename))
+        except OSError as error:
+            xacro.filestack.pop()
+            text = f"{error.strerror}: {error.filename}"
+            raise xacro.XacroException(text, exc=error) from error
+        except ValueError as error:
+            raise xacro.XacroException(str(error), exc=error) from error
 
     def _drop_reported(self, document: Dom) -> None:
         """Take out the tags that failed in an earlier run and were reported.
@@ -168,47 +177,17 @@ class Run:
     def leaves_out(self, include: Node) -> bool:
         """True for an include that failed in an earlier run; from here on anything may lack."""
         if self._is_reported(include):
-            self.lost.add("*")
+            self.ledger.lost.add(ANY)
             return True
         return False
-
-    def _read(self, filename: str) -> Source:
-        path = os.path.join(self.root_dir, filename)
-        xacro = load_xacro()
-        try:
-            path = self._admitted(path)
-            if path not in self.sources:
-                with open(path, "rb") as file:
-                    self.sources[path] = Source(path, file.read())
-        except OSError as error:
-            xacro.filestack.pop()
-            text = f"{error.strerror}: {error.filename}"
-            raise xacro.XacroException(text, exc=error) from error
-        except ValueError as error:  # a NUL in the name
-            raise xacro.XacroException(str(error), exc=error) from error
-        return self.sources[path]
-
-    def _admitted(self, path: str) -> str:
-        """The path to open: as installed if it is not in the source tree, and not outside."""
-        if not os.path.exists(path):
-            path = self.resolver.installed(path) or path
-        if not os.path.lexists(path):
-            return path  # opening it will say that there is no such file
-        if not self.trust and not self.resolver.allows(path, self.source.path):
-            raise EscapesRoots(path)
-        return path
 
     def load_yaml(self, filename: str) -> Any:
         """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""
         from urdfkit.expansion import values
 
-        xacro = load_xacro()
+        xacro = load_engine().xacro
         filename = xacro.abs_filename_spec(filename)
-        path = self._admitted(filename)
-        with open(path, encoding="utf-8") as file:
-            text = file.read(MAX_YAML_BYTES + 1)
-        if len(text) > MAX_YAML_BYTES:
-            raise TooLarge(f"{path} is larger than {MAX_YAML_BYTES // 2**20} MiB")
+        path, text = self.reader.yaml(filename)
         xacro.filestack.append(filename)
         try:
             value = values.load(
@@ -220,23 +199,22 @@ class Run:
             raise xacro.XacroException(f"invalid expression: {error.text}") from error
         finally:
             xacro.filestack.pop()
-            xacro.all_includes.append(filename)
-            self.data_files.append(path)
+            self.dependencies.append(filename)
         return xacro.YamlListWrapper.wrap(value)
 
     # ---------------------------------------------------------------- $(...)
 
     def substitute(self, content: str, symbols: Any) -> str:
         """The value of ``$(content)``; the counterpart of ``xacro.eval_extension``."""
-        xacro = load_xacro()
-        folder = os.path.dirname(xacro.filestack[-1] or "")
+        xacro = load_engine().xacro
         context = Context(
             self._find_package,
-            lambda name: self._argument(name, symbols),
-            folder,
+            lambda name: self.argument(name, symbols),
+            os.path.dirname(xacro.filestack[-1] or ""),
             self.root_dir,
             os.environ,
-            self.trust,
+            None if self.trust else self.fence,
+            xacro._global_symbols,
         )
         try:
             return substitute(content, context)
@@ -249,10 +227,15 @@ class Run:
             raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
 
     def _find_package(self, name: str) -> str:
-        return self.resolver.package(name, load_xacro().filestack[-1] or self.source.path)
+        return self.resolver.package(name, load_engine().xacro.filestack[-1] or self.source.path)
 
-    def _argument(self, name: str, symbols: Any) -> str:
-        values = load_xacro().substitution_args_context["arg"]
+    def argument(self, name: str, symbols: Any) -> str:
+        """The value of an argument.
+
+        Raises:
+            MissingArgument: it has none.
+        """
+        values = load_engine().xacro.substitution_args_context["arg"]
         if name not in values:
             values[name] = self._later_default(name, symbols)
         if self.tracer is not None:
@@ -267,28 +250,27 @@ class Run:
         """
         for node in self._declared_nodes:
             if node.getAttribute("name") == name and node.hasAttribute("default"):
-                self._add(describe.used_too_early(name, node, _caller()))
-                return str(load_xacro().eval_text(node.getAttribute("default"), symbols))
+                self.ledger.add(describe.used_too_early(name, node, _caller()))
+                return str(load_engine().xacro.eval_text(node.getAttribute("default"), symbols))
         raise MissingArgument(name)
 
-    # ---------------------------------------------------------------- budgets
+    def known_arguments(self) -> dict[str, str]:
+        """The arguments that the files declare, with their defaults as written."""
+        return {d.name: d.attributes.get("default", "") for d in reversed(self.declared)}
 
-    def enter_call(self) -> None:
-        """Count a macro call."""
+    # ------------------------------------------------------------ definitions
+
+    def enter_call(self, depth: int) -> None:
+        """A macro call begins.
+
+        Args:
+            depth: of the macros that called it.
+        """
         self._calls += 1
-        if len(load_xacro().macrostack) > MAX_MACRO_DEPTH:
+        if depth > MAX_MACRO_DEPTH:
             raise TooMuch(f"macros call each other more than {MAX_MACRO_DEPTH} levels deep")
         if self._calls > MAX_CALLS:
             raise TooMuch(f"more than {MAX_CALLS} macro calls")
-        if self._calls % 64 == 0 and time.monotonic() > self._deadline:
-            raise TooMuch(f"the expansion takes longer than {MAX_SECONDS:g} s")
-
-    def check_text(self, text: str) -> None:
-        """Refuse a text that grew by repetition."""
-        if len(text) > MAX_LENGTH:
-            raise TooLarge(f"a text of {len(text)} characters")
-
-    # ------------------------------------------------------------ definitions
 
     def note_macro(self, node: Node) -> None:
         """A macro is defined."""
@@ -299,19 +281,20 @@ class Run:
         """A property or a macro parameter gets a value."""
         if not isinstance(definer, Node):
             return
-        places = table.__dict__.setdefault("places", {})
+        notes = notes_of(table)
         if definer.tagName == "xacro:property":
             self.properties.append(_definition(definer)._replace(name=key))
-            self._note_redefinition(table, key, definer, places.get(key))
-        places[key] = definer
-        table.__dict__.setdefault("used", set()).discard(key)
+            if key not in notes.used and not key.startswith("**"):
+                self._note_redefinition(key, definer, notes.definers.get(key))
+        notes.definers[key] = definer
+        notes.used.discard(key)
 
     def note_use(self, table: Any, key: str) -> None:
         """A name is looked up."""
-        table.__dict__.setdefault("used", set()).add(key)
+        notes_of(table).used.add(key)
 
-    def _note_redefinition(self, table: Any, key: str, node: Node, earlier: Node | None) -> None:
-        if earlier is None or key in table.used or key.startswith("**"):
+    def _note_redefinition(self, key: str, node: Node, earlier: Node | None) -> None:
+        if earlier is None:
             return
         same_block = earlier.around == node.around and earlier.tagName == node.tagName
         same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
@@ -319,9 +302,7 @@ class Run:
             message = f"property '{key}' is defined again before its first value is used"
             related = describe.related(earlier.tag_at.span, "first defined here")
             span = node.tag_at.attribute_spans().get("name", node.tag_at.span)
-            self.problems.append(
-                Problem("XAC008", span, message, frame=node.frame, related=related)
-            )
+            self.ledger.add(Problem("XAC008", span, message, frame=node.frame, related=related))
 
     def shadows(self, key: str) -> None:
         """A property or parameter takes the name of something that expressions already have."""
@@ -332,15 +313,15 @@ class Run:
     def warn(self, text: str) -> None:
         """xacro warns."""
         node, local = describe.node_in(_caller())
-        self.messages.append(Message("warning", text, node.tag_at.span if node else None))
+        self.ledger.say(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
             problem = describe.warning(text, node, local)
-            if problem is not None and problem not in self.problems:
-                self.problems.append(problem)
+            if problem is not None:
+                self.ledger.add(problem)
 
     def say(self, kind: str, text: str) -> None:
         """The model speaks to the user."""
-        self.messages.append(Message(kind, text, None))
+        self.ledger.say(Message(kind, text, None))
 
     # ----------------------------------------------------------------- errors
 
@@ -356,36 +337,11 @@ class Run:
         located, self._location = self._location, None
         if isinstance(root_cause(error), (TooMuch, RecursionError, MemoryError)):
             raise error
-        self.first_error = self.first_error or str(error) or repr(error)
-        located = located or Located(text, 0, text, ())
-        if not self._is_consequence(error, located):
-            self._add(describe.problem(self, error, located, frame))
-
-    def _add(self, problem: Problem) -> None:
-        """Keep a problem; the same one met again only adds the place that met it."""
-        if len(self.problems) >= MAX_PROBLEMS:
-            return
-        for number, known in enumerate(self.problems):
-            again = known._replace(related=()) == problem._replace(related=())
-            if again or (problem.code == "XAC010" and known[2] == problem.message):
-                uses = problem.related if again else describe.related(problem.span, "needed here")
-                if len(known.related) < MAX_RELATED:
-                    related = tuple(dict.fromkeys((*known.related, *uses)))
-                    self.problems[number] = known._replace(related=related)
-                return
-        self.problems.append(problem)
-
-    def _is_consequence(self, error: Exception, located: Located) -> bool:
-        """True if the error follows from one that was already reported."""
-        if not self.lost:
-            return False
-        if isinstance(root_cause(error), NameError):
-            return "*" in self.lost or any(name in located.token for name in self.lost)
-        return False
-
-    def known_arguments(self) -> dict[str, str]:
-        """The arguments that the files declare, with their defaults as written."""
-        return {d.name: d.attributes.get("default", "") for d in reversed(self.declared)}
+        ledger = self.ledger
+        ledger.first_error = ledger.first_error or str(error) or repr(error)
+        if not ledger.is_consequence(error):
+            located = located or Located(text, 0, text, ())
+            ledger.add(describe.problem(self, error, located, frame))
 
 
 def _definition(node: Node) -> Definition:

@@ -6,12 +6,15 @@ are found by the Resolver, and environment variables pass an allow-list.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from urdfkit.expansion.expressions import GUARDS, bounded_range, compile_expression
+from urdfkit.expansion.errors import MissingArgument
+from urdfkit.expansion.expressions import evaluate
+
+if TYPE_CHECKING:
+    from urdfkit.expansion.fence import Fence
 
 #: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
 ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")
@@ -36,7 +39,8 @@ class Context(NamedTuple):
         folder: that of the file being processed.
         working_directory: for ``$(cwd)``.
         environment: the variables.
-        trust: True if every variable and expression is allowed.
+        fence: for expressions; None if every variable and expression is allowed.
+        functions: what expressions may call.
     """
 
     find: Callable[[str], str]
@@ -44,7 +48,8 @@ class Context(NamedTuple):
     folder: str
     working_directory: str
     environment: Mapping[str, str]
-    trust: bool
+    fence: Fence | None
+    functions: Mapping[str, Any]
 
 
 def substitute(content: str, context: Context) -> str:
@@ -83,7 +88,7 @@ def _only(command: str, arguments: list[str]) -> str:
 
 def may_read(name: str, context: Context) -> bool:
     """True if the model may see an environment variable."""
-    return context.trust or name.startswith(ENVIRONMENT_PREFIXES)
+    return context.fence is None or name.startswith(ENVIRONMENT_PREFIXES)
 
 
 def _variable(name: str, context: Context) -> str:
@@ -103,27 +108,21 @@ def _optional_variable(name: str, default: str, context: Context) -> str:
 def _evaluate(expression: str, context: Context) -> Any:
     if "__" in expression:
         raise SubstitutionError("$(eval ...) may not contain double underscores")
-    code = compile_expression(expression.strip(), trust=context.trust)
-    return eval(code, {"__builtins__": dict(GUARDS)}, _EvalNames(context))
-
-
-_FUNCTIONS: dict[str, Any] = {
-    **{name: value for name, value in vars(math).items() if not name.startswith("_")},
-    **{f.__name__: f for f in (list, dict, map, str, float, int, bool, len, min, max, round)},
-    **{f.__name__: f for f in (abs, sum, sorted)},
-    "range": bounded_range,
-    "true": True,
-    "false": False,
-}
+    names = _EvalNames(context)
+    if context.fence is None:
+        return eval(expression, {}, names)
+    return evaluate(expression.strip(), names, context.fence)
 
 
 class _EvalNames(dict[str, Any]):
     """The names of a ``$(eval ...)``: functions, then arguments as numbers where they are."""
 
     def __init__(self, context: Context) -> None:
-        super().__init__(_FUNCTIONS)
+        super().__init__(context.functions)
         self.context = context
         self.update(
+            true=True,
+            false=False,
             arg=lambda name: _convert(context.argument(name)),
             find=context.find,
             env=lambda name: _variable(name, context),
@@ -132,15 +131,14 @@ class _EvalNames(dict[str, Any]):
         )
 
     def __missing__(self, name: str) -> Any:
-        if name in GUARDS:
-            raise KeyError(name)  # Python looks on in the builtins
-        return _convert(self.context.argument(name))
+        try:
+            return _convert(self.context.argument(name))
+        except MissingArgument:
+            raise KeyError(name) from None  # Python looks on in the builtins
 
 
 def _convert(text: str) -> Any:
-    for kind in (float,) if "." in text else (int,):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return {"true": True, "false": False}.get(text.lower(), text)
+    try:
+        return float(text) if "." in text else int(text)
+    except ValueError:
+        return {"true": True, "false": False}.get(text.lower(), text)

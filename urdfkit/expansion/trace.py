@@ -10,6 +10,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.expansion.dom import ELEMENT, Dom, Node
+from urdfkit.expansion.notes import notes_of
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
@@ -68,19 +69,20 @@ class Tracer:
 
     def defined(self, table: Any, key: str) -> None:
         """A name got the value of the text that was evaluated last."""
-        definer = table.__dict__.get("places", {}).get(key)
-        if isinstance(definer, Node) and "$" in _definition(definer, key)[2]:
-            table.__dict__.setdefault("inputs", {})[key] = self._last
+        notes = notes_of(table)
+        definer = notes.definers.get(key)
+        if definer is not None and "$" in _definition(definer, key)[2]:
+            notes.inputs[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
         """An expression used a name."""
         if not self._collected or key.startswith("*"):
             return
-        # Not getattr: a name space of xacro takes attributes for properties.
-        definer = table.__dict__.get("places", {}).get(key)
-        if not isinstance(definer, Node):
+        notes = notes_of(table)
+        definer = notes.definers.get(key)
+        if definer is None:
             return  # built in
-        inputs = table.__dict__.get("inputs", {}).get(key, ())
+        inputs = notes.inputs.get(key, ())
         kind, span, text = _definition(definer, key)
         self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
 

@@ -101,7 +101,9 @@ def _of_call(text: str, macro: Any) -> Words | None:
 
 
 def _undefined_name(run: Run, text: str, name: str) -> Words:
-    later = [found.decode() for source in run.sources.values() for found in _defined(source.data)]
+    later = [
+        found.decode() for source in run.reader.sources.values() for found in _defined(source.data)
+    ]
     if name in later:
         return Words(text, f"'{name}' is defined further down: move its definition above the use")
     help = f"define the property '{name}' above its use, or correct the name"

@@ -1,0 +1,44 @@
+"""What an expansion may use up: time, and what it makes."""
+
+from __future__ import annotations
+
+import time
+
+from urdfkit.reading import TooMuch
+
+MAX_SECONDS = 60.0
+#: Characters and items, counted together, that one expansion may make; with what Python needs
+#: for them half a gigabyte. The largest public robots need a twentieth.
+MAX_UNITS = 30_000_000
+#: What an element counts for, as it needs that much more memory than a character.
+ELEMENT_SIZE = 100
+
+
+class Budget:
+    """The budget of one expansion, shared by all of its attempts as far as time is concerned."""
+
+    __slots__ = ("_deadline", "_left")
+
+    def __init__(self, deadline: float) -> None:
+        self._deadline = deadline
+        self._left = MAX_UNITS
+
+    def charge(self, units: int) -> None:
+        """Count what is made.
+
+        Raises:
+            TooMuch: more than any robot needs, or it takes too long.
+        """
+        self._left -= units
+        if self._left < 0:
+            raise TooMuch(
+                f"the expansion makes more than {MAX_UNITS} characters, or "
+                f"{MAX_UNITS // ELEMENT_SIZE} elements"
+            )
+        if time.monotonic() > self._deadline:
+            raise TooMuch(f"the expansion takes longer than {MAX_SECONDS:g} s")
+
+
+def deadline() -> float:
+    """The time at which an expansion that begins now must have ended."""
+    return time.monotonic() + MAX_SECONDS

@@ -1,0 +1,287 @@
+"""What the expressions of one expansion may touch, and how much they may make.
+
+``expressions`` rewrites an expression so that every attribute, call and growing operation goes
+through the methods here. The invariant: no value that an expression can get hold of is larger
+than MAX_LENGTH, however often it shares its parts. So whatever walks over one (``str``, ``==``,
+``hash``) is done soon, and what all of them make together the Budget bounds.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from types import BuiltinFunctionType, MethodDescriptorType
+from typing import Any
+
+from urdfkit.expansion.budget import Budget
+
+#: Characters and items of one value, counted as often as they are shared.
+MAX_LENGTH = 1_000_000
+#: Bits of an integer.
+MAX_BITS = 20_000
+#: Items that are hashed at once: with equal hashes every one is compared with all others.
+MAX_HASHED = 10_000
+
+#: Types whose methods read or make data, within the bounds of ``call``.
+_DATA = (str, int, float, complex, list, tuple, set, frozenset, range, type)
+_HASHING = (dict, set, frozenset)
+#: Methods of _DATA that make much of little, or whose argument is a language of its own.
+_REFUSED = frozenset(
+    "decode encode expandtabs format format_map from_bytes maketrans mro to_bytes translate".split()
+)
+_OF_TABLES = frozenset(
+    "clear copy fromkeys get items keys pop popitem setdefault update values".split()
+)
+_PADDING = frozenset("center ljust rjust zfill".split())
+_GROWING = frozenset("add append extend insert setdefault update".split())
+_MAX_FORMAT = 2000
+_WIDE_FIELD = re.compile(r"%(?:\(.*\))?[#0\- +]*(?:\*|\d{4,}|\d*\.(?:\*|\d{4,}))", re.DOTALL)
+
+
+class UnsafeExpression(Exception):
+    """The expression does what no model needs to do."""
+
+
+class TooLarge(Exception):
+    """The value of the expression would be larger than any model needs."""
+
+
+def extent(value: Any) -> int:
+    """How large a value is: characters and items, counted as often as they are shared.
+
+    Raises:
+        TooLarge: it is larger than MAX_LENGTH.
+    """
+    total = 0
+    stack = [value]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, (str, bytes)):
+            total += len(item)
+        elif isinstance(item, range):
+            total += abs(item.stop - item.start) // abs(item.step)
+        elif isinstance(item, dict):
+            total += 2 * len(item)
+            stack.extend(dict.keys(item))
+            stack.extend(dict.values(item))
+            if is_name_space(item):
+                stack.append(vars(item)["parent"])
+        elif isinstance(item, (list, tuple, set, frozenset)):
+            total += len(item)
+            # Not by its own iterator: xacro's lists of YAML wrap every item.
+            stack.extend(list.__iter__(item) if isinstance(item, list) else item)
+        _check_length(total)
+    return total
+
+
+def is_name_space(table: Any) -> bool:
+    """True for a name space of xacro; asked of its variables, as it makes keys of attributes."""
+    return "parent" in getattr(table, "__dict__", ())
+
+
+class Fence:
+    """The guards of one expansion.
+
+    Attributes:
+        guards: the functions that rewritten expressions call, by names that no model can give
+            to anything, as they hold a space.
+    """
+
+    def __init__(self, budget: Budget) -> None:
+        self._budget = budget
+        self.guards: dict[str, Callable[..., Any]] = {
+            "fence attribute": self.attribute,
+            "fence call": self.call,
+            "fence keep": self.keep,
+            "fence hashed": lambda values: _hashed(values)[0],
+            "fence steps": self.steps,
+            "fence add": self.add,
+            "fence times": self.times,
+            "fence power": self.power,
+            "fence shift": self.shift,
+            "fence modulo": self.modulo,
+        }
+        self._bounded: dict[Any, Callable[..., Any]] = {
+            map: self._map,
+            filter: self._filter,
+            sum: self._sum,
+            int: _int,
+            round: _round,
+            math.factorial: _of_small_numbers(math.factorial),
+            math.perm: _of_small_numbers(math.perm),
+            math.comb: _of_small_numbers(math.comb),
+            math.prod: self._product,
+            math.lcm: self._multiple,
+        }
+
+    def keep(self, value: Any) -> Any:
+        """A value that an expression has made, once it is charged for."""
+        if isinstance(value, int):
+            _check_bits(value.bit_length())
+        elif not isinstance(value, float):
+            self._budget.charge(extent(value))
+        return value
+
+    def steps(self, values: Iterable[Any]) -> Iterator[Any]:
+        """The values, each of which is charged for when its turn comes."""
+        for value in values:
+            self._budget.charge(1)
+            yield value
+
+    def attribute(self, value: Any, name: str) -> Any:
+        """An attribute of a value: only data has any."""
+        if is_name_space(value):
+            if name not in vars(value) and not hasattr(type(value), name):
+                return getattr(value, name)
+        elif isinstance(value, dict):
+            if name in _OF_TABLES or not hasattr(dict, name):
+                return getattr(value, name)
+        else:
+            found = getattr(value, name)
+            if isinstance(value, _DATA) and name not in _REFUSED and not name.startswith("_"):
+                return found
+        kind = type(value).__name__
+        raise UnsafeExpression(f"attribute '{name}' of a {kind} is not allowed in expressions")
+
+    def call(self, function: Any, /, *arguments: Any, **keywords: Any) -> Any:
+        """The value of a call, if it can be had within bounds."""
+        if callable(keywords.get("key")):
+            keywords["key"] = partial(self.call, keywords["key"])
+        if isinstance(function, MethodDescriptorType) and arguments:
+            bound = function.__get__(arguments[0])
+            function, arguments = bound, arguments[1:] if bound is not function else arguments
+        if isinstance(function, BuiltinFunctionType):
+            arguments = _within_bounds(function.__self__, function.__name__, arguments)
+        elif isinstance(function, type) and issubclass(function, _HASHING):
+            arguments = _hashed(*arguments)
+        if isinstance(function, (type, BuiltinFunctionType)):
+            function = self._bounded.get(function, function)
+        return self.keep(function(*arguments, **keywords))
+
+    def add(self, left: Any, right: Any) -> Any:
+        return self.keep(left + right)
+
+    def times(self, left: Any, right: Any) -> Any:
+        for value, count in ((left, right), (right, left)):
+            if isinstance(count, int) and isinstance(value, (str, bytes, list, tuple)):
+                _check_length(extent(value) * count)
+        return self.keep(left * right)
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        if isinstance(base, int) and isinstance(exponent, int) and abs(base) > 1:
+            _check_bits(base.bit_length() * exponent)
+        return self.keep(base**exponent)
+
+    def shift(self, value: Any, places: Any) -> Any:
+        if isinstance(value, int) and isinstance(places, int):
+            _check_bits(value.bit_length() + places)
+        return self.keep(value << places)
+
+    def modulo(self, left: Any, right: Any) -> Any:
+        if isinstance(left, (str, bytes)):
+            text = left if isinstance(left, str) else left.decode("latin-1")
+            if len(text) > _MAX_FORMAT or _WIDE_FIELD.search(text):
+                raise TooLarge("a format with a field of more than 999 characters")
+            _check_length(text.count("%") * extent(right))
+        return self.keep(left % right)
+
+    def _map(self, function: Any, /, *values: Any) -> Iterator[Any]:
+        for arguments in zip(*values):  # noqa: B905 - as map does
+            yield self.call(function, *arguments)
+
+    def _filter(self, function: Any, values: Any, /) -> Iterator[Any]:
+        for value in self.steps(values):
+            if value if function is None else self.call(function, value):
+                yield value
+
+    def _sum(self, values: Any, /, start: Any = 0) -> Any:
+        if not isinstance(start, (list, tuple)):
+            return sum(self.steps(values), start)
+        for value in self.steps(values):
+            start = self.add(start, value)
+        return start
+
+    def _product(self, values: Any, /, *, start: Any = 1) -> Any:
+        for value in self.steps(values):
+            start = self.times(start, value)
+        return start
+
+    def _multiple(self, *numbers: Any) -> Any:
+        least = 1
+        for number in numbers:
+            least = self.keep(math.lcm(least, number))
+        return least
+
+
+def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments of a built-in method, once its result is known to be small enough."""
+    if isinstance(owner, str):
+        if name == "join":
+            arguments = tuple(_sized(value) for value in arguments)
+        for value in arguments:
+            if hasattr(value, "__len__"):
+                _check_length((len(owner) + 1) * len(value) // 10)
+            elif name in _PADDING and isinstance(value, int):
+                _check_length(value)
+    elif isinstance(owner, _HASHING) or name == "fromkeys":
+        arguments = _hashed(*arguments)
+    elif name in _GROWING:
+        arguments = tuple(_sized(value) for value in arguments)
+    if name in _GROWING and isinstance(owner, (list, set, dict)):
+        _check_length(extent(owner) + sum(extent(value) for value in arguments))
+    return arguments
+
+
+def _sized(values: Any) -> Any:
+    """The values of a generator as a list; anything else as it is."""
+    return list(values) if isinstance(values, Iterator) else values
+
+
+def _hashed(*arguments: Any) -> tuple[Any, ...]:
+    """Arguments whose items may be hashed."""
+    arguments = tuple(_sized(values) for values in arguments)
+    for values in arguments:
+        if hasattr(values, "__len__") and len(values) > MAX_HASHED:
+            raise TooLarge(f"a set or a table of more than {MAX_HASHED} items")
+    return arguments
+
+
+def _int(*arguments: Any, **keywords: Any) -> int:
+    for value in arguments[:1]:
+        if isinstance(value, (str, bytes)):
+            _check_bits(4 * len(value))
+    return int(*arguments, **keywords)
+
+
+def _round(number: Any, ndigits: Any = None) -> Any:
+    if isinstance(ndigits, int):
+        _check_bits(4 * abs(ndigits))
+    return round(number, ndigits)
+
+
+def _of_small_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of combinatorics, whose value has so many bits."""
+
+    def bounded(*numbers: Any) -> Any:
+        for number in numbers:
+            if isinstance(number, int):
+                _check_bits(10 * abs(number))
+        return function(*numbers)
+
+    return bounded
+
+
+def _check_length(length: int) -> None:
+    if length > MAX_LENGTH:
+        raise TooLarge(f"a value of {_about(length)} characters or items")
+
+
+def _check_bits(bits: int) -> None:
+    if bits > MAX_BITS:
+        raise TooLarge(f"an integer of {_about(bits)} bits")
+
+
+def _about(number: int) -> str:
+    return f"{min(number, 10**300):.3g}"  # a float holds no more

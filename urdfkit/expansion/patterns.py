@@ -1,0 +1,43 @@
+"""Guards for regular expressions of xacro that a hostile text would keep busy for years."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from urdfkit.expansion.fence import TooLarge, UnsafeExpression
+
+#: Characters among which xacro's pattern may try all ways to read a default.
+_MAX_TRIED = 24
+_WITH_DEFAULT = re.compile(r"\s*[^\s:=]+?\s*:?=\s*")
+#: xacro's pattern of a default, in which every character can be read in one way only.
+_DEFAULT = re.compile(
+    r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
+)
+
+
+def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
+    """xacro's ``parse_macro_arg`` in bounded time.
+
+    Its pattern reads ``a:=xxxxx'``, a default with an unmatched quote, in 2^5 ways.
+    """
+
+    def parse_macro_arg(text: str) -> Any:
+        start = _WITH_DEFAULT.match(text)
+        if start and len(text) - start.end() > _MAX_TRIED and not _DEFAULT.match(text, start.end()):
+            raise TooLarge("a long default with an unmatched quote")
+        return stock(text)
+
+    return parse_macro_arg
+
+
+def tokenize(stock: Callable[..., Any]) -> Callable[..., Any]:
+    """xacro's ``tokenize``, whose separators may not end the set of characters they stand in."""
+
+    def tokenize(s: str, sep: str = ",; ", skip_empty: bool = True) -> Any:
+        if "]" in sep[1:]:
+            raise UnsafeExpression("']' among separators is not allowed in expressions")
+        return stock(s, sep, skip_empty)
+
+    return tokenize

@@ -1,0 +1,118 @@
+"""The files of one expansion: xacro and YAML files, within the workspace and within bounds."""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.expansion.errors import EscapesRoots
+from urdfkit.expansion.fence import MAX_LENGTH, TooLarge
+from urdfkit.source import MAX_BYTES, Source
+
+if TYPE_CHECKING:
+    from urdfkit.expansion.budget import Budget
+    from urdfkit.resolve import Resolver
+
+_WILDCARD = re.compile(r"[*?[]")
+
+
+class Reader:
+    """Reads files for one expansion; every xacro file once.
+
+    Args:
+        source: the checked file.
+        resolver: knows which files may be read, and where those of an installed package are.
+        budget: that searches are charged to.
+        trust: True to read any file.
+
+    Attributes:
+        sources: the xacro files by path, the checked one first.
+        data_files: the YAML files.
+    """
+
+    def __init__(self, source: Source, resolver: Resolver, budget: Budget, *, trust: bool) -> None:
+        self.sources: dict[str, Source] = {source.path: source}
+        self.data_files: list[str] = []
+        self._near = source.path
+        self._resolver = resolver
+        self._budget = budget
+        self._trust = trust
+
+    def xacro(self, path: str) -> Source:
+        """A xacro file.
+
+        Raises:
+            OSError: it cannot be read.
+            ValueError: its name is none.
+            EscapesRoots: it is outside.
+            TooLarge: no robot needs one of that size.
+        """
+        path = self._admitted(path)
+        if path not in self.sources:
+            self.sources[path] = Source(path, self._read(path, MAX_BYTES))
+        return self.sources[path]
+
+    def yaml(self, path: str) -> tuple[str, str]:
+        """The true path and the text of a YAML file.
+
+        Raises:
+            OSError, ValueError, EscapesRoots, TooLarge: as of ``xacro``.
+        """
+        path = self._admitted(path)
+        self.data_files.append(path)
+        return path, self._read(path, MAX_LENGTH).decode("utf-8")
+
+    def _read(self, path: str, most: int) -> bytes:
+        with open(path, "rb") as file:
+            data = file.read(most + 1)
+        if len(data) > most:
+            raise TooLarge(f"the file {path} of more than {most} bytes")
+        return data
+
+    def _admitted(self, path: str) -> str:
+        """The path to open: as installed if it is not in the source tree, and not outside."""
+        if not os.path.exists(path):
+            path = self._resolver.installed(path) or path
+        if os.path.lexists(path):  # else opening it will say that there is no such file
+            self._refuse_outside(path)
+        return path
+
+    def _refuse_outside(self, path: str) -> None:
+        if not self._trust and not self._resolver.allows(path, self._near):
+            raise EscapesRoots(path)
+
+    def glob(self, pattern: str) -> Iterator[str]:
+        """The paths that ``glob.glob`` gives, searched for in admitted folders only.
+
+        Raises:
+            EscapesRoots: the pattern leads outside.
+            TooMuch: it takes too long; links that lead in circles multiply the paths.
+        """
+        folder, name = os.path.split(pattern)
+        if not _WILDCARD.search(pattern):
+            if os.path.lexists(pattern) if name else os.path.isdir(folder):
+                yield pattern
+            return
+        folders = self.glob(folder) if _WILDCARD.search(folder) and folder != pattern else [folder]
+        for inside in folders:
+            if _WILDCARD.search(name):
+                yield from self._matching(inside, name)
+            elif os.path.lexists(path := os.path.join(inside, name)):
+                yield path
+
+    def _matching(self, folder: str, pattern: str) -> Iterator[str]:
+        self._budget.charge(1)
+        if not os.path.isdir(folder or os.curdir):
+            return
+        self._refuse_outside(folder or os.curdir)
+        try:
+            names = os.listdir(folder or os.curdir)
+        except OSError:
+            return
+        self._budget.charge(len(names))
+        for name in fnmatch.filter(names, pattern):
+            if pattern.startswith(".") or not name.startswith("."):
+                yield os.path.join(folder, name)
