@@ -8,7 +8,8 @@ a macro makes has its place in the macro's body and the macro's call in ``via``.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 from urdfkit.source import Source, Span
@@ -115,15 +116,20 @@ class Tag(NamedTuple):
         start = self.inner_start
         return Span(self.source, start, max(start, self.close))
 
-    def attribute_spans(self) -> dict[str, Span]:
+    def attribute_spans(self) -> Mapping[str, Span]:
         """The values of the attributes, without their quotes."""
-        data = self.source.data
-        match = _TAG_NAME.match(data, self.start)
-        spans: dict[str, Span] = {}
-        while match and (match := _ATTRIBUTE.match(data, match.end())):
-            start, end = match.span(2)
-            spans[match.group(1).decode("utf-8", "replace")] = Span(self.source, start + 1, end - 1)
-        return spans
+        return _attribute_spans(self)
+
+
+@lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them asks
+def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
+    data = tag.source.data
+    match = _TAG_NAME.match(data, tag.start)
+    spans: dict[str, Span] = {}
+    while match and (match := _ATTRIBUTE.match(data, match.end())):
+        start, end = match.span(2)
+        spans[match.group(1).decode("utf-8", "replace")] = Span(tag.source, start + 1, end - 1)
+    return spans
 
 
 class Attribute:

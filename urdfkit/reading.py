@@ -6,6 +6,7 @@ the rule that explains it; the rules XML and XAC turn Problems into findings.
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 from typing import NamedTuple
@@ -228,7 +229,19 @@ class _Builder:
         parser.EntityDeclHandler = self._entity
 
     def parse(self, data: bytes) -> None:
-        self._parser.Parse(data, True)
+        """Build the document.
+
+        Raises:
+            xml.parsers.expat.ExpatError: it is not well formed.
+            TooMuch: it is larger than any robot.
+        """
+        collecting = gc.isenabled()
+        gc.disable()  # nothing of what is built is garbage
+        try:
+            self._parser.Parse(data, True)
+        finally:
+            if collecting:
+                gc.enable()
 
     def _start(self, name: str, attributes: list[str]) -> None:
         self._count += 1

@@ -38,7 +38,7 @@ class Source:
         undecodable: offset in ``data`` of the first byte that is not text, or None.
     """
 
-    __slots__ = ("_starts", "data", "encoding", "path", "undecodable")
+    __slots__ = ("_is_ascii", "_starts", "data", "encoding", "path", "undecodable")
 
     def __init__(self, path: str, data: bytes) -> None:
         self.path = path
@@ -46,6 +46,7 @@ class Source:
         self.undecodable: int | None = None
         self.data = self._as_utf8(data)
         self._starts: list[int] | None = None
+        self._is_ascii: bool | None = None
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Source:
@@ -95,6 +96,10 @@ class Source:
         starts = self._line_starts()
         line = bisect_right(starts, offset)
         start = starts[line - 1]
+        if self._is_ascii is None:
+            self._is_ascii = self.data.isascii()
+        if self._is_ascii:
+            return line, offset - start + 1
         return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
 
     def offset(self, line: int, column: int) -> int:
