@@ -1,0 +1,26 @@
+"""GAZ045: see the rule."""
+
+from math import pi
+
+import pytest
+
+from tests.sensing import findings, scan
+
+
+def test_the_last_angle_is_the_place_and_the_better_one_is_told():
+    (finding,) = findings("GAZ045", "ray", scan(-3.1415926, 3.1415926, 720))
+    assert finding.span.text.startswith("<max_angle>")
+    assert finding.span.line == 11
+    assert "720 beams" in finding.message
+    assert finding.help == "write 3.13287"
+
+
+@pytest.mark.parametrize("samples", [10, 360, 720, 3600])
+def test_one_step_less_than_the_circle_is_calm(samples):
+    last = -pi + 2 * pi * (1 - 1 / samples)
+    assert findings("GAZ045", "ray", scan(-pi, last, samples)) == []
+    assert len(findings("GAZ045", "ray", scan(-pi, pi, samples))) == 1
+
+
+def test_a_half_circle_is_calm():
+    assert findings("GAZ045", "ray", scan(-pi / 2, pi / 2)) == []

@@ -1,0 +1,13 @@
+"""GAZ048: see the rule."""
+
+import pytest
+
+from tests.sensing import findings
+
+
+@pytest.mark.parametrize(("near", "far", "count"), [(1, 0.5, 1), (1, 1, 1), (0.02, 300, 0)])
+def test_near_must_be_below_far(near, far, count):
+    clip = f"<camera><clip><near>{near}</near><far>{far}</far></clip></camera>"
+    found = findings("GAZ048", "camera", clip)
+    assert len(found) == count
+    assert all(finding.span.text == "<near>" for finding in found)

@@ -1,0 +1,27 @@
+"""GAZ051: see the rule."""
+
+import pytest
+
+from tests.sensing import findings
+
+
+@pytest.mark.parametrize(
+    ("reference", "name", "count"),
+    [
+        ("base", "base_collision", 0),
+        ("base", "base_fixed_joint_lump__end_collision_1", 0),
+        ("tip", "base_fixed_joint_lump__end_collision_1", 0),
+        ("tip", "end", 1),
+        ("base", "collision", 1),
+        ("base", "__default__", 0),
+    ],
+)
+def test_the_names_are_those_after_the_conversion(reference, name, count):
+    inner = f"<contact><collision>{name}</collision></contact>"
+    assert len(findings("GAZ051", "contact", inner, reference=reference)) == count
+
+
+def test_the_nearest_is_told():
+    inner = "<contact><collision>base_colision</collision></contact>"
+    (finding,) = findings("GAZ051", "contact", inner)
+    assert finding.message.endswith("did you mean 'base_collision'?")

@@ -1,0 +1,28 @@
+"""GAZ055: see the rule."""
+
+import pytest
+
+from tests.sensing import findings
+
+PLUGIN = '<plugin name="p" filename="libgazebo_ros_camera.so"><{0}>{1}</{0}></plugin>'
+
+
+@pytest.mark.parametrize(
+    ("inner", "count"),
+    [
+        (PLUGIN.format("frameName", "base"), 1),
+        (PLUGIN.format("frame_name", "base"), 1),
+        (PLUGIN.format("frame_name", "camera_optical_frame"), 0),
+        ("<gz_frame_id>base</gz_frame_id>", 1),
+        ("<gz_frame_id>tip</gz_frame_id>", 0),
+        ("", 0),
+    ],
+)
+def test_a_frame_that_is_the_cameras_own_link_looks_along_x(inner, count):
+    assert len(findings("GAZ055", "camera", inner)) == count
+    assert findings("GAZ055", "imu", inner) == []
+
+
+def test_a_link_that_is_called_optical_is_meant():
+    inner = PLUGIN.format("frameName", "base_optical")
+    assert findings("GAZ055", "camera", inner, reference="base_optical") == []

@@ -1,0 +1,44 @@
+"""A sensor is of a type that no Gazebo knows.
+
+The sensor is not made, and its topics never appear. Gazebo says so once in its log. The name is
+misspelt, or it is that of a product instead of a kind of sensor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.sensors import types
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="lidr">
+    <update_rate>10</update_rate>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("lidr", "ray")
+
+
+@rule(
+    "GAZ040",
+    "unknown-sensor-type",
+    Severity.ERROR,
+    help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = types()
+    for sensor in sensors(subject.model):
+        if sensor.type not in known:
+            at = sensor.at.attributes.get("type", sensor.at)
+            what = f"of type '{sensor.type}', which" if sensor.type else "without a type, which"
+            hint = did_you_mean(sensor.type, known)
+            yield Finding(at, f"{sensor.who} is {what} no Gazebo knows{hint}")

@@ -1,0 +1,58 @@
+"""A sensor is of a type that the target does not make.
+
+Gazebo Classic and gz-sim have different names for the same sensors: `ray` and `gpu_ray` became
+`gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. The wrong one is passed over with
+a line in the log, and no data ever come.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.sensors import types
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="ray">
+    <update_rate>10</update_rate>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace('"ray"', '"imu"')
+
+_GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
+_CLASSIC = ("classic-ros1", "classic-ros2")
+
+
+@rule(
+    "GAZ041",
+    "sensor-not-in-target",
+    Severity.INFO,
+    help="use the type that the target has",
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    wants_gz = subject.targets.any_of(_GZ)
+    wants_classic = subject.targets.any_of(_CLASSIC)
+    for sensor in sensors(subject.model):
+        kind = types().get(sensor.type)
+        if kind is None:
+            continue
+        if not kind.gz and (wants_gz or not wants_classic):
+            other = f"; there it is '{kind.gz_name}'" if kind.gz_name else ""
+            at = sensor.at.attributes["type"]
+            yield Finding(
+                at, f"{sensor.who}: gz-sim makes no sensor of type '{sensor.type}'{other}"
+            )
+        elif not kind.classic and wants_classic:
+            other = f"; there it is '{kind.classic_name}'" if kind.classic_name else ""
+            message = f"{sensor.who}: Gazebo Classic makes no sensor of type '{sensor.type}'{other}"
+            yield Finding(sensor.at.attributes["type"], message)

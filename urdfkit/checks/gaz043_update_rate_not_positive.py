@@ -1,0 +1,43 @@
+"""A sensor's update rate is negative, or a camera's or lidar's is zero.
+
+Zero means every step of the simulation, a thousand times a second: for a camera or a lidar that
+brings the simulation to a crawl. A negative rate has no meaning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="camera">
+    <update_rate>0</update_rate>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace(">0<", ">30<")
+
+
+@rule(
+    "GAZ043",
+    "update-rate-not-positive",
+    Severity.WARNING,
+    help="give the rate of the real sensor in Hz",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        rate = sensor.number("update_rate")
+        if rate is None:
+            continue
+        is_heavy = bool(sensor.lidar) or "camera" in sensor.type or sensor.type == "depth"
+        if rate.value < 0 or (rate.value == 0 and is_heavy):
+            meaning = "has no meaning" if rate.value < 0 else "means every step of the simulation"
+            yield Finding(rate, f"{sensor.who}: an update rate of {rate.value:g} Hz {meaning}")

@@ -1,0 +1,60 @@
+"""A lidar's first and last beam point in the same direction.
+
+The angles span a full circle, and both ends are sampled: the same place is measured twice, and
+programs that match scans see a seam. Leave one step out: with n samples the last angle is
+2 pi (1 - 1/n) after the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="ray">
+    <ray>
+      <scan>
+        <horizontal>
+          <samples>360</samples>
+          <min_angle>-3.1415926</min_angle>
+          <max_angle>3.1415926</max_angle>
+        </horizontal>
+      </scan>
+      <range><min>0.1</min><max>10</max></range>
+    </ray>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace(">3.1415926<", ">3.1241<")
+
+
+@rule(
+    "GAZ045",
+    "lidar-full-circle",
+    Severity.WARNING,
+    help="end one step before the full circle",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        scan = f"{sensor.lidar}/scan/horizontal"
+        first, last = sensor.number(f"{scan}/min_angle"), sensor.number(f"{scan}/max_angle")
+        samples = sensor.number(f"{scan}/samples")
+        if not sensor.lidar or first is None or last is None or samples is None:
+            continue
+        span, count = last.value - first.value, samples.value
+        if count > 1 and abs(span - 2 * pi) < pi / (count - 1):
+            yield Finding(
+                last,
+                f"{sensor.who}: {count:g} beams over {span:g} rad, a full circle: the first and "
+                f"the last coincide",
+                f"write {first.value + 2 * pi * (1 - 1 / count):.6g}",
+            )

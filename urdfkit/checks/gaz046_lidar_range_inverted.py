@@ -1,0 +1,50 @@
+"""A lidar's least range is not below its greatest.
+
+No beam can ever hit anything: the lidar is blind, and navigation sees an empty world. Both are 0 if
+they are not written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="ray">
+    <ray>
+      <scan>
+        <horizontal>
+          <samples>360</samples>
+          <min_angle>-1</min_angle>
+          <max_angle>1</max_angle>
+        </horizontal>
+      </scan>
+      <range><min>10</min><max>0.1</max></range>
+    </ray>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("<min>10</min><max>0.1</max>", "<min>0.1</min><max>10</max>")
+
+
+@rule(
+    "GAZ046",
+    "lidar-range-inverted",
+    Severity.ERROR,
+    help="let the least range be below the greatest",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        least = sensor.number(f"{sensor.lidar}/range/min")
+        greatest = sensor.number(f"{sensor.lidar}/range/max")
+        if sensor.lidar and least and greatest and least.value >= greatest.value:
+            message = f"{sensor.who}: the least range {least.value:g} m is not below the greatest"
+            yield Finding(least, f"{message}, {greatest.value:g} m")

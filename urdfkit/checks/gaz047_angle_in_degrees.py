@@ -1,0 +1,61 @@
+"""An angle of a sensor is in degrees.
+
+SDF takes radians. A lidar that should look 180 degrees wide then spans 180 radians, 28 times round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, radians
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="ray">
+    <ray>
+      <scan>
+        <horizontal>
+          <samples>360</samples>
+          <min_angle>-90</min_angle>
+          <max_angle>90</max_angle>
+        </horizontal>
+      </scan>
+      <range><min>0.1</min><max>10</max></range>
+    </ray>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("90<", "1.5708<")
+
+_ANGLES = (
+    "scan/horizontal/min_angle",
+    "scan/horizontal/max_angle",
+    "scan/vertical/min_angle",
+    "scan/vertical/max_angle",
+)
+
+
+@rule(
+    "GAZ047",
+    "angle-in-degrees",
+    Severity.WARNING,
+    help="write the angle in radians",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        for path in _ANGLES:
+            angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
+            if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
+                yield Finding(
+                    angle,
+                    f"{sensor.who}: {angle.value:g} rad is more than a full turn",
+                    f"if degrees were meant, write {radians(angle.value):.6g}",
+                    confidence=Confidence.INFERRED,
+                )

@@ -1,0 +1,40 @@
+"""A camera's near clipping distance is not below its far one.
+
+Nothing lies between the two: the picture stays empty, or Gazebo refuses the camera.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="camera">
+    <camera><clip><near>10</near><far>0.1</far></clip></camera>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("<near>10</near><far>0.1</far>", "<near>0.1</near><far>10</far>")
+
+
+@rule(
+    "GAZ048",
+    "camera-clip-inverted",
+    Severity.ERROR,
+    help="let near be above 0 and below far",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        near = sensor.number("camera/clip/near")
+        far = sensor.number("camera/clip/far")
+        if near and far and near.value >= far.value:
+            message = f"{sensor.who}: near {near.value:g} m is not below far {far.value:g} m"
+            yield Finding(near, message)

@@ -1,0 +1,58 @@
+"""A contact sensor names a collision that its link does not have in Gazebo.
+
+Gazebo renames collisions when it converts URDF: an unnamed one becomes `LINK_collision`, and those
+of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one never
+touches anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision>
+    <geometry><sphere radius="1"/></geometry>
+  </collision>
+</link>
+<gazebo reference="base">
+  <sensor name="bumper" type="contact">
+    <contact><collision>base_colision</collision></contact>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("base_colision", "base_collision")
+
+
+@rule(
+    "GAZ051",
+    "contact-names-unknown-collision",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="name the collision as Gazebo does; 'urdfkit gazebo' lists the names",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        for contact in sensor.at.all("contact"):
+            named = contact.child("collision")
+            link = subject.gazebo.survivor.get(sensor.reference)
+            if named is None or link is None:
+                continue
+            simulated = next(one for one in subject.gazebo.links if one.name == link)
+            known = [name for name, _ in simulated.collisions]
+            name = named.text.strip()
+            if name not in known and name != "__default__":
+                hint = did_you_mean(name, known)
+                yield Finding(named, f"{sensor.who}: link '{link}' has no collision '{name}'{hint}")

@@ -1,0 +1,67 @@
+"""A camera's pictures are stamped with a frame that does not look along z.
+
+ROS programs expect an optical frame: z forward, x right, y down (REP 103). A camera link of URDF
+looks along x, so that points seen straight ahead appear above the robot. Add a link turned by
+rpy="-1.5708 0 -1.5708" and name it as the frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import Sensor, sensors
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+</link>
+<link name="base_optical"/>
+<joint name="optics" type="fixed">
+  <origin rpy="-1.5708 0 -1.5708"/>
+  <parent link="base"/>
+  <child link="base_optical"/>
+</joint>
+<gazebo reference="base">
+  <sensor name="eye" type="camera">
+    <plugin name="p" filename="libgazebo_ros_camera.so"><frameName>base</frameName></plugin>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace(">base<", ">base_optical<")
+
+_TAGS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_frame_id")
+
+
+@rule(
+    "GAZ055",
+    "camera-frame-not-optical",
+    Severity.INFO,
+    help="name an optical frame, a link turned by -1.5708 0 -1.5708 against the camera's",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        if "camera" not in sensor.type and sensor.type not in ("depth", "rgbd"):
+            continue
+        for frame in _frames(sensor):
+            name = frame.text.strip()
+            # The sensor looks along x of its own link; another link may be turned as it should.
+            if name == sensor.reference and "optical" not in name:
+                message = (
+                    f"{sensor.who}: its pictures are stamped with '{name}', which looks along x"
+                )
+                yield Finding(frame, message)
+
+
+def _frames(sensor: Sensor) -> Iterator[Element]:
+    for parent in (sensor.at, *sensor.plugins):
+        for tag in _TAGS:
+            yield from parent.all(tag)

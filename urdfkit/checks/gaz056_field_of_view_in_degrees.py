@@ -1,0 +1,45 @@
+"""A camera's field of view is more than a full turn.
+
+`horizontal_fov` is in radians. Gazebo refuses the model: "horizontal fov must be greater than zero
+and less than or equal to two pi".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, radians
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.model import number
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="camera">
+    <camera><horizontal_fov>80</horizontal_fov></camera>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace(">80<", ">1.3963<")
+
+
+@rule(
+    "GAZ056",
+    "field-of-view-in-degrees",
+    Severity.ERROR,
+    help="write the angle in radians",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        for camera in sensor.at.all("camera"):
+            element = camera.child("horizontal_fov")
+            value = number(element.text.strip()) if element else None
+            if element is not None and value is not None and not 0 < value <= 2 * pi:
+                hint = f"if degrees were meant, write {radians(value):.6g}" if value > 0 else ""
+                message = f"{sensor.who}: a field of view of {value:g} rad is not within 0 to 2 pi"
+                yield Finding(element, message, hint)
