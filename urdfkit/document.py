@@ -157,7 +157,7 @@ class Attribute:
         if self.written_in is not None:
             spans = self.written_in.attribute_spans()
             return spans.get("value", self.written_in.span)
-        return self.element.tag_at.attribute_spans().get(self.name, self.element.span)
+        return self.element.tag_at.attribute_spans().get(self.name) or self.element.span
 
     @property
     def literal(self) -> bool:
