@@ -1,0 +1,43 @@
+"""``urdfkit migrate``: what a model needs to run in another Gazebo."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.migrate import Migration, migrate
+from urdfkit.targets import GAZEBO
+
+
+@click.command("migrate")
+@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@click.option("--to", "target", type=click.Choice(GAZEBO), required=True, help="The new Gazebo.")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+def command(words: tuple[str, ...], target: str, package: tuple[str, ...]) -> int:
+    """Show what a model needs to run in another Gazebo.
+
+    Pure renames are shown as a diff, which can be applied with 'patch -p0'; nothing is written.
+    What needs a person follows as comments, with what to write instead.
+
+    Exit codes: 0 nothing to do, 1 something is to be changed, 2 the file cannot be read.
+    """
+    values = {options.FILES: words, "package": package}
+    files = options.files(values)
+    if len(files) != 1:
+        raise options.UsageError("migrate takes one file; xacro arguments are written name:=value")
+    migration = migrate(files[0], target, options.arguments(values), options.packages(values))
+    output.write("".join(render(migration, target)))
+    return int(bool(migration.renamed or migration.left))
+
+
+def render(migration: Migration, target: str) -> Iterator[str]:
+    """The diff, and what is left as lines that ``patch`` passes over."""
+    if not migration.renamed and not migration.left:
+        yield f"nothing to do for {target}\n"
+    yield migration.diff()
+    for diagnostic in migration.left:
+        yield f"# {diagnostic.span}: {diagnostic.message}\n"
+        if diagnostic.help:
+            yield f"#   {diagnostic.help}\n"

@@ -1,0 +1,83 @@
+"""From one Gazebo to another: what can be renamed, and what a person must decide."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.diagnostic import Diagnostic, Edit
+from urdfkit.engine import check
+from urdfkit.fixer import apply_edits
+from urdfkit.source import Source
+
+if TYPE_CHECKING:
+    import os
+
+#: The rules that tell what a generation of Gazebo does not have.
+RULES = ("GAZ012", "GAZ018", "GAZ041")
+
+
+class Migration(NamedTuple):
+    """What a migration needs.
+
+    Attributes:
+        texts: the new bytes of every file that changes, by its Source.
+        left: what has no pure rename, for a person.
+        renamed: what the new texts mend.
+    """
+
+    texts: dict[Source, bytes]
+    left: tuple[Diagnostic, ...]
+    renamed: tuple[Diagnostic, ...]
+
+    def diff(self) -> str:
+        """The changes as a unified diff, which ``patch -p0`` takes."""
+        lines: list[str] = []
+        for source, text in self.texts.items():
+            before = source.data.decode("utf-8", "replace").splitlines(keepends=True)
+            after = text.decode("utf-8", "replace").splitlines(keepends=True)
+            lines += difflib.unified_diff(before, after, source.path, source.path)
+        return "".join(lines)
+
+
+def migrate(
+    path: str | os.PathLike[str] | Source,
+    target: str,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+) -> Migration:
+    """What a model needs to run in another Gazebo; nothing is written.
+
+    Args:
+        path: of the model.
+        target: one of ``urdfkit.targets.GAZEBO``.
+        arguments: for xacro.
+        packages: folders of ROS packages by name.
+
+    Raises:
+        UnreadableFile: the file cannot be read.
+        UnknownTarget: there is no such target.
+    """
+    report = check(path, arguments=arguments, packages=packages, select=RULES, targets=(target,))
+    edits: dict[Source, list[Edit]] = {}
+    left, renamed = [], []
+    for diagnostic in report.diagnostics:
+        if diagnostic.fix is None or _overlaps(diagnostic, edits):
+            left.append(diagnostic)
+            continue
+        renamed.append(diagnostic)
+        for edit in diagnostic.fix.edits:
+            edits.setdefault(edit.span.source, []).append(edit)
+    texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
+    return Migration(texts, tuple(left), tuple(renamed))
+
+
+def _overlaps(diagnostic: Diagnostic, edits: dict[Source, list[Edit]]) -> bool:
+    """True if a fix changes what another one changes, too."""
+    assert diagnostic.fix is not None
+    return any(
+        edit.span.start < other.span.end and other.span.start < edit.span.end
+        for edit in diagnostic.fix.edits
+        for other in edits.get(edit.span.source, ())
+    )
