@@ -23,9 +23,24 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
-<link name="hand"/>
-<link name="left_finger"/>
-<link name="right_finger"/>
+<link name="hand">
+  <inertial>
+    <mass value="0.4"/>
+    <inertia ixx="3e-4" ixy="0" ixz="0" iyy="2e-4" iyz="0" izz="4e-4"/>
+  </inertial>
+</link>
+<link name="left_finger">
+  <inertial>
+    <mass value="0.015"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
+<link name="right_finger">
+  <inertial>
+    <mass value="0.015"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
 <joint name="left_finger_joint" type="prismatic">
   <parent link="hand"/>
   <child link="left_finger"/>
