@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit.model import number
-from urdfkit.plugins import Item, Reference, Use
+from urdfkit.plugins import Reference, Use
 from urdfkit.spatial import Frame, Vector, rotate
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
+    from urdfkit.document import Attribute, Element
     from urdfkit.model import Joint, Link
     from urdfkit.tree import KinematicTree
 
@@ -136,7 +136,7 @@ def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
     yield from zip(left, right, strict=False)
 
 
-def given(use: Use, name: str) -> tuple[Element | Item, float] | None:
+def given(use: Use, name: str) -> tuple[Element | Attribute, float] | None:
     """A parameter in m and where it is written: the plugin for a default. None if unreadable.
 
     Several values, one for each pair of wheels, count as unreadable unless they are equal.
@@ -146,7 +146,7 @@ def given(use: Use, name: str) -> tuple[Element | Item, float] | None:
     numbers = {number(item.text) for item in values}
     if values:
         value = numbers.pop()
-        return None if value is None or numbers else (values[0], value)
+        return None if value is None or numbers else (values[0].at, value)
     parameter = use.plugin.parameters.get(name)
     default = number(parameter.default) if parameter else None
     return None if default is None else (use.at, default)

@@ -70,6 +70,17 @@ def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
     return (Edit(attribute.span, escaped.replace("'", "&apos;")),)
 
 
+def replace_text(element: Element, text: str) -> tuple[Edit, ...] | None:
+    """Give an element another text, with the white space around it as it is."""
+    source, start, end = element.tag_at.inner_span
+    written = source.data[start:end]
+    if element.children or written.decode("utf-8", "replace").strip() != element.text.strip():
+        return None
+    start += len(written) - len(written.lstrip())
+    escaped = text.replace("&", "&amp;").replace("<", "&lt;")
+    return (Edit(Span(source, start, start + len(written.strip())), escaped),)
+
+
 def remove_element(element: Element) -> tuple[Edit, ...] | None:
     """Take an element out, with its line where nothing else stands on it.
 

@@ -145,16 +145,12 @@ def _loaded(use: Use, wanted: set[str]) -> Plugin | None:
 
 
 def generations(use: Use) -> set[str]:
-    """The generations that a plugin can be of, judged by its library and its tags.
+    """The generations that have a plugin's library; empty if it is not known.
 
-    A plugin without ROS runs with both of them. Empty if the library is not known.
+    A library without ROS runs with both of them.
     """
-    present = [plugin for plugin in use.known if not plugin.removed]
-    if not present:
-        return set()
-    left = {plugin.id: len(use.unread(plugin)) for plugin in present}
-    best = {plugin.generation for plugin in present if left[plugin.id] == min(left.values())}
-    return best | {"classic-ros1", "classic-ros2"} if "classic" in best else best
+    present = {plugin.generation for plugin in use.known if not plugin.removed}
+    return present | {"classic-ros1", "classic-ros2"} if "classic" in present else present
 
 
 def fate(conversion: Conversion, kind: str, name: str) -> str:

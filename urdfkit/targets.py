@@ -116,10 +116,16 @@ def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None
 
 
 def _classic_generation(plugin: Element, ros: str | None) -> str:
-    """ROS 2's plugins have a ``<ros>`` block and snake_case tags, ROS 1's have camelCase."""
+    """A ``<ros>`` block is of ROS 2; else the package tells; else the spelling of the tags does.
+
+    What the package says comes before the spelling: tags of ROS 1 in a package of ROS 2 are a
+    mistake, and many plugins of ROS 1 have snake_case tags among the others.
+    """
     tags = {child.tag for child in plugin.children}
-    if "ros" in tags or any("_" in tag for tag in tags):
+    if "ros" in tags:
         return "classic-ros2"
+    if ros:
+        return f"classic-{ros}"
     if any(tag != tag.lower() for tag in tags):
         return "classic-ros1"
-    return "classic-ros2" if ros == "ros2" else "classic-ros1"
+    return "classic-ros2" if any("_" in tag for tag in tags) else "classic-ros1"

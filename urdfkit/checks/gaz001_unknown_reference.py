@@ -1,0 +1,51 @@
+"""A `<gazebo reference>` names neither a link nor a joint.
+
+Gazebo's converter compares the reference with the names of links and joints and drops the whole
+block, sensors and friction with it, without a message. Name the link or joint that is meant;
+xacro prefixes are a usual cause.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel_link">
+  <mu1>0.8</mu1>
+</gazebo>"""
+GOOD = BAD.replace("wheel_link", "wheel")
+
+
+@rule("GAZ001", "unknown-reference", Severity.ERROR, help="name a link or a joint of this robot")
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    known = {**model.links_by_name, **model.joints_by_name}
+    speller = Speller(known)
+    for block in model.gazebo:
+        reference = block.attributes.get("reference")
+        if reference is None or not reference.value or reference.value in known:
+            continue
+        if subject.is_part:  # the file that includes it has the link
+            return
+        if block.children:
+            meant = speller.meant(reference.value)
+            lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
+            yield Finding(
+                reference,
+                f"Gazebo drops {lost}: there is no link or joint '{reference.value}'",
+                f"did you mean '{meant}'?" if meant else "",
+            )

@@ -1,0 +1,50 @@
+"""A tag for a link or a joint stands in a `<gazebo>` block without a reference.
+
+The content of such a block belongs to the whole model, and friction, materials, sensors and the
+like are nothing that a model has: Gazebo's converter stores them and never uses them, without a
+message. Write one block per link, with `reference="..."`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.extensions import copied, extensions
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <mu1>0.8</mu1>
+</gazebo>"""
+GOOD = BAD.replace("<gazebo>", '<gazebo reference="wheel">')
+
+
+@rule("GAZ002", "link-tag-without-reference", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    owners = {tag: extension.on for tag, extension in extensions().items()}
+    of_model = set(copied("model"))
+    for kind in ("joint", "link"):
+        owners.update((tag, kind) for tag in copied(kind) if tag not in of_model)
+    for block in subject.model.gazebo:
+        if block.get("reference"):
+            continue
+        for child in block.children:
+            owner = owners.get(child.tag)
+            if owner in ("link", "joint"):
+                yield Finding(
+                    child,
+                    f"Gazebo ignores <{child.tag}> here: it belongs to a {owner}, and this block "
+                    "refers to none",
+                    f'move it into <gazebo reference="...">, with the name of the {owner}',
+                )

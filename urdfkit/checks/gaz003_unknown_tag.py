@@ -1,0 +1,73 @@
+"""Gazebo knows no such tag in a `<gazebo>` block.
+
+Gazebo's converter handles some tags by name (`mu1`, `kp`, `material`...) and copies all others into
+the SDF, where the simulator warns about what it does not know and goes on without it. `<mu>` for
+`<mu1>` and the snake_case names of SDF (`max_vel`, `laser_retro`) are usual slips.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.extensions import copied, extensions, meant
+from urdfkit.diagnostic import Fix, Related, Severity
+from urdfkit.edits import rename_element
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <mu>0.8</mu>
+</gazebo>"""
+GOOD = BAD.replace("mu>", "mu1>")
+FIXED = GOOD
+
+
+@rule(
+    "GAZ003",
+    "unknown-tag",
+    Severity.WARNING,
+    fixable=True,
+    help="see the tags of the URDF page of Gazebo's tutorials, or remove it",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = {*extensions(), *(tag for kind in ("link", "joint", "model") for tag in copied(kind))}
+    strange: dict[str, list[Element]] = {}
+    for block in subject.model.gazebo:
+        for child in block.children:
+            if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
+                strange.setdefault(child.tag, []).append(child)
+    for tag, elements in strange.items():
+        right = meant().get(tag) or nearest(tag, known, 0.8)
+        if right is None:
+            yield _unknown(tag, elements)
+        else:
+            yield from (_slip(element, right) for element in elements)
+
+
+def _unknown(tag: str, elements: list[Element]) -> Finding:
+    """One finding for all of a name: one mistake, however often it was copied."""
+    count = f" ({len(elements)} times)" if len(elements) > 1 else ""
+    others = tuple(Related(one.span, f"<{tag}>") for one in elements[1:5])
+    return Finding(elements[0], f"Gazebo knows no <{tag}>, and ignores it{count}", related=others)
+
+
+def _slip(element: Element, right: str) -> Finding:
+    edits = rename_element(element, right)
+    return Finding(
+        element,
+        f"Gazebo knows no <{element.tag}>, and ignores it",
+        f"did you mean <{right}>?",
+        Fix(f"rename it to <{right}>", edits) if edits else None,
+    )

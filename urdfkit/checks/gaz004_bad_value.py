@@ -1,0 +1,70 @@
+"""The value of a tag in a `<gazebo>` block is not what Gazebo can read.
+
+Where Gazebo's converter wants a number, other text ends the whole conversion with an exception, and
+a decimal comma reads as the digits before it. Where it wants a boolean, it looks for `true`, `yes`
+and `1` (for `turnGravityOff`: `false`, `no` and `0`) and takes everything else for the opposite.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.extensions import Extension, extensions
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <mu1>0,8</mu1>
+</gazebo>"""
+GOOD = BAD.replace("0,8", "0.8")
+
+_NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)"
+_WORDS = ("true", "yes", "1", "false", "no", "0")
+#: Booleans of SDF that the converter copies as they stand.
+_COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
+
+
+@rule("GAZ004", "bad-value", Severity.ERROR)
+def check(subject: Subject) -> Iterator[Finding]:
+    handled = extensions()
+    for block in subject.model.gazebo:
+        for child in block.children:
+            text = child.get("value") or child.text.strip()  # value="" is an old form
+            if extension := handled.get(child.tag):
+                yield from _handled(child, extension, text)
+            elif child.tag in _COPIED and text.lower() not in ("true", "false", "1", "0"):
+                message = f"<{child.tag}> is {_shown(text)}: SDF wants true, false, 1 or 0"
+                yield Finding(child, f"{message}, and refuses the model", "write true or false")
+
+
+def _handled(child: Element, extension: Extension, text: str) -> Iterator[Finding]:
+    name = f"<{child.tag}> is {_shown(text)}"
+    if extension.type in ("float", "int"):
+        found = re.match(_NUMBER, text, re.IGNORECASE)
+        if found is None:
+            message = f"{name}, which is no number: Gazebo's converter ends with an exception"
+            yield Finding(child, message, "write a number")
+        elif text[found.end() :].startswith(","):
+            message = f"{name}: Gazebo reads {found.group()}, for a comma ends the number"
+            yield Finding(child, message, f"write {text.replace(',', '.')}")
+    elif extension.type == "bool" and text.lower() not in _WORDS:
+        read = "false" if extension.words == "yes" else "true"
+        message = f"{name}, which Gazebo takes for {read}"
+        yield Finding(child, message, "write true or false")
+
+
+def _shown(text: str) -> str:
+    return f"'{text}'" if text else "empty"

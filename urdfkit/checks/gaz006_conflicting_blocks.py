@@ -1,0 +1,85 @@
+"""Two `<gazebo>` blocks give the same tag of one link different values.
+
+Gazebo takes the last one. So it is, too, with `turnGravityOff`, `selfCollide` and `dampingFactor`
+of links that fixed joints merge: the merged body has one value, and the last link to be merged
+decides. Keep one value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.extensions import extensions
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.document import Element
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <mu1>0.8</mu1>
+</gazebo>
+<gazebo reference="wheel">
+  <mu1>100</mu1>
+</gazebo>"""
+GOOD = BAD.replace("100", "0.8")
+
+#: Of a whole body, however many links were merged into it.
+_OF_THE_BODY = ("turnGravityOff", "selfCollide", "dampingFactor")
+_SCALARS = ("float", "int", "bool", "string", "vector3")
+
+
+@rule(
+    "GAZ006",
+    "conflicting-blocks",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="keep one of the two",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    handled = extensions()
+    first: dict[tuple[str, str], Element] = {}
+    for block in subject.model.gazebo:
+        reference = block.get("reference") or ""
+        for child in block.children:
+            if child.tag not in handled or handled[child.tag].type not in _SCALARS:
+                continue
+            owner = reference
+            if child.tag in _OF_THE_BODY:
+                owner = subject.gazebo.survivor.get(reference, reference)
+            other = first.setdefault((owner, child.tag), child)
+            if _value(other) != _value(child):
+                yield Finding(child, _message(other, child, owner), related=(_note(other),))
+
+
+def _message(other: Element, child: Element, owner: str) -> str:
+    names = [one.parent.get("reference") or "" for one in (other, child) if one.parent]
+    values = f"<{child.tag}> is {_value(other)} and then {_value(child)}"
+    if names[0] == names[1]:
+        return f"{values} for '{owner or 'the model'}'; Gazebo takes the last"
+    return (
+        f"{values} for '{names[0]}' and '{names[1]}', which Gazebo merges into '{owner}': one "
+        "value is lost"
+    )
+
+
+def _note(other: Element) -> Related:
+    return Related(other.span, f"here it is {_value(other)}")
+
+
+def _value(element: Element) -> str:
+    """As Gazebo compares it."""
+    text = (element.get("value") or element.text).strip()
+    try:
+        return f"{float(text):g}"
+    except ValueError:
+        return text.lower() if text.lower() in ("true", "false") else text

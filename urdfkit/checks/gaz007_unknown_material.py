@@ -1,0 +1,64 @@
+"""Gazebo has no material of that name.
+
+`<material>` in a `<gazebo>` block names a script of Gazebo, such as `Gazebo/Orange`: with the
+prefix, and with capitals where it has them. Gazebo Classic draws an unknown name white or as an
+error, and gz-sim falls back to the colour of the URDF.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.materials import materials
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_text
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="wheel">
+  <material>Orange</material>
+</gazebo>"""
+GOOD = BAD.replace("Orange", "Gazebo/Orange")
+FIXED = GOOD
+
+
+@rule(
+    "GAZ007",
+    "unknown-material",
+    Severity.WARNING,
+    fixable=True,
+    help="take one of Gazebo's own materials, or give the colour in the URDF",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = materials()
+    for block in subject.model.gazebo:
+        for child in block.all("material") if block.get("reference") else ():
+            name = child.get("value") or child.text.strip()
+            # Another prefix is that of a vendor's own scripts.
+            if name not in known and ("/" not in name or name.lower().startswith("gazebo/")):
+                yield _finding(child, name, [one for one in known if not known[one].internal])
+
+
+def _finding(child: Element, name: str, known: list[str]) -> Finding:
+    bare = name.rpartition("/")[2].casefold()
+    right = next((one for one in known if one.rpartition("/")[2].casefold() == bare), None)
+    right = right or nearest(name, known, 0.8)
+    edits = replace_text(child, right) if right and not child.get("value") else None
+    return Finding(
+        child,
+        f"Gazebo has no material '{name}'" if name else "<material> names no material",
+        f"did you mean '{right}'?" if right else "",
+        Fix(f"write {right}", edits) if edits else None,
+    )

@@ -1,0 +1,52 @@
+"""The library of a plugin is in no catalogue of this program.
+
+It may be a vendor's, in which case nothing more can be said about it; or its name is misspelt, and
+then Gazebo does not find it and goes on without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.plugins import files
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_mvoe.so"/>
+</gazebo>"""
+GOOD = BAD.replace("mvoe", "move")
+
+
+@rule(
+    "GAZ011",
+    "unknown-plugin",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="if it is a vendor's, see that its package is a dependency of yours",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    told: set[str] = set()
+    for use in subject.plugins:
+        name = use.filename
+        if use.known or not name or name in told:
+            continue
+        told.add(name)  # one robot may use a library a hundred times
+        meant = nearest(name, files(), 0.9)
+        yield Finding(
+            use.at.attributes["filename"],
+            f"'{name}' is no plugin of Gazebo or ROS that is known here",
+            f"did you mean '{meant}'?" if meant else "",
+        )

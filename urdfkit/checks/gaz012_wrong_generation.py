@@ -1,0 +1,101 @@
+"""A plugin is of another generation of Gazebo than the one that the robot is for.
+
+Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim each have libraries of
+their own. One of another generation is not found: Gazebo writes an error, starts without it, and
+the robot does not move or sends no data. Take the successor; its tags have other names, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.plugins import GENERATIONS, Plugin, find
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.plugins import Use
+    from urdfkit.subject import Subject
+
+FILES = {
+    "package.xml": b"""<package format="3">
+  <name>arm_description</name>
+  <buildtool_depend>ament_cmake</buildtool_depend>
+  <depend>gazebo_ros2_control</depend>
+</package>
+"""
+}
+BAD = """\
+<link name="laser">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="laser">
+  <sensor name="scan" type="ray">
+    <update_rate>10</update_rate>
+    <plugin name="laser" filename="libgazebo_ros_laser.so"/>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("libgazebo_ros_laser", "libgazebo_ros_ray_sensor")
+
+_NAMES = {
+    "classic-ros1": "Gazebo Classic with ROS 1",
+    "classic-ros2": "Gazebo Classic with ROS 2",
+    "classic": "Gazebo Classic",
+    "gz": "gz-sim",
+    "gz-fortress": "Gazebo Fortress",
+    "gz-harmonic": "Gazebo Harmonic",
+    "gz-jetty": "Gazebo Jetty",
+}
+
+
+@rule(
+    "GAZ012",
+    "wrong-generation",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    targets = [name for name in subject.targets.names if name in GENERATIONS]
+    for use in subject.plugins:
+        present = [plugin for plugin in use.known if not plugin.removed]
+        if not targets or not present or any(_runs(use, present, name) for name in targets):
+            continue
+        found = " and ".join(dict.fromkeys(_NAMES[plugin.generation] for plugin in present))
+        wanted = " or ".join(_NAMES[target] for target in targets)
+        yield Finding(
+            use.at.attributes["filename"],
+            f"{use.title} is a plugin of {found}, and the robot is for {wanted}",
+            _successor(use, targets[0]),
+        )
+
+
+def _runs(use: Use, present: list[Plugin], target: str) -> bool:
+    if target == "gz-fortress" and use.name.startswith("gz::sim::"):
+        return False
+    return any(plugin.generation in GENERATIONS[target] for plugin in present)
+
+
+def _successor(use: Use, target: str) -> str:
+    """What replaces it, one or two generations on; empty if nothing does."""
+    if target == "gz-fortress" and any(plugin.generation == "gz" for plugin in use.known):
+        return "take the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
+    old = use.known[0]
+    for _ in range(len(use.known) + 1):
+        if old.successor is None:
+            return f"take its successor: {old.advice}" if old.advice else "nothing replaces it"
+        found = [one for one in find(old.successor) if not one.removed]
+        fits = [one for one in found if one.generation in GENERATIONS[target]]
+        if fits:
+            advice = f" ({old.advice})" if old.advice else ""
+            return f"take {old.successor}{advice}, and see its tags"
+        newer = [one for one in found if one.id != old.id and one.generation != old.generation]
+        if not newer:
+            return "nothing is known to replace it"
+        old = newer[0]
+    return "nothing is known to replace it"

@@ -1,0 +1,67 @@
+"""A plugin stands where Gazebo does not run it.
+
+A model plugin belongs in a `<gazebo>` block without a reference, a sensor plugin in a `<sensor>` in
+the block of a link. A plugin that stands directly in the block of a link or joint is copied into
+that link and never loaded; one of the wrong kind ends with an error about its type.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.plugins import Use
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo reference="base">
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so"/>
+</gazebo>"""
+GOOD = BAD.replace(' reference="base"', "")
+
+_WHERE = {
+    "model": "in a <gazebo> block without a reference",
+    "sensor": "in a <sensor> in the block of a link",
+    "visual": "in a <visual> in the block of a link",
+    "world": "in the world, not in a robot",
+    "system": "on the command line of the server, not in a robot",
+    "actor": "in an actor, not in a robot",
+}
+
+
+@rule("GAZ014", "plugin-misplaced", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Iterator[Finding]:
+    known = {*subject.model.links_by_name, *subject.model.joints_by_name}
+    for use in subject.plugins:
+        place = use.place
+        if place == "link" and use.block.get("reference") not in known:
+            continue  # GAZ001 tells that the whole block is lost
+        kinds = use.plugin.kinds if use.plugin else ()
+        where = " or ".join(_WHERE[kind] for kind in kinds)
+        if place == "link":
+            reference = use.block.get("reference")
+            message = (
+                f"{use.title} stands in the block of '{reference}', where Gazebo never runs it"
+            )
+            yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
+        elif _is_wrong(use, kinds):
+            message = f"{use.title} stands {_WHERE[use.place]}, and is for a {' or '.join(kinds)}"
+            yield Finding(use.at, message, f"put it {where}")
+
+
+def _is_wrong(use: Use, kinds: tuple[str, ...]) -> bool:
+    """True for a kind that Gazebo refuses there; gz-sim runs a world's system in a model, too."""
+    if not kinds or use.place in kinds or use.place not in ("model", "sensor", "visual"):
+        return False
+    assert use.plugin is not None
+    return not (use.plugin.generation == "gz" and use.place == "model")

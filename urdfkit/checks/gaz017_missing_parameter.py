@@ -1,0 +1,75 @@
+"""A plugin lacks a tag without which it does nothing, or fails.
+
+Some tags have no default, or one that names a joint which this robot does not have: the plugin
+writes an error and stays idle, and some end the whole simulator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.plugins import Parameter
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.plugins import Use
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="pose" filename="libgazebo_ros_p3d.so">
+    <topicName>arm_pose</topicName>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
+
+
+@rule("GAZ017", "missing-parameter", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        if use.plugin is None or _is_of_another(use):
+            continue
+        given = {item.path for item in use.items() if item.text}
+        blocks = {item.path for item in use.items()}
+        for parameter in use.plugin.parameters.values():
+            block = parameter.name.rpartition("/")[0]
+            if parameter.name in (blocks if parameter.type == "container" else given):
+                continue
+            if parameter.required and (not block or block in blocks):
+                yield _finding(use, parameter, "")
+            elif use.plugin.missing and parameter.type == "joint" and parameter.default:
+                known = subject.model.joints_by_name
+                if parameter.default not in known and not subject.is_part:
+                    yield _finding(use, parameter, parameter.default)
+        if use.plugin.any_of and given.isdisjoint(use.plugin.any_of):
+            wanted = " or ".join(f"<{name}>" for name in use.plugin.any_of)
+            yield Finding(use.at, f"{use.title} needs {wanted}", f"add {wanted}")
+
+
+def _is_of_another(use: Use) -> bool:
+    """True if it is written for another generation; GAZ018 then tells its tags."""
+    assert use.plugin is not None
+    others = [one for one in use.known if one.generation != use.plugin.generation]
+    left = len(use.unread(use.plugin))
+    return any(not one.removed and len(use.unread(one)) < left for one in others)
+
+
+def _finding(use: Use, parameter: Parameter, default: str) -> Finding:
+    assert use.plugin is not None
+    outcome = f": {use.plugin.missing}" if use.plugin.missing else ""
+    block, _, name = parameter.name.rpartition("/")
+    what = f"attribute {name[1:]}" if name.startswith("@") else f"<{name}>"
+    where = f" in <{block}>" if block else ""
+    if default:
+        message = f"{use.title} has no {what}, and its default '{default}' is no joint{outcome}"
+    else:
+        message = f"{use.title} has no {what}{where}, which it needs{outcome}"
+    return Finding(use.at, message, f"add {what}, a {parameter.type}")

@@ -1,0 +1,69 @@
+"""The value of a plugin's tag is not of the type that the plugin reads.
+
+Where a number is wanted, text reads as 0 or as the default, and a decimal comma ends the number.
+Where a boolean is wanted, only `true` and `1` are true: `yes` and `on` read as false.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.catalog.plugins import Parameter
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <odometryRate>20 Hz</odometryRate>
+    <cmdTimeout>0,5</cmdTimeout>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("0,5", "0.5")
+
+_NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)([eE][-+]?\d+)?"
+_LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 4, "pose": 6}
+#: Words that other programs take for a boolean; what is meant by them is plain.
+_TRUE, _FALSE = ("true", "1"), ("false", "0", "no", "off")
+
+
+@rule("GAZ019", "parameter-bad-type", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        parameters = use.plugin.parameters if use.plugin else {}
+        for item in use.items():
+            parameter = parameters.get(item.path)
+            if parameter is None or (found := _wrong(parameter, item.text)) is None:
+                continue
+            reads, remedy = found
+            shown = f"'{item.text}'" if item.text else "empty"
+            message = f"{use.title}: <{item.path}> is {shown}, {reads}"
+            yield Finding(item.at, message, remedy)
+
+
+def _wrong(parameter: Parameter, text: str) -> tuple[str, str] | None:
+    """What is read instead, and what to write."""
+    if parameter.type in ("float", "int"):
+        found = re.match(_NUMBER, text, re.IGNORECASE)
+        if found is None:
+            return "and no number", "write a number"
+        if text[found.end() :].startswith(","):
+            return f"which reads as {found.group()}", f"write {text.replace(',', '.')}"
+    elif parameter.type == "bool" and text.lower() not in (*_TRUE, *_FALSE):
+        return "which reads as false", "write true or false"
+    elif length := _LENGTHS.get(parameter.type):
+        parts = [re.match(_NUMBER, part, re.IGNORECASE) for part in text.split()]
+        if len(parts) < length or None in parts:
+            return f"not {length} numbers", f"write {length} numbers with blanks between them"
+    return None

@@ -1,0 +1,67 @@
+"""A plugin is given the name of a joint that the robot does not have.
+
+The plugin looks the joint up in the simulated model; not finding it, it writes an error and stays
+idle, and some plugins end the simulator. Xacro prefixes are a usual cause.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<joint name="wheel_joint" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<gazebo>
+  <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so">
+    <jointName>wheel</jointName>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("<jointName>wheel<", "<jointName>wheel_joint<")
+
+
+@rule(
+    "GAZ021",
+    "parameter-names-unknown-joint",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="name a joint of this robot",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = {*subject.model.joints_by_name, *subject.gazebo.added}
+    speller = Speller(subject.model.joints_by_name)
+    for use in subject.plugins:
+        for reference in use.references():
+            if reference.kind != "joint" or reference.name in known:
+                continue
+            if subject.is_part:  # the file that includes it has the joint
+                return
+            meant = speller.meant(reference.name)
+            outcome = f": {use.plugin.missing}" if use.plugin and use.plugin.missing else ""
+            yield Finding(
+                reference.item.at,
+                f"{use.title} looks for joint '{reference.name}', which does not exist{outcome}",
+                f"did you mean '{meant}'?" if meant else "",
+            )

@@ -1,0 +1,105 @@
+"""A plugin looks for a link or joint that Gazebo has merged away.
+
+Gazebo makes one link of all links that fixed joints connect, and only the topmost keeps its name.
+A plugin that looks for one of the others, or for the fixed joint, does not find it. Name the link
+that is left, or ask for the joint to be kept with
+`<gazebo reference="JOINT"><preserveFixedJoint>true</preserveFixedJoint></gazebo>`; the link then
+needs a mass of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.extensions import rewritten
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import insert_before
+from urdfkit.plugins import Reference, Use, fate
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="tool">
+  <inertial>
+    <mass value="0.1"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="tool_joint" type="fixed">
+  <parent link="base"/>
+  <child link="tool"/>
+</joint>
+<gazebo>
+  <plugin name="hand" filename="libgazebo_ros_hand_of_god.so">
+    <linkName>tool</linkName>
+  </plugin>
+</gazebo>"""
+FIXED = BAD.replace(
+    "<gazebo>",
+    '<gazebo reference="tool_joint">\n  <preserveFixedJoint>true</preserveFixedJoint>\n</gazebo>\n'
+    "<gazebo>",
+)
+GOOD = FIXED
+
+
+@rule(
+    "GAZ022",
+    "names-merged-link",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.GAZEBO),
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    conversion = subject.gazebo
+    for use in subject.plugins:
+        for reference in use.references():
+            if fate(conversion, reference.kind, reference.name) != "merged":
+                continue
+            if use.place == "model" and reference.parameter.name in rewritten():
+                continue  # the converter writes the survivor there
+            yield _finding(subject, use, reference)
+
+
+def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
+    joint = _fixed_joint(subject, reference)
+    child = joint.child.value if joint and joint.child else reference.name
+    survivor = subject.gazebo.survivor.get(child, "")
+    outcome = f" ({use.plugin.missing})" if use.plugin and use.plugin.missing else ""
+    mass = subject.model.links_by_name[child].mass
+    help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
+    if joint is not None and mass > 0:
+        help += f", or keep joint '{joint.name}' with <preserveFixedJoint>"
+    return Finding(
+        reference.item.at,
+        f"{use.title} looks for {reference.kind} '{reference.name}', which Gazebo merges into "
+        f"link '{survivor}'{outcome}",
+        help,
+        _fix(use, joint) if joint is not None and mass > 0 else None,
+    )
+
+
+def _fixed_joint(subject: Subject, reference: Reference) -> Joint | None:
+    if reference.kind == "joint":
+        return subject.model.joints_by_name[reference.name]
+    above = subject.tree.parents[reference.name]
+    return above[0] if len(above) == 1 else None
+
+
+def _fix(use: Use, joint: Joint) -> Fix | None:
+    lines = (
+        f'<gazebo reference="{joint.name}">',
+        "  <preserveFixedJoint>true</preserveFixedJoint>",
+        "</gazebo>",
+    )
+    edits = insert_before(use.block, lines)
+    return Fix(f"keep joint '{joint.name}' in Gazebo", edits) if edits else None

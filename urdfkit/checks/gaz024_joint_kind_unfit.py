@@ -1,0 +1,69 @@
+"""A drive plugin turns a joint that is no wheel.
+
+A drive sets a velocity and expects the joint to turn for ever: a revolute joint stops at its
+limits, and a prismatic one slides. Make the wheel's joint `continuous`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.drives import drive_of, driven
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="revolute">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-3" upper="3" effort="10" velocity="10"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.17)}{_WHEEL.format(side="right", y=-0.17)}<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+    <leftJoint>left_joint</leftJoint>
+    <rightJoint>right_joint</rightJoint>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("revolute", "continuous").replace('lower="-3" upper="3" ', "")
+
+
+@rule(
+    "GAZ024",
+    "joint-kind-unfit",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="make the joint continuous, or name the joint of the wheel",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        if drive_of(use) is None:
+            continue
+        for reference in driven(use):
+            joint = subject.model.joints_by_name.get(reference.name)
+            if joint is None or "steer" in reference.parameter.name.lower():
+                continue
+            if joint.kind in ("revolute", "prismatic", "floating", "planar"):
+                yield Finding(
+                    reference.item.at,
+                    f"{use.title} turns joint '{joint.name}' as a wheel, and it is {joint.kind}",
+                )

@@ -1,0 +1,122 @@
+"""A drive plugin takes the wheels for larger, smaller or farther apart than they are.
+
+The plugin computes wheel speeds and odometry from its own numbers: with a wrong diameter the robot
+drives too fast or too slow and measures too little or too much, with a wrong separation it turns by
+the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
+sphere, how large. A separation larger than the track is left alone where the wheels slip in turns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.drives import Kind, Wheel, between, dot, drive_of, given, pairs, wheels
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.plugins import Use
+    from urdfkit.subject import Subject
+
+#: Relative difference; real robots are calibrated within this.
+TOLERANCE = 0.05
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <collision>
+    <origin rpy="1.5707963 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="continuous">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
+    <leftJoint>left_joint</leftJoint>
+    <rightJoint>right_joint</rightJoint>
+    <wheelSeparation>0.3</wheelSeparation>
+    <wheelDiameter>0.1</wheelDiameter>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("<wheelDiameter>0.1<", "<wheelDiameter>0.2<")
+
+
+@rule(
+    "GAZ025",
+    "wheel-geometry-disagrees",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        kind = drive_of(use)
+        if kind is not None:
+            found = list(wheels(use, subject.tree))
+            yield from _size(use, kind, found)
+            yield from _separation(use, kind, found)
+
+
+def _size(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
+    radii = [wheel.radius for wheel in found if wheel.radius is not None]
+    size = given(use, kind.size) if kind.size else None
+    if size is None or not radii or max(radii) > (1 + TOLERANCE) * min(radii):
+        return
+    factor, word = (2, "diameter") if kind.diameter else (1, "radius")
+    if _differ(size[1], factor * radii[0]):
+        shape = f"the wheels have {word} {factor * radii[0]:.4g} m"
+        yield _finding(use, kind.size, size, shape, factor * radii[0])
+
+
+def _separation(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
+    distance = given(use, kind.separation) if kind.separation else None
+    if distance is None:
+        return
+    for left, right in pairs(found):
+        if abs(dot(left.axis, right.axis)) < 0.999:
+            continue
+        apart = abs(dot(between(left.origin, right.origin), left.axis))
+        if left.hub is None or right.hub is None:
+            return
+        track = abs(dot(between(left.hub, right.hub), left.axis))
+        if kind.slips and distance[1] > track:
+            return
+        if _differ(distance[1], track) and _differ(distance[1], apart):
+            names = f"'{left.joint.name}' and '{right.joint.name}'"
+            shape = f"the wheels of {names} are {track:.4g} m apart"
+            yield _finding(use, kind.separation, distance, shape, track)
+        return  # the other pairs share the number
+
+
+def _differ(said: float, real: float) -> bool:
+    return abs(said - real) > TOLERANCE * real
+
+
+def _finding(
+    use: Use, name: str, said: tuple[Element | Attribute, float], shape: str, real: float
+) -> Finding:
+    at, value = said
+    default = " (the default)" if at is use.at else ""
+    return Finding(
+        at,
+        f"{use.title}: <{name}> is {value:g} m{default}, and {shape}",
+        f"write {real:.4g}",
+        weight=abs(value - real),
+    )

@@ -1,0 +1,50 @@
+"""A plugin publishes or listens on a topic whose name begins with a slash.
+
+Such a name is absolute: the namespace of the robot is not put before it, and two robots of the same
+model share the topic, so that both obey one command. Without the slash the name is relative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <commandTopic>/cmd_vel</commandTopic>
+    <robotBaseFrame>base</robotBaseFrame>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("/cmd_vel<", "cmd_vel<")
+
+
+@rule("GAZ030", "absolute-topic", Severity.INFO, needs=(Need.MODEL, Need.GAZEBO))
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        if use.plugin is None or use.plugin.generation not in ("classic-ros1", "classic-ros2"):
+            continue  # in gz-sim a topic is absolute in any case
+        for item in use.items():
+            parameter = use.plugin.parameters.get(item.path)
+            topic = item.text if parameter and parameter.type == "topic" else ""
+            if item.path == "ros/remapping":
+                topic = item.text.rpartition(":=")[2].strip()
+            if topic.startswith("/") and len(topic) > 1:
+                yield Finding(
+                    item.at,
+                    f"{use.title}: topic '{topic}' is absolute, so that a robot namespace is "
+                    "ignored",
+                    f"write '{topic.lstrip('/')}' if the robot may get a namespace",
+                )

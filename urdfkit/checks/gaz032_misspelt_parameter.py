@@ -1,0 +1,58 @@
+"""The name of a tag in a plugin is misspelt.
+
+Gazebo hands every tag to the plugin, which asks for those that it knows and takes its default where
+there is none: a misspelt tag has no effect and causes no message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.document import Element
+from urdfkit.edits import rename_element
+from urdfkit.parameters import unread
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="drive" filename="libgazebo_ros_planar_move.so">
+    <robotBaseFrme>base</robotBaseFrme>
+    <odometryFrame>odom</odometryFrame>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("Frme", "Frame")
+FIXED = GOOD
+
+
+@rule(
+    "GAZ032",
+    "misspelt-parameter",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.plugins:
+        for found in unread(use):
+            if found.meant is None or found.other is not None:
+                continue
+            element, name = found.item.at, found.meant.rpartition("/")[2]
+            assert isinstance(element, Element)
+            edits = rename_element(element, name)
+            yield Finding(
+                element,
+                f"{use.title} does not read <{element.tag}>",
+                f"did you mean <{name}>?",
+                Fix(f"rename it to <{name}>", edits) if edits else None,
+            )
