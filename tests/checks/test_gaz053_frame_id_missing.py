@@ -1,0 +1,24 @@
+"""GAZ053: see the rule."""
+
+import pytest
+
+from tests.sensing import findings
+from urdfkit.diagnostic import Severity
+
+
+@pytest.mark.parametrize(
+    ("targets", "severities"),
+    [
+        (("gz-harmonic",), [Severity.WARNING]),
+        (("classic-ros1",), []),
+        (("classic-ros1", "gz-jetty"), [Severity.WARNING]),
+    ],
+)
+def test_it_matters_in_gz_sim_only(targets, severities):
+    found = findings("GAZ053", "imu", targets=targets)
+    assert [finding.severity for finding in found] == severities
+
+
+@pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
+def test_any_name_of_the_frame_will_do(tag):
+    assert findings("GAZ053", "imu", f"<{tag}>base</{tag}>", targets=("gz-harmonic",)) == []

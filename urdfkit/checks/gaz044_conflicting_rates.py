@@ -1,0 +1,48 @@
+"""A plugin is to publish faster than its sensor measures.
+
+The plugin's rate only leaves measurements out; it cannot make more of them. The sensor's
+`<update_rate>` is what counts. A plugin's rate of 0 means every measurement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.model import number
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<gazebo reference="base">
+  <sensor name="eye" type="camera">
+    <update_rate>10</update_rate>
+    <plugin name="p" filename="libcamera_of_ours.so"><updateRate>30</updateRate></plugin>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace(">30<", ">5<")
+
+_TAGS = ("updateRate", "update_rate")
+
+
+@rule(
+    "GAZ044",
+    "conflicting-rates",
+    Severity.INFO,
+    help="raise the sensor's rate, or leave out the plugin's",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        measured = sensor.number("update_rate")
+        for plugin in sensor.plugins:
+            for tag in _TAGS:
+                element = plugin.child(tag)
+                rate = number(element.text.strip()) if element else None
+                if element and rate and measured and rate > measured.value > 0:
+                    message = f"{sensor.who}: {rate:g} Hz of {measured.value:g} Hz that it measures"
+                    yield Finding(element, message)

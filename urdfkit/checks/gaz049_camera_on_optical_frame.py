@@ -1,0 +1,79 @@
+"""A camera sits on an optical frame and looks to the side.
+
+A sensor of Gazebo looks along x of its link. In an optical frame z points forward and x to the
+right (REP 103), so the camera sees what is beside the robot. Put the sensor on the camera's own
+link, and name the optical frame as the frame of its pictures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.model import numbers
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+from urdfkit.spatial import rotate
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision>
+    <geometry><box size="0.2 0.2 0.1"/></geometry>
+  </collision>
+</link>
+<link name="eye"/>
+<link name="eye_optical"/>
+<joint name="mount" type="fixed">
+  <parent link="base"/>
+  <child link="eye"/>
+</joint>
+<joint name="optics" type="fixed">
+  <origin rpy="-1.5708 0 -1.5708"/>
+  <parent link="eye"/>
+  <child link="eye_optical"/>
+</joint>
+<gazebo reference="eye_optical">
+  <sensor name="camera" type="camera">
+    <update_rate>30</update_rate>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace('reference="eye_optical"', 'reference="eye"')
+
+#: Cosine of the angle up to which z counts as pointing forward.
+_NEARLY = 0.99
+
+
+@rule(
+    "GAZ049",
+    "camera-on-optical-frame",
+    Severity.WARNING,
+    help="refer to the camera's link, and name the optical frame in the plugin",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        if "camera" not in sensor.type and sensor.type != "depth":
+            continue
+        if _is_turned(sensor.find("pose")):
+            continue
+        for joint in subject.tree.parents.get(sensor.reference, ()):
+            forward = rotate(joint.origin.rotation, (0.0, 0.0, 1.0))
+            if "optical" in sensor.reference and forward[0] > _NEARLY:
+                message = (
+                    f"{sensor.who} looks along x of '{sensor.reference}', to the robot's right"
+                )
+                yield Finding(sensor.at, message)
+
+
+def _is_turned(pose: Element | None) -> bool:
+    """True if the sensor's own pose turns it."""
+    values = numbers(pose.text) if pose else None
+    return values is not None and any(abs(angle) > 1e-6 for angle in values[3:])

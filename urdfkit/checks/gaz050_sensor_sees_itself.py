@@ -1,0 +1,68 @@
+"""A lidar's beams end inside the collision shape of its own link.
+
+The ray lidars of Gazebo hit every collision shape on their way, those of their own link too. With a
+least range that ends inside of it, every beam returns the housing and the world is never seen.
+Raise the least range beyond the housing, or make the collision shape smaller.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.sensors import sensors
+from urdfkit.spatial import IDENTITY
+
+if TYPE_CHECKING:
+    from urdfkit.model import Body
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision>
+    <geometry><box size="0.2 0.2 0.1"/></geometry>
+  </collision>
+</link>
+<gazebo reference="base">
+  <sensor name="lidar" type="ray">
+    <ray><range><min>0.05</min><max>10</max></range></ray>
+  </sensor>
+</gazebo>"""
+GOOD = BAD.replace("<min>0.05</min>", "<min>0.2</min>")
+
+
+@rule(
+    "GAZ050",
+    "sensor-sees-itself",
+    Severity.WARNING,
+    help="raise the least range, or make the collision shape smaller",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for sensor in sensors(subject.model):
+        link = subject.model.links_by_name.get(sensor.reference)
+        least = sensor.number(f"{sensor.lidar}/range/min") if sensor.lidar else None
+        if link is None or least is None or sensor.type.startswith("gpu") or sensor.find("pose"):
+            continue
+        reach = max(map(_around_origin, link.collisions), default=0.0)
+        if least.value < reach:
+            message = (
+                f"{sensor.who}: the least range of {least.value:g} m ends inside the collision"
+            )
+            yield Finding(least, f"{message} of '{link.name}', {reach:g} m around it")
+
+
+def _around_origin(body: Body) -> float:
+    """How far a primitive reaches in every horizontal direction; 0 if the origin is outside."""
+    extents = body.shape.half_extents if body.shape else None
+    if extents is None or body.origin.rotation != IDENTITY:
+        return 0.0
+    x, y, z = (abs(place) for place in body.origin.position)
+    if z >= extents[2]:
+        return 0.0
+    return max(min(extents[0] - x, extents[1] - y), 0.0)
