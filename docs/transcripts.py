@@ -1,4 +1,4 @@
-"""Run the commands that README and ``docs/commands`` show, and write below them what they print.
+"""Run the commands that README and ``docs`` show, and write below them what they print.
 
 In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the folder
 of the project; what follows is its output.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -17,9 +18,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "commands"
 README = ROOT / "README.md"
+#: All pages but those of the rules, which ``generate.py`` writes.
+PAGES = [README, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
-_PRELUDE = f'urdfkit() {{ "{sys.executable}" -m urdfkit "$@"; }}; '
+_PRELUDE = (
+    f'urdfkit() {{ PYTHONPATH="{ROOT}" PYTHONSAFEPATH=1 "{sys.executable}" -m urdfkit "$@"; }}; '
+)
 
 
 def with_output(page: str) -> str:
@@ -28,8 +33,10 @@ def with_output(page: str) -> str:
 
 
 def _run_block(block: str) -> str:
+    """One shell runs all commands of a block: a folder that is entered stays."""
     commands = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
-    return "".join(f"$ {command}\n{_run(command)}" for command in commands)
+    shown = "; ".join(f"printf '$ %s\\n' {shlex.quote(one)}; {one}" for one in commands)
+    return _run(shown)
 
 
 def _run(command: str) -> str:
@@ -48,7 +55,7 @@ def _run(command: str) -> str:
 
 def main() -> None:
     """Write all pages."""
-    for page in (README, *FOLDER.glob("*.md")):
+    for page in PAGES:
         page.write_text(with_output(page.read_text(encoding="utf-8")), encoding="utf-8")
 
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from urdfkit import rules
 from urdfkit.diagnostic import Severity
-from urdfkit.errors import UnknownRule, UrdfkitError
+from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
 from urdfkit.nearest import did_you_mean
 
 FILES = ("urdfkit.toml", "pyproject.toml")
@@ -65,6 +65,7 @@ class Config(NamedTuple):
         file_ignores: rules left out for some files.
         robots: the entry points; found by the include graph if empty.
         exclude: patterns of paths that a folder's check passes over.
+        rules: codes of the rules of other packages that run, too.
         trust: True if models may run any expression and read any file.
     """
 
@@ -79,6 +80,7 @@ class Config(NamedTuple):
     file_ignores: tuple[FileIgnore, ...] = ()
     robots: tuple[Robot, ...] = ()
     exclude: tuple[str, ...] = ()
+    rules: tuple[str, ...] = ()
     trust: bool = False
 
     @property
@@ -129,8 +131,13 @@ def _mentions_us(path: str) -> bool:
         return False
 
 
-def load(path: str) -> Config:
+def load(path: str, *, trusted: bool = True) -> Config:
     """The configuration in a file.
+
+    Args:
+        path: of the file.
+        trusted: False if it comes with a robot from anywhere. What would let it run code, the
+            setting ``trust`` and modules as ``rules``, is then an error.
 
     Raises:
         ConfigError: there is none, or it cannot be understood.
@@ -138,7 +145,7 @@ def load(path: str) -> Config:
     table = _table(path)
     if table is None:
         raise ConfigError(f"{path}: there is no [tool.urdfkit] in it")
-    return _read(path, table)
+    return _read(_Reader(path, table, ""), trusted=trusted)
 
 
 def _table(path: str) -> dict[str, Any] | None:
@@ -163,10 +170,10 @@ def _table(path: str) -> dict[str, Any] | None:
     return table if isinstance(table, dict) else None
 
 
-def _read(path: str, table: dict[str, Any]) -> Config:
-    reader = _Reader(path, table, "")
+def _read(reader: _Reader, *, trusted: bool) -> Config:
+    foreign = reader.rules(trusted=trusted)  # before other settings name their codes
     config = Config(
-        path,
+        reader.path,
         select=reader.codes("select"),
         ignore=reader.codes("ignore"),
         fail_on=reader.severity("fail-on", Severity.WARNING),
@@ -179,7 +186,8 @@ def _read(path: str, table: dict[str, Any]) -> Config:
             robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
         ),
         exclude=reader.texts("exclude"),
-        trust=reader.take("trust", bool, False),
+        rules=foreign,
+        trust=reader.trust(trusted=trusted),
     )
     reader.finish()
     return config
@@ -239,6 +247,26 @@ class _Reader:
             if not isinstance(value, str):
                 raise self.error(f"'{key}' must hold texts, not {value!r}")
         return tuple(values)
+
+    def rules(self, *, trusted: bool) -> tuple[str, ...]:
+        """The codes of the rules of other packages."""
+        names = self.texts("rules")
+        if not names:
+            return ()
+        from urdfkit.rule_packages import add
+
+        try:
+            return tuple(add(names, modules=trusted, beside=self.folder))
+        except RuleError as error:
+            raise self.error(f"'rules': {error}") from error
+
+    def trust(self, *, trusted: bool) -> bool:
+        wanted: bool = self.take("trust", bool, False)
+        if wanted and not trusted:
+            raise self.error(
+                "'trust' counts only if you say so yourself: give --trust, or --config FILE"
+            )
+        return wanted
 
     def codes(self, key: str) -> frozenset[str]:
         try:

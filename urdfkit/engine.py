@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from urdfkit import rules
+from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Skipped
 from urdfkit.judge import Verdict, judge
 from urdfkit.reading import is_launch
@@ -48,6 +48,7 @@ class Settings(NamedTuple):
     targets: Targets | None
     trust: bool
     config: Config | None
+    foreign: dict[str, str]
 
 
 def check(
@@ -58,6 +59,7 @@ def check(
     ignore: Iterable[str] = (),
     targets: Iterable[str] = (),
     trust: bool = False,
+    rules: Iterable[str] = (),
     config: Config | None = None,
     changed: bool = False,
     jobs: int = 1,
@@ -73,6 +75,8 @@ def check(
         ignore: codes, beginnings of codes or names of rules that do not run.
         targets: names of consumers to check for; inferred from each model if empty.
         trust: let expressions of the model run unfenced and read any file.
+        rules: packages of rules that run, too: names under which they are installed (entry
+            points of the group ``urdfkit.rules``), or of modules, which are imported.
         config: settings of the project; the other arguments go before them.
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
@@ -83,13 +87,16 @@ def check(
         UnreadableFile: a file is missing or may not be read.
         UnknownRule: a word of ``select`` or ``ignore`` means no rule.
         UnknownTarget: a name is no target.
+        RuleError: a package of rules is missing or cannot be used.
     """
+    foreign = (*(config.rules if config else ()), *_added(rules))
     settings = Settings(
-        tuple(choose(select, ignore, config)),
+        tuple(choose(select, ignore, config, foreign)),
         {**(config.packages if config else {}), **(packages or {})},
         _given(targets, config),
         trust or (config is not None and config.trust),
         config,
+        catalogue.foreign(),
     )
     resolver = Resolver(settings.packages)
     plan = _Plan(resolver, config, arguments or {})
@@ -99,6 +106,16 @@ def check(
         plan.add(file)
     verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, verdicts)
+
+
+def _added(packages: Iterable[str]) -> list[str]:
+    """The codes of packages of rules."""
+    names = tuple(packages)
+    if not names:
+        return []
+    from urdfkit.rule_packages import add
+
+    return add(names, modules=True)
 
 
 def _given(names: Iterable[str], config: Config | None) -> Targets | None:
@@ -111,22 +128,32 @@ def _given(names: Iterable[str], config: Config | None) -> Targets | None:
     return parse(names)
 
 
-def choose(select: Iterable[str], ignore: Iterable[str], config: Config | None = None) -> list[str]:
+def choose(
+    select: Iterable[str],
+    ignore: Iterable[str],
+    config: Config | None = None,
+    foreign: Iterable[str] = (),
+) -> list[str]:
     """The codes that one of ``select`` means and none of ``ignore``.
+
+    Args:
+        select: codes, beginnings of codes or names; all of urdfkit's and ``foreign`` if empty.
+        ignore: likewise.
+        config: what the project selects and ignores.
+        foreign: codes of the rules of other packages.
 
     Raises:
         UnknownRule: one of the words means no rule. To pass over a slip would check with
             other rules than were asked for, and say nothing.
     """
-    selected = {code for word in select for code in rules.matching(word)}
-    ignored = {code for word in ignore for code in rules.matching(word)}
+    selected = {code for word in select for code in catalogue.matching(word)}
+    ignored = {code for word in ignore for code in catalogue.matching(word)}
     if config is not None:
         # What is selected by hand runs, whatever the configuration leaves out.
         ignored |= config.ignore - selected
         selected = selected or set(config.select)
-    return [
-        code for code in rules.codes() if (not selected or code in selected) and code not in ignored
-    ]
+    chosen = selected or {*catalogue.codes(), *foreign}
+    return sorted(chosen - ignored)
 
 
 class _Plan:
@@ -239,6 +266,7 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
 
 
 def _run_alone(job: Job, settings: Settings) -> Verdict:
+    catalogue.register(settings.foreign)  # this process may have begun with nothing
     return _run(job, settings, Resolver(settings.packages))
 
 

@@ -27,6 +27,10 @@ class UnknownRule(UrdfkitError):
         self.word = word
 
 
+class RuleError(UrdfkitError):
+    """A rule of another package cannot be used; the message names its module and the reason."""
+
+
 class ExpansionFailed(UrdfkitError):
     """xacro could not expand the file.
 

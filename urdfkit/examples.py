@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from urdfkit.diagnostic import Diagnostic
+from urdfkit.fixer import apply_edits
 from urdfkit.judge import diagnose
 from urdfkit.resolve import Resolver
 from urdfkit.rules import Rule
@@ -58,3 +59,42 @@ def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
     with laid_out(rule, text) as source:
         subject = Subject(source, Resolver(environment={}))
         return diagnose(rule, list(rule.check(subject)))
+
+
+def assert_examples(rule: Rule) -> None:
+    """Fail unless BAD is reported, GOOD is not, and the fixes of BAD give FIXED.
+
+    Raises:
+        AssertionError: what an example gives, and what it should.
+    """
+    bad, good = _example(rule, "BAD"), _example(rule, "GOOD")
+    if not diagnose_example(rule, bad):
+        raise AssertionError(f"{rule.code} finds nothing in BAD")
+    if found := diagnose_example(rule, good):
+        raise AssertionError(f"{rule.code} finds in GOOD: {found[0].message}")
+    fixed = rule.example("FIXED")
+    if rule.fixable is (fixed is None):
+        raise AssertionError(f"{rule.code}: it takes FIXED and fixable=True, or neither of them")
+    given = apply_fixes(rule, bad)
+    if given != (whole_robot(fixed) if fixed else None):
+        raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{fixed}")
+    if fixed and (found := diagnose_example(rule, fixed)):
+        raise AssertionError(f"{rule.code} finds in FIXED: {found[0].message}")
+
+
+def apply_fixes(rule: Rule, text: str) -> str | None:
+    """An example after all fixes that one rule proposes; None if it proposes none."""
+    with laid_out(rule, text) as source:
+        found = diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
+        edits = [edit for one in found if one.fix for edit in one.fix.edits]
+        if not edits:
+            return None
+        folder = os.path.dirname(source.path)
+        return apply_edits(edits[0].span.source.data, edits).decode().replace(folder, FOLDER)
+
+
+def _example(rule: Rule, which: str) -> str:
+    text = rule.example(which)
+    if not text:
+        raise AssertionError(f"{rule.module} has no {which}")
+    return text

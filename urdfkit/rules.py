@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.document import Attribute, Element, Frame
-from urdfkit.errors import UnknownRule
+from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.nearest import did_you_mean
 from urdfkit.source import Span
 
@@ -43,7 +43,15 @@ TOLD_BY_FILES = frozenset(
     "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH026".split()
 )
 
-_FILE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)\.py$")
+#: Rules that only tell what is doubtful about masses and inertias; imported likewise.
+TOLD_BY_MASSES = frozenset(f"INE{number:03}" for number in range(1, 21))
+
+#: Families of urdfkit's own rules, those to come included; other packages take other letters.
+FAMILIES = frozenset(
+    "XML XAC URD REF NAM TRE JNT INE GEO MSH SRD COL DYN GAZ RCT LAU PKG CFG".split()
+)
+
+_MODULE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)$")
 
 
 class Need(Enum):
@@ -165,16 +173,47 @@ def rule(
     return declare
 
 
+#: The module of every rule that is known, by code: urdfkit's own first.
 _modules: dict[str, str] = {}
+_foreign: set[str] = set()
 
 
 def codes() -> list[str]:
-    """The codes of all rules, sorted; read from the file names, nothing is imported."""
+    """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
     if not _modules:
         for file in sorted(os.listdir(os.path.join(os.path.dirname(__file__), "checks"))):
-            if match := _FILE.match(file):
-                _modules[match.group(1).upper()] = f"urdfkit.checks.{file[:-3]}"
-    return list(_modules)
+            if file.endswith(".py") and (code := code_of(file[:-3])):
+                _modules[code] = f"urdfkit.checks.{file[:-3]}"
+    return [code for code in _modules if code not in _foreign]
+
+
+def code_of(module: str) -> str | None:
+    """The code of the rule in a module, by the module's name; None if it names no rule."""
+    match = _MODULE.match(module.rpartition(".")[2])
+    return match.group(1).upper() if match else None
+
+
+def register(modules: Mapping[str, str]) -> None:
+    """Make rules of another package known: the full names of their modules by code.
+
+    Raises:
+        RuleError: a code belongs to urdfkit, or to a rule of a third package.
+    """
+    codes()
+    for code, module in modules.items():
+        if code[:3] in FAMILIES:
+            raise RuleError(
+                f"{module}: the letters {code[:3]} are urdfkit's own; choose three others"
+            )
+        if _modules.get(code, module) != module:
+            raise RuleError(f"{module}: the code {code} is taken by {_modules[code]}")
+    _modules.update(modules)
+    _foreign.update(modules)
+
+
+def foreign() -> dict[str, str]:
+    """The modules of the rules of other packages, by code."""
+    return {code: _modules[code] for code in _foreign}
 
 
 def get(code: str) -> Rule:
@@ -182,10 +221,27 @@ def get(code: str) -> Rule:
 
     Raises:
         KeyError: there is none.
+        RuleError: the module of another package holds no such rule.
     """
     codes()
-    found = import_module(_modules[code]).check
+    module = _modules[code]
+    if code in _foreign:
+        return _foreign_rule(code, module)
+    found = import_module(module).check
     assert isinstance(found, Rule)
+    return found
+
+
+def _foreign_rule(code: str, module: str) -> Rule:
+    try:
+        found = getattr(import_module(module), "check", None)
+    except Exception as error:
+        raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
+    named = module.rpartition(".")[2]
+    if not isinstance(found, Rule) or named != f"{code.lower()}_{found.name.replace('-', '_')}":
+        raise RuleError(
+            f"{module}: it must hold a 'check' with @rule({code!r}, ...) as it is named"
+        )
     return found
 
 
@@ -229,13 +285,16 @@ def names() -> dict[str, list[str]]:
 
     A name may serve two families: a package can be missing for xacro and for a mesh.
     """
-    prefix = len("urdfkit.checks.abc123_")
+    codes()
+    prefix = len("abc123_")
     found: dict[str, list[str]] = {}
-    for code in codes():
-        found.setdefault(_modules[code][prefix:].replace("_", "-"), []).append(code)
+    for code, module in _modules.items():
+        name = module.rpartition(".")[2][prefix:].replace("_", "-")
+        found.setdefault(name, []).append(code)
     return found
 
 
 def all_rules() -> list[Rule]:
-    """Every rule, by code."""
-    return [get(code) for code in codes()]
+    """Every rule that is known, by code; those of other packages come last."""
+    codes()
+    return [get(code) for code in _modules]

@@ -10,9 +10,6 @@ import pytest
 
 from urdfkit import engine, examples, rules
 from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.fixer import apply_edits
-from urdfkit.judge import diagnose
-from urdfkit.resolve import Resolver
 from urdfkit.rules import Need, Rule
 from urdfkit.subject import Subject
 
@@ -92,12 +89,7 @@ def test_the_fix_gives_fixed(code: str) -> None:
         assert rule.example("FIXED") is None
         return
     fixed = example(rule, "FIXED")
-    with examples.laid_out(rule, example(rule, "BAD")) as source:
-        found = diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
-        edits = [edit for one in found if one.fix for edit in one.fix.edits]
-        folder = str(Path(source.path).parent)
-        wanted = examples.whole_robot(fixed).replace(examples.FOLDER, folder)
-        assert apply_edits(edits[0].span.source.data, edits).decode() == wanted
+    assert examples.apply_fixes(rule, example(rule, "BAD")) == examples.whole_robot(fixed)
     assert examples.diagnose_example(rule, fixed) == []
 
 

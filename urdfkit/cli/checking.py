@@ -24,6 +24,7 @@ def run_check(values: Mapping[str, Any]) -> int:
     outputs = options.outputs(values)
     stdin = values["stdin_filename"] or "<stdin>"
     files = options.files(values)
+    rules = options.add_rules(values)
     config = options.config(values, os.curdir if files[0] == "-" else files[0])
     report = check(
         *(_read_stdin(stdin) if file == "-" else file for file in files),
@@ -33,6 +34,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         ignore=options.words(values, "ignore"),
         targets=options.words(values, "target"),
         trust=values["trust"],
+        rules=rules,
         config=config,
         changed=values["changed"],
         jobs=options.jobs(values),

@@ -6,7 +6,8 @@ from textwrap import fill, indent
 
 import click
 
-from urdfkit.cli import output
+from urdfkit.cli import options, output
+from urdfkit.errors import UnknownRule
 from urdfkit.rules import Need, Rule, find_rule
 
 _NEEDS = {
@@ -18,13 +19,25 @@ _NEEDS = {
 
 @click.command("explain")
 @click.argument("rule", metavar="RULE")
-def command(rule: str) -> int:
+@click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
+def command(rule: str, rules: tuple[str, ...]) -> int:
     """Explain a rule: what it finds, why it matters, what to do, with examples.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
     """
-    output.write(render(find_rule(rule)))
+    options.add_rules({"rules": rules})
+    output.write(render(_find(rule)))
     return 0
+
+
+def _find(word: str) -> Rule:
+    try:
+        return find_rule(word)
+    except UnknownRule:
+        from urdfkit.rule_packages import add, installed
+
+        add(installed(), modules=False)
+        return find_rule(word)
 
 
 def render(rule: Rule) -> str:

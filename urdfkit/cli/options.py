@@ -65,6 +65,12 @@ CHECK = (
     ),
     Option("--ignore", "Leave these rules out.", "CODES", many=True),
     Option(
+        "--rules",
+        "Run the rules of these packages, too: installed, or modules.",
+        "NAMES",
+        many=True,
+    ),
+    Option(
         "--fail-on",
         "The mildest finding that makes the exit code 1. [default: warning]",
         "SEVERITY",
@@ -126,13 +132,28 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file."""
+    """The configuration that holds for a file.
+
+    One that was found may come with a robot from anywhere, and is no more trusted than it.
+    """
     if values["isolated"]:
         return None
     from urdfkit.config import load, nearest
 
-    path = values["config"] or nearest(near)
-    return None if path is None else load(path)
+    if values["config"]:
+        return load(values["config"])
+    path = nearest(near)
+    return None if path is None else load(path, trusted=values["trust"])
+
+
+def add_rules(values: Mapping[str, Any]) -> list[str]:
+    """Packages of rules that are named on the command line; their rules are known from now on."""
+    names = words(values, "rules")
+    if names:
+        from urdfkit.rule_packages import add
+
+        add(names, modules=True, beside=os.curdir)
+    return names
 
 
 def arguments(values: Mapping[str, Any]) -> dict[str, str]:

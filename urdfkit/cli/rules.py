@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import click
 
-from urdfkit.cli import output
+from urdfkit.cli import options, output
+from urdfkit.rule_packages import add, installed
 from urdfkit.rules import Rule, all_rules
 
 
@@ -20,11 +21,14 @@ from urdfkit.rules import Rule, all_rules
     show_default=True,
     help="A table for people, or JSON with the whole explanations.",
 )
-def command(kind: str) -> int:
-    """List all rules.
+@click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
+def command(kind: str, rules: tuple[str, ...]) -> int:
+    """List all rules: those of urdfkit, of installed packages of rules, and of NAMES.
 
     A line has the code, the severity, 'fix' if there is one, the name, and what the rule finds.
     """
+    add(installed(), modules=False)
+    options.add_rules({"rules": rules})
     output.write((_json if kind == "json" else _text)(all_rules()))
     return 0
 

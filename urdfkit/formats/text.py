@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from urdfkit.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
 from urdfkit.document import Step
 from urdfkit.formats._layout import columns, frame, printable, wrap
+from urdfkit.rules import foreign
 from urdfkit.source import Span
 
 #: Calls of one macro, and steps of one way, that are shown.
@@ -98,9 +99,10 @@ class _Page:
         return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
     def crash(self, crash: Crashed) -> str:
+        whose = "that rule" if crash.code in foreign() else "urdfkit"
         text = (
             f"{self.path(crash.path)}: {crash.code} failed with {crash.error}. This is a bug of "
-            "urdfkit, not of the robot: please report it, with the file."
+            f"{whose}, not of the robot: please report it, with the file."
         )
         return self.wrap(text, indent=4) + "\n"
 

@@ -36,7 +36,9 @@ def test_the_sides_mirror_each_other(urdf):
 def test_a_forgotten_property_is_told_at_its_place(urdf, tmp_path):
     broken = tmp_path / "broken.urdf.xacro"
     broken.write_text(
-        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <link name="${name}"/>\n</robot>'
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+        '  <link name="${name}"/>\n'
+        "</robot>\n"
     )
     (finding,) = urdf(str(broken)).report.diagnostics
     assert (finding.code, finding.span.line, finding.span.column) == ("XAC001", 2, 15)
