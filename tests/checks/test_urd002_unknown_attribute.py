@@ -58,3 +58,18 @@ def test_the_attribute_that_was_needed_is_not_told_twice() -> None:
     robot = '<link name="a"><visual><geometry><sphere radiu="1"/></geometry></visual></link>'
     assert told("URD002", robot) == []
     assert len(told("URD003", robot)) == 1
+
+
+def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> None:
+    robot = "".join(
+        f'<joint name="j{i}" type="fixed"><parent link="a"/><child link="b{i}"/>'
+        f'<dynamics stiff="1"/></joint>\n<link name="b{i}"/>\n'
+        for i in range(8)
+    )
+    (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
+    assert finding.message == (
+        "joint 'j0': <dynamics> has no attribute 'stiff' (and 7 more that have it)"
+    )
+    assert [related.message for related in finding.related] == [
+        f"joint 'j{i}'" for i in range(1, 6)
+    ]

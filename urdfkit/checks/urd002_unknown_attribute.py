@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
+from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.edits import rename_attribute
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -28,6 +29,9 @@ BAD = """\
 GOOD = BAD.replace("fricton", "friction")
 FIXED = GOOD
 
+#: Elements with the same foreign attribute that are shown.
+_SHOWN = 5
+
 
 @rule(
     "URD002",
@@ -37,14 +41,35 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
+    alike: dict[tuple[str, str], list[Attribute]] = {}
     for element, attribute, _, meant in subject.deviations.get("URD002", ()):
         assert attribute is not None
-        name = attribute.name
-        message = f"{owner(element)}: <{element.tag}> has no attribute '{name}'"
-        edits = rename_attribute(attribute, meant) if meant else None
-        yield Finding(
-            attribute,
-            f"{message}; did you mean '{meant}'?" if meant else message,
-            f"rename it to {meant}" if meant else "",
-            Fix(f"rename {name} to {meant}", edits) if edits else None,
-        )
+        if meant:
+            yield _slip(element, attribute, meant)
+        else:
+            alike.setdefault((element.tag, attribute.name), []).append(attribute)
+    for attributes in alike.values():
+        yield _foreign(attributes)
+
+
+def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
+    """An attribute that is probably a misspelt one."""
+    edits = rename_attribute(attribute, meant)
+    return Finding(
+        attribute,
+        f"{owner(element)}: <{element.tag}> has no attribute '{attribute.name}'; "
+        f"did you mean '{meant}'?",
+        f"rename it to {meant}",
+        Fix(f"rename {attribute.name} to {meant}", edits) if edits else None,
+    )
+
+
+def _foreign(attributes: list[Attribute]) -> Finding:
+    """An attribute of some other program; one finding for all elements that have it."""
+    first, *others = attributes
+    element = first.element
+    message = f"{owner(element)}: <{element.tag}> has no attribute '{first.name}'"
+    if others:
+        message += f" (and {len(others)} more that have it)"
+    related = tuple(Related(other.span, owner(other.element)) for other in others[:_SHOWN])
+    return Finding(first, message, related=related)
