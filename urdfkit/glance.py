@@ -60,6 +60,14 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     return codes
 
 
+def is_controlled(model: RobotModel) -> bool:
+    """True if a model has transmissions, ros2_control or a plugin that runs controllers."""
+    if model.transmissions or model.ros2_controls:
+        return True
+    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
+    return any("control" in (plugin.get("filename") or "") for plugin in plugins)
+
+
 def _about_joints(model: RobotModel) -> set[str]:
     joints = model.joints
     codes: set[str] = set()

@@ -143,6 +143,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         waiting |= glance.silent(model, subject.tree)
         if not model.joints:
             silent.add("JNT")
+        if not glance.is_controlled(model):
+            silent.add("RCT")
         if not model.gazebo:
             silent.add("GAZ")
         if not srdf_files(subject.source.path, subject.resolver):

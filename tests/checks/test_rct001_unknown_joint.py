@@ -1,0 +1,50 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.controls import NEXT, ROBOT, control, driven, transmission
+from tests.told import messages, places, told
+from urdfkit import check
+
+
+def test_a_joint_of_ros2_control() -> None:
+    text = ROBOT + control(driven("swing"), driven("swnig"))
+    assert messages("RCT001", text) == [
+        "<ros2_control> 'c' names joint 'swnig', which is not in the model; did you mean 'swing'?"
+    ]
+    assert places("RCT001", text) == [(NEXT + 3, "swnig")]
+
+
+def test_a_joint_of_a_transmission() -> None:
+    text = ROBOT + transmission("wheel")
+    assert messages("RCT001", text) == [
+        "transmission 't' names joint 'wheel', which is not in the model"
+    ]
+    assert places("RCT001", text) == [(NEXT + 1, "wheel")]
+    assert told("RCT001", text, targets=("classic-ros1", "ros2")) != []
+    assert told("RCT001", text, targets=("ros2",)) == [], "nothing reads it there"
+
+
+def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
+    inner = '<transmission name="t"><plugin>p/C</plugin><joint name="{}" role="r"/></transmission>'
+    assert messages("RCT001", ROBOT + control(driven("swing"), inner.format("slide"))) == [
+        "transmission 't' names joint 'slide', which <ros2_control> 'c' does not list"
+    ]
+    assert told("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
+
+
+def test_what_is_no_joint_is_free() -> None:
+    assert told("RCT001", ROBOT + control('<gpio name="g"/>', '<sensor name="s"/>')) == []
+    assert told("RCT001", ROBOT + control("<joint/>", driven("${side}_arm"))) == []
+
+
+def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
+    xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    part = tmp_path / "part.xacro"
+    part.write_text(f"<robot {xacro}>{transmission('elsewhere')}</robot>")
+    (tmp_path / "whole.xacro").write_text(
+        f'<robot name="r" {xacro}><xacro:include filename="part.xacro"/>{ROBOT}</robot>'
+    )
+    assert check(part, select=["RCT001"]).diagnostics == ()
+    (found,) = check(tmp_path / "whole.xacro", select=["RCT001"]).diagnostics
+    assert found.span.source.path.endswith("part.xacro")

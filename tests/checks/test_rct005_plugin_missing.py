@@ -1,0 +1,48 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import NEXT, ROBOT, control, driven
+from tests.told import messages, places, told
+
+PLUGIN = "<plugin>mock_components/GenericSystem</plugin>"
+GOOD = ROBOT + control(driven("swing"))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message", "place"),
+    [
+        (
+            f"<hardware>{PLUGIN}</hardware>",
+            "",
+            "<ros2_control> 'c' has no <hardware>",
+            (NEXT, '<ros2_control name="c" type="system">'),
+        ),
+        (
+            PLUGIN,
+            "",
+            "<ros2_control> 'c': its <hardware> has no <plugin>",
+            (NEXT + 1, "<hardware>"),
+        ),
+        (
+            PLUGIN,
+            "<plugin> </plugin>",
+            "<ros2_control> 'c': its <plugin> is empty",
+            (NEXT + 1, "<plugin>"),
+        ),
+    ],
+)
+def test_hardware_without_plugin(old: str, new: str, message: str, place: tuple[int, str]) -> None:
+    text = GOOD.replace(old, new)
+    assert messages("RCT005", text) == [message]
+    assert places("RCT005", text) == [place]
+    assert told("RCT005", GOOD) == []
+
+
+def test_a_transmission_without_plugin() -> None:
+    inner = '<transmission name="t">{}<joint name="swing" role="r"/></transmission>'
+    assert messages("RCT005", ROBOT + control(driven("swing"), inner.format(""))) == [
+        "transmission 't' names no <plugin>"
+    ]
+    given = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
+    assert told("RCT005", ROBOT + control(driven("swing"), given)) == []

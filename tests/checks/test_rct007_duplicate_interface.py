@@ -1,0 +1,30 @@
+from __future__ import annotations
+
+from tests.controls import NEXT, ROBOT, control, driven
+from tests.told import messages, places, told
+
+
+def test_two_blocks_for_one_joint() -> None:
+    text = ROBOT + control(driven("swing")) + control(driven("swing"), name="sim")
+    assert messages("RCT007", text) == [
+        "joint 'swing': command interface 'position' is declared twice"
+    ]
+    assert places("RCT007", text) == [(NEXT + 6, '<command_interface name="position"/>')]
+    (found,) = told("RCT007", text)
+    assert [(one.span.line, one.message) for one in found.related] == [
+        (NEXT + 2, "first here, in <ros2_control> 'c'")
+    ]
+
+
+def test_one_block_twice_the_same() -> None:
+    twice = '<state_interface name="effort"/>' * 2
+    assert messages("RCT007", ROBOT + control(driven("swing", more=twice))) == [
+        "joint 'swing': state interface 'effort' is declared twice"
+    ]
+
+
+def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
+    sensor = '<joint name="swing"><state_interface name="velocity"/></joint>'
+    text = control(driven("swing")) + control(sensor, name="s", kind="sensor")
+    assert told("RCT007", ROBOT + text) == [], "and a command is not a state"
+    assert told("RCT007", ROBOT + control(driven("swing"), driven("slide"))) == []

@@ -1,0 +1,23 @@
+from __future__ import annotations
+
+from tests.controls import NEXT, ROBOT, control, driven, plugin, transmission
+from tests.told import messages, places, told
+
+TWO = ROBOT + transmission("swing") + transmission("slide").replace('"t"', '"u"')
+
+
+def test_one_finding_for_all() -> None:
+    text = TWO + control(driven("swing"))
+    assert messages("RCT015", text) == ["transmission 't' and 1 more: nothing in ROS 2 reads it"]
+    assert places("RCT015", text) == [(NEXT, '<transmission name="t">')]
+    (found,) = told("RCT015", text)
+    assert [one.message for one in found.related] == ["transmission 'u'"]
+
+
+def test_who_reads_it() -> None:
+    assert told("RCT015", TWO) == [], "nothing says that it is for ROS 2"
+    assert told("RCT015", TWO + plugin("libgazebo_ros_control.so")) == []
+    assert told("RCT015", TWO, targets=("ros1", "ros2")) == []
+    assert len(told("RCT015", TWO, targets=("gz-jetty",))) == 1
+    inner = '<transmission name="t"><plugin>p/C</plugin></transmission>'
+    assert told("RCT015", ROBOT + control(driven("swing"), inner)) == []

@@ -1,0 +1,92 @@
+"""A transmission or a block of ros2_control names a joint that the model does not have.
+
+From ROS 2 Jazzy on the controller manager stops with an exception; the simulators of Humble leave
+the joint out. In ROS 1, one such transmission makes the whole hardware of gazebo_ros_control fail,
+so that no joint moves. Correct the name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import Speller
+from urdfkit.ros_control import components, driven_joints, reads_transmissions
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="sholder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("sholder", "shoulder")
+
+
+@rule("RCT001", "unknown-joint", Severity.ERROR, help="correct the name, or add the joint")
+def check(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.joints_by_name
+    speller = Speller(known)
+    for name, owner in _named(subject):
+        if name.value in known or is_expression(name.value):
+            continue
+        if subject.is_part:  # the file that includes it has the joint
+            return
+        meant = speller.meant(name.value)
+        yield Finding(
+            name,
+            f"{owner} names joint '{name.value}', which is not in the model"
+            + (f"; did you mean '{meant}'?" if meant else ""),
+        )
+    yield from _not_in_block(subject)
+
+
+def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
+    """The names of joints, each with who gives it."""
+    for component in components(subject.model):
+        for joint in component.joints:
+            if "name" in joint.at.attributes:
+                yield joint.at.attributes["name"], component.called
+    if subject.model.transmissions and reads_transmissions(subject.targets):
+        for element, transmission in driven_joints(subject.model):
+            if "name" in element.attributes:
+                yield element.attributes["name"], _called(transmission)
+
+
+def _not_in_block(subject: Subject) -> Iterator[Finding]:
+    """A transmission of ROS 2 finds the joints of its own block only."""
+    for component in components(subject.model):
+        listed = {joint.name for joint in component.joints}
+        for transmission in component.at.all("transmission"):
+            for joint in transmission.all("joint"):
+                name = joint.attributes.get("name")
+                if name and name.value not in listed and not is_expression(name.value):
+                    yield Finding(
+                        name,
+                        f"{_called(transmission)} names joint '{name.value}', "
+                        f"which {component.called} does not list",
+                        "list the joint in the same block, or correct the name",
+                    )
+
+
+def _called(transmission: Element) -> str:
+    name = transmission.get("name")
+    return f"transmission '{name}'" if name else "a transmission"

@@ -1,0 +1,63 @@
+"""A transmission or a block of ros2_control drives a fixed joint.
+
+Nothing can move it. From ROS 2 Jazzy on the controller manager stops with an exception; in Gazebo
+the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then drives no
+joint at all. Give the joint the type that it has in reality, or leave it out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.ros_control import components, driven_joints, reads_transmissions
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="fixed">
+  <parent link="base"/>
+  <child link="arm"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace('type="fixed"', 'type="continuous"')
+
+
+@rule(
+    "RCT002",
+    "joint-cannot-move",
+    Severity.ERROR,
+    help="give the joint a type that moves, or leave it out",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    joints = subject.model.joints_by_name
+    for element, owner in _driven(subject):
+        joint = joints.get(element.get("name") or "")
+        if joint and joint.kind == "fixed":
+            yield Finding(
+                element.attributes["name"],
+                f"{owner} drives joint '{joint.name}', which is fixed",
+            )
+
+
+def _driven(subject: Subject) -> Iterator[tuple[Element, str]]:
+    for component in components(subject.model):
+        for joint in component.joints:
+            yield joint.at, component.called
+    if subject.model.transmissions and reads_transmissions(subject.targets):
+        for element, transmission in driven_joints(subject.model):
+            yield element, f"transmission '{transmission.get('name') or ''}'"

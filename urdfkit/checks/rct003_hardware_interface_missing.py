@@ -1,0 +1,69 @@
+"""A joint of a transmission has no hardware interface.
+
+The parser of ROS 1 skips the joint and with it the transmission, so no controller finds the joint:
+"Could not find resource". Up to ROS Indigo the tag stood in `<actuator>`; only the one in `<joint>`
+counts now. Write `<hardwareInterface>` into the joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.ros_control import driven_joints, is_of_pr2, reads_transmissions
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<transmission name="shoulder_transmission">
+  <type>transmission_interface/SimpleTransmission</type>
+  <joint name="shoulder"/>
+  <actuator name="shoulder_motor">
+    <mechanicalReduction>50</mechanicalReduction>
+  </actuator>
+</transmission>"""
+GOOD = BAD.replace(
+    '<joint name="shoulder"/>',
+    """\
+<joint name="shoulder">
+    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+  </joint>""",
+)
+
+
+@rule(
+    "RCT003",
+    "hardware-interface-missing",
+    Severity.ERROR,
+    help="write <hardwareInterface>hardware_interface/...JointInterface</hardwareInterface> "
+    "into the joint",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not reads_transmissions(subject.targets):
+        return
+    for joint, transmission in driven_joints(subject.model):
+        if _has_interface(joint) or transmission.child("type") is None or is_of_pr2(transmission):
+            continue
+        misplaced = any(_has_interface(actuator) for actuator in transmission.all("actuator"))
+        yield Finding(
+            joint,
+            f"transmission '{transmission.get('name') or ''}': joint '{joint.get('name') or ''}' "
+            "has no <hardwareInterface>"
+            + ("; the one in <actuator> does not count" if misplaced else ""),
+        )
+
+
+def _has_interface(element: Element) -> bool:
+    return any(found.text.strip() for found in element.all("hardwareInterface"))

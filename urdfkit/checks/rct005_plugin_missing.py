@@ -1,0 +1,62 @@
+"""A block of ros2_control names no hardware plugin.
+
+The parser stops with an exception, and the controller manager does not start. Name the class of the
+hardware; `mock_components/GenericSystem` is one for tests without hardware.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware/>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace(
+    "<hardware/>", "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+)
+
+
+@rule(
+    "RCT005",
+    "plugin-missing",
+    Severity.ERROR,
+    help="write <hardware><plugin>package/Class</plugin></hardware> into the block",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for component in components(subject.model):
+        hardware = component.at.child("hardware")
+        if hardware is None:
+            yield Finding(component.at, f"{component.called} has no <hardware>")
+        elif component.plugin is None:
+            yield Finding(hardware, f"{component.called}: its <hardware> has no <plugin>")
+        elif not component.hardware:
+            yield Finding(component.plugin, f"{component.called}: its <plugin> is empty")
+        for transmission in component.at.all("transmission"):
+            plugin = transmission.child("plugin")
+            if plugin is None or not plugin.text.strip():
+                yield Finding(
+                    transmission,
+                    f"transmission '{transmission.get('name') or ''}' names no <plugin>",
+                    "write <plugin>transmission_interface/SimpleTransmission</plugin> into it",
+                )

@@ -1,0 +1,55 @@
+"""The type of a block of ros2_control is not `system`, `actuator` or `sensor`.
+
+The controller manager reads the block and loads nothing from it, without an error: the controllers
+then miss every interface. Capital letters count. A block without a type is an exception.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.ros_control import component_types
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import did_you_mean
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="System">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace('"System"', '"system"')
+
+
+@rule("RCT006", "type-misspelt", Severity.ERROR, help="write system, actuator or sensor")
+def check(subject: Subject) -> Iterator[Finding]:
+    known = component_types()
+    for component in components(subject.model):
+        kind = component.at.attributes.get("type")
+        if kind is None:
+            yield Finding(component.at, f"{component.called} has no type")
+        elif kind.value not in known and not is_expression(kind.value):
+            hint = did_you_mean(kind.value, known)
+            yield Finding(
+                kind,
+                f"{component.called} has type '{kind.value}', not {', '.join(known)}{hint}",
+            )

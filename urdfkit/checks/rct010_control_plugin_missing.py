@@ -1,0 +1,116 @@
+"""A model is made for control in Gazebo and lacks the plugin that runs the controllers, or has two.
+
+Without the plugin nothing loads the hardware: the robot stands limp and the controller manager does
+not answer. Two of them in one namespace start two controller managers of one name, and both drive
+the joints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.ros_control import control_plugins as files
+from urdfkit.catalog.ros_control import hardware
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.ros_control import components, control_plugins, is_of_pr2
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.ros_control import ControlPlugin
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="arm">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>gazebo_ros2_control/GazeboSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = (
+    BAD
+    + """
+<gazebo>
+  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+    <parameters>/opt/ros/humble/share/arm_bringup/config/controllers.yaml</parameters>
+  </plugin>
+</gazebo>"""
+)
+
+
+@rule(
+    "RCT010",
+    "control-plugin-missing",
+    Severity.WARNING,
+    help="have the control plugin of the simulator once, in a <gazebo> block without reference",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    plugins = control_plugins(subject.model)
+    yield from _twice(plugins)
+    if subject.is_part:
+        return
+    if not plugins:
+        yield from _missing(subject)
+    elif all(plugin.kind == "gazebo_ros_control" for plugin in plugins):
+        yield from _without_transmission(subject, plugins[0])
+
+
+def _twice(plugins: list[ControlPlugin]) -> Iterator[Finding]:
+    seen: dict[tuple[str, str], ControlPlugin] = {}
+    for plugin in plugins:
+        key = (plugin.kind, _namespace(plugin.at))
+        if key in seen:
+            yield Finding(
+                plugin.at,
+                f"plugin {plugin.filename} is there twice in one namespace",
+                related=(Related(seen[key].at.span, "first here"),),
+            )
+        seen.setdefault(key, plugin)
+
+
+def _namespace(plugin: Element) -> str:
+    """Of the controller manager that a plugin starts."""
+    tags = ("namespace", "robotNamespace", "controller_manager_name")
+    return " ".join(found.text.strip() for found in plugin.walk() if found.tag in tags)
+
+
+def _missing(subject: Subject) -> Iterator[Finding]:
+    for component in components(subject.model):
+        found = hardware().get(component.hardware)
+        if found and component.plugin:
+            yield Finding(
+                component.plugin,
+                f"{component.called} is for {found.simulator}, and no plugin of <gazebo> "
+                f"loads it ({files()[found.control]})",
+            )
+            return  # one plugin serves all
+
+
+def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Iterator[Finding]:
+    """The plugin of ROS 1 moves the joints of transmissions, and of nothing else."""
+    if any(not is_of_pr2(transmission) for transmission in subject.model.transmissions):
+        return
+    if plugin.at.child("robotSimType") is None:
+        yield Finding(plugin.at, f"plugin {plugin.filename}: no transmission gives it a joint")
