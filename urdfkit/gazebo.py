@@ -91,6 +91,8 @@ class Conversion:
         links: that Gazebo has, parents before children.
         joints: that Gazebo has.
         dropped: reasons by the name of a link that Gazebo does not have, merged ones aside.
+        massless: the bodies that are dropped for their own lack of mass, not with another one.
+        stranded: the bodies that are dropped with a link without mass that is merged.
         added: names of links and joints that ``<gazebo>`` tags bring in as SDF.
     """
 
@@ -102,6 +104,8 @@ class Conversion:
         kept = self.preserved | {joint.name for joint in tree.children.get(WORLD, ())}
         self._bodies = rigid_bodies(tree, kept)
         self.dropped: dict[str, str] = {}
+        self.massless: list[RigidBody] = []
+        self.stranded: list[RigidBody] = []
         survivors = [body for body in self._bodies if self._survives(body)]
         self.links = tuple(self._link(body) for body in survivors)
         self.joints = tuple(self._joints(survivors))
@@ -128,6 +132,7 @@ class Conversion:
         reason = self._lost_with_parent(body)
         if reason is None and self._is_massless(body.mass):
             reason = "no inertial" if body.top.inertial is None else f"mass {body.mass:g} kg"
+            self.massless.append(body)
         if reason is None:
             return True
         for link, _ in body.links:
@@ -148,6 +153,7 @@ class Conversion:
         if self.converter.stops_at_merged:
             for link in self._merged_above(parent):
                 if self._is_massless(self._mass_below(link)):
+                    self.stranded.append(body)
                     return f"hangs on '{link.name}', which is merged and has no mass"
         return None
 

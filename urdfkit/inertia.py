@@ -142,6 +142,12 @@ def added(left: Tensor, right: Tensor) -> Tensor:
     return Tensor(*(a + b for a, b in zip(left, right, strict=True)))
 
 
+def agree(tensor: Tensor, other: Tensor, factor: float) -> bool:
+    """True if the moments about x, y and z, all positive, differ by no more than a factor."""
+    rows = zip((tensor.ixx, tensor.iyy, tensor.izz), (other.ixx, other.iyy, other.izz), strict=True)
+    return all(b > 0 and b / factor <= a <= b * factor for a, b in rows)
+
+
 def combined(bodies: Iterable[MassProperties]) -> MassProperties:
     """Several bodies in one frame as one rigid body; nothing at the origin if they weigh nothing.
 

@@ -1,62 +1,91 @@
 """Primitive shapes of a link as solids in its frame: extent, volume, mass properties.
 
-Lengths in m, in the frame of the link. A mesh is none of these; see ``primitives``.
+Lengths in m. A mesh is no primitive: what has one is not measured here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from functools import cached_property
 from math import hypot, pi, sqrt
 from typing import NamedTuple
 
 from urdfkit import inertia
+from urdfkit.document import Attribute
 from urdfkit.inertia import MassProperties
-from urdfkit.model import Body, Shape, Tensor
+from urdfkit.model import Body, Link, RobotModel, Shape, Tensor, numbers
 from urdfkit.spatial import Frame, Vector, rotate, transposed
+
+#: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.
+SMALLEST, LARGEST = 1e-7, 1e5
+
+#: The attributes of each primitive that hold lengths.
+SIZES = {
+    "box": ("size",),
+    "cylinder": ("radius", "length"),
+    "capsule": ("radius", "length"),
+    "sphere": ("radius",),
+}
+
+AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class Box(NamedTuple):
-    """A box about the middle of a bounding box, along its axes."""
+    """A box along the axes of a frame."""
 
     low: Vector
     high: Vector
 
     @property
+    def edges(self) -> Vector:
+        """In m."""
+        x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
+        return (x, y, z)
+
+    @property
+    def center(self) -> Vector:
+        """In m."""
+        x, y, z = ((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
+        return (x, y, z)
+
+    @property
     def volume(self) -> float:
         """In m^3."""
-        x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
+        x, y, z = self.edges
         return x * y * z
 
-    def padded(self, margin: float) -> Box:
-        """The box with every face moved outwards."""
-        x, y, z = self.low
-        u, v, w = self.high
-        return Box((x - margin, y - margin, z - margin), (u + margin, v + margin, w + margin))
-
-    def overlap(self, other: Box) -> float:
-        """Volume of the intersection by volume of the union, from 0 to 1."""
-        common = 1.0
+    def common_volume(self, other: Box) -> float:
+        """Of the intersection, in m^3."""
+        volume = 1.0
         for low, high, low2, high2 in zip(*self, *other, strict=True):
-            common *= max(0.0, min(high, high2) - max(low, low2))
-        return common / (self.volume + other.volume - common)
+            volume *= max(0.0, min(high, high2) - max(low, low2))
+        return volume
 
 
 class Primitive(NamedTuple):
-    """A box, cylinder, sphere or capsule with positive sizes, somewhere in a link."""
+    """A box, cylinder, sphere or capsule with positive sizes.
 
-    shape: Shape
+    Attributes:
+        kind: one of these.
+        size: edges of the box along x, y, z; zeros for the others.
+        radius: 0 for the box.
+        length: along z, of the cylinder or between the centres of the capsule's ends; else 0.
+        origin: in the frame of the link.
+    """
+
+    kind: str
+    size: Vector
+    radius: float
+    length: float
     origin: Frame
 
     @property
     def volume(self) -> float:
         """In m^3."""
-        shape, radius, length = self.shape, self.shape.radius or 0.0, self.shape.length or 0.0
-        if shape.size:
-            return shape.size[0] * shape.size[1] * shape.size[2]
-        ball = 4 * pi * radius**3 / 3
-        if shape.kind == "sphere":
-            return ball
-        return pi * radius * radius * length + (ball if shape.kind == "capsule" else 0.0)
+        if self.kind == "box":
+            return self.size[0] * self.size[1] * self.size[2]
+        ball = 0.0 if self.kind == "cylinder" else 4 * pi * self.radius**3 / 3
+        return ball + pi * self.radius * self.radius * self.length
 
     def properties(self, mass: float) -> MassProperties:
         """Of the solid with uniform density, in the frame of the link."""
@@ -64,48 +93,55 @@ class Primitive(NamedTuple):
         return MassProperties(mass, self.origin.position, tensor)
 
     def _tensor(self, mass: float) -> Tensor:
-        shape, radius, length = self.shape, self.shape.radius or 0.0, self.shape.length or 0.0
-        if shape.size:
-            return inertia.box(mass, shape.size)
-        if shape.kind == "sphere":
-            return inertia.sphere(mass, radius)
-        if shape.kind == "capsule":
-            return inertia.capsule(mass, radius, length)
-        return inertia.cylinder(mass, radius, length)
+        if self.kind == "box":
+            return inertia.box(mass, self.size)
+        if self.kind == "sphere":
+            return inertia.sphere(mass, self.radius)
+        if self.kind == "capsule":
+            return inertia.capsule(mass, self.radius, self.length)
+        return inertia.cylinder(mass, self.radius, self.length)
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the solid."""
-        x, y, z = map(abs, _local(self.origin, point))
-        shape, radius, length = self.shape, self.shape.radius or 0.0, self.shape.length or 0.0
-        if shape.size:
-            a, b, c = shape.size
+        x, y, z = self.origin.position
+        offset = (point[0] - x, point[1] - y, point[2] - z)
+        x, y, z = map(abs, rotate(transposed(self.origin.rotation), offset))
+        if self.kind == "box":
+            a, b, c = self.size
             return hypot(x + a / 2, y + b / 2, z + c / 2)
-        if shape.kind == "cylinder":
-            return hypot(hypot(x, y) + radius, z + length / 2)
-        return hypot(x, y, z + length / 2) + radius
+        if self.kind == "cylinder":
+            return hypot(hypot(x, y) + self.radius, z + self.length / 2)
+        return hypot(x, y, z + self.length / 2) + self.radius
 
     def reach(self, direction: Vector) -> float:
-        """How far the solid reaches from the origin of the link in the direction of a unit vector.
+        """How far the solid reaches from the origin of the link along a unit vector.
 
-        This is the support function of the convex solid.
+        This is the support function of the solid, which is convex.
         """
-        u = rotate(transposed(self.origin.rotation), direction)
-        center = sum(p * d for p, d in zip(self.origin.position, direction, strict=True))
-        shape, radius, length = self.shape, self.shape.radius or 0.0, self.shape.length or 0.0
-        if shape.size:
-            return center + sum(abs(a * b) for a, b in zip(shape.size, u, strict=True)) / 2
-        end = abs(u[2]) * length / 2
-        if shape.kind == "cylinder":
-            return center + end + radius * sqrt(max(0.0, 1 - u[2] * u[2]))
-        return center + end + radius
+        x, y, z = self.origin.position
+        center = x * direction[0] + y * direction[1] + z * direction[2]
+        u, v, w = map(abs, rotate(transposed(self.origin.rotation), direction))
+        if self.kind == "box":
+            a, b, c = self.size
+            return center + (a * u + b * v + c * w) / 2
+        across = sqrt(max(0.0, 1 - w * w)) if self.kind == "cylinder" else 1.0
+        return center + w * self.length / 2 + self.radius * across
+
+    def __str__(self) -> str:
+        """Such as ``cylinder of radius 0.06 m and length 0.05 m``."""
+        if self.kind == "box":
+            return "box of {:g} x {:g} x {:g} m".format(*self.size)
+        length = f" and length {self.length:g} m" if self.length else ""
+        return f"{self.kind} of radius {self.radius:g} m{length}"
 
 
-class Solid(NamedTuple):
+class Solid:
     """The primitives of a link that are taken for its matter."""
 
-    parts: tuple[Primitive, ...]
+    def __init__(self, parts: tuple[Primitive, ...]) -> None:
+        self.parts = parts
 
-    @property
+    @cached_property
     def volume(self) -> float:
         """In m^3; where parts overlap, twice."""
         return sum(part.volume for part in self.parts)
@@ -120,30 +156,64 @@ class Solid(NamedTuple):
         return max(part.farthest(point) for part in self.parts)
 
     def reach(self, direction: Vector) -> float:
-        """How far it reaches from the origin of the link in the direction of a unit vector."""
+        """How far it reaches from the origin of the link along a unit vector."""
         return max(part.reach(direction) for part in self.parts)
 
-    @property
+    @cached_property
     def bounds(self) -> Box:
         """Its bounding box along the axes of the link."""
-        axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-        low = [-self.reach((-x, -y, -z)) for x, y, z in axes]
-        high = [self.reach(axis) for axis in axes]
+        low = [-self.reach((-x, -y, -z)) for x, y, z in AXES]
+        high = [self.reach(axis) for axis in AXES]
         return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+    def __str__(self) -> str:
+        if len(self.parts) == 1:
+            return str(self.parts[0])
+        return f"union of {len(self.parts)} primitives"
 
 
 def solid(bodies: Iterable[Body]) -> Solid | None:
-    """The solid that some visuals or collisions make, if all are primitives with positive sizes."""
+    """The solid that some visuals or collisions make.
+
+    None if there are none, or one is no primitive, or has a size that is not positive or beyond
+    all robots.
+    """
     parts: list[Primitive] = []
     for body in bodies:
-        extents = body.shape.half_extents if body.shape else None
-        if body.shape is None or extents is None or min(extents) <= 0:
+        part = _primitive(body)
+        if part is None:
             return None
-        parts.append(Primitive(body.shape, body.origin))
+        parts.append(part)
     return Solid(tuple(parts)) if parts else None
 
 
-def _local(frame: Frame, point: Vector) -> Vector:
-    """A point of the parent in a frame."""
-    x, y, z = frame.position
-    return rotate(transposed(frame.rotation), (point[0] - x, point[1] - y, point[2] - z))
+def _primitive(body: Body) -> Primitive | None:
+    shape = body.shape
+    extents = shape.half_extents if shape else None
+    if shape is None or extents is None:
+        return None
+    if not SMALLEST <= min(extents) <= max(extents) <= LARGEST:
+        return None
+    size = shape.size if shape.kind == "box" and shape.size else (0.0, 0.0, 0.0)
+    radius = 0.0 if shape.kind == "box" else shape.radius or 0.0
+    length = shape.length or 0.0 if shape.kind in ("cylinder", "capsule") else 0.0
+    if length < 0 or radius < 0:  # a capsule's extents may hide it
+        return None
+    return Primitive(shape.kind, size, radius, length, body.origin)
+
+
+def shaped(model: RobotModel) -> Iterator[tuple[Link, Body, Shape]]:
+    """Every shape with the visual or collision and the link that it belongs to."""
+    for link in model.links:
+        for body in (*link.visuals, *link.collisions):
+            if body.shape:
+                yield link, body, body.shape
+
+
+def sizes(shape: Shape) -> Iterator[tuple[Attribute, tuple[float, ...]]]:
+    """The attributes of a primitive that hold lengths, as far as they can be read, in m."""
+    for key in SIZES.get(shape.kind, ()):
+        attribute = shape.at.attributes.get(key)
+        values = numbers(attribute.value) if attribute else None
+        if attribute and values and len(values) == (3 if key == "size" else 1):
+            yield attribute, values
