@@ -51,7 +51,7 @@ class Use(NamedTuple):
         at: its element.
         block: the ``<gazebo>`` that it is in.
         known: what its file name means, one plugin of each generation; empty if unknown.
-        plugin: the one of them that a simulator will load, as far as one can tell, or None.
+        plugin: the one of them that the Gazebo which the robot is for loads, or None.
     """
 
     at: Element
@@ -138,9 +138,12 @@ def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
 
 
 def _loaded(use: Use, wanted: set[str]) -> Plugin | None:
-    """The plugin of a wanted generation, else of any, that reads most of the tags."""
-    present = [plugin for plugin in use.known if not plugin.removed]
-    candidates = [plugin for plugin in present if plugin.generation in wanted] or present
+    """The plugin of a wanted generation that reads most of the tags."""
+    candidates = [
+        plugin
+        for plugin in use.known
+        if not plugin.removed and (plugin.generation in wanted or not wanted)
+    ]
     return min(candidates, key=lambda plugin: len(use.unread(plugin)), default=None)
 
 

@@ -111,21 +111,26 @@ def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None
     if "gazebo_ros2_control" in name:
         return "classic-ros2"
     if _CLASSIC_PLUGIN.match(name):
-        return _classic_generation(plugin, ros)
+        return _classic_generation(name, plugin, ros)
     return None
 
 
-def _classic_generation(plugin: Element, ros: str | None) -> str:
-    """A ``<ros>`` block is of ROS 2; else the package tells; else the spelling of the tags does.
+def _classic_generation(name: str, plugin: Element, ros: str | None) -> str:
+    """A ``<ros>`` block is of ROS 2; else the package tells, else the library, else the spelling.
 
-    What the package says comes before the spelling: tags of ROS 1 in a package of ROS 2 are a
-    mistake, and many plugins of ROS 1 have snake_case tags among the others.
+    What the package says comes before the rest: a library or tags of ROS 1 in a package of ROS 2
+    are a mistake, and many plugins of ROS 1 have snake_case tags among the others.
     """
+    from urdfkit.catalog.plugins import find  # loads the catalogue
+
     tags = {child.tag for child in plugin.children}
     if "ros" in tags:
         return "classic-ros2"
     if ros:
         return f"classic-{ros}"
+    generations = {one.generation for one in find(name) if not one.removed}
+    if len(generations) == 1 and generations <= {"classic-ros1", "classic-ros2"}:
+        return generations.pop()
     if any(tag != tag.lower() for tag in tags):
         return "classic-ros1"
     return "classic-ros2" if any("_" in tag for tag in tags) else "classic-ros1"

@@ -21,5 +21,5 @@ def test_colours_that_everybody_uses() -> None:
     known = materials.materials()
     assert known["Gazebo/Red"].rgba == (1.0, 0.0, 0.0, 1.0)
     assert known["Gazebo/Grey"].gz_rgb == (0.5, 0.5, 0.5), "Gazebo/GreyTransparent is found, too"
-    assert known["Gazebo/Wood"].rgba is None or not known["Gazebo/Wood"].internal
+    assert [known[name].textured for name in ("Gazebo/Wood", "Gazebo/Red")] == [True, False]
     assert "gazebo.material" in data("materials")["source"]

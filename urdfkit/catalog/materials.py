@@ -13,13 +13,15 @@ class Material(NamedTuple):
 
     Attributes:
         name: as a model must write it.
-        rgba: a colour for it, each from 0 to 1; None for a texture.
+        rgba: a colour for it, each from 0 to 1; None where it has none.
+        textured: True if it is a picture, which gz-sim does not draw.
         internal: True if it is for the renderer itself.
         gz_rgb: the colour that gz-sim 7 and later draw instead; None if it is the same.
     """
 
     name: str
     rgba: tuple[float, ...] | None
+    textured: bool
     internal: bool
     gz_rgb: tuple[float, ...] | None
 
@@ -33,6 +35,7 @@ def materials() -> dict[str, Material]:
         found[name] = Material(
             name,
             tuple(rgba) if rgba else None,
+            fact.get("kind") == "textured",
             fact.get("internal", False),
             tuple(other) if other else None,
         )

@@ -33,7 +33,7 @@ class Parameter(NamedTuple):
         required: True if the plugin does nothing, or fails, without it.
         repeatable: True if more than one may stand there.
         default: as text; None if there is none, or it is found at run time.
-        words: the values that it may have; empty if any.
+        words: the values that it may have, or of a link, that are not looked up; empty if any.
     """
 
     name: str

@@ -54,5 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             if fortress:
                 message = f"Gazebo Fortress has no material scripts: '{known.name}' does nothing"
                 yield Finding(child, message)
-            elif known.rgba is None:
+            elif known.textured:
                 yield Finding(child, f"gz-sim does not draw the texture of '{known.name}'")

@@ -44,5 +44,5 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         for found in unread(use):
             if found.meant is None and found.other is None:
-                path = found.item.path.replace("/", "> in <")
+                path = "> in <".join(reversed(found.item.path.split("/")))
                 yield Finding(found.item.at, f"{use.title} does not read <{path}>")

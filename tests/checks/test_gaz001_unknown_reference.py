@@ -1,0 +1,24 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, block, child
+from tests.told import messages, places, told
+
+
+def test_the_lost_tags_are_named() -> None:
+    text = BASE + block("<mu1>1</mu1><mu2>1</mu2><mu1>2</mu1>", "baase")
+    assert messages("GAZ001", text) == [
+        "Gazebo drops <mu1>, <mu2>: there is no link or joint 'baase'"
+    ]
+    assert places("GAZ001", text) == [(3, "baase")]
+    assert [one.help for one in told("GAZ001", text)] == ["did you mean 'base'?"]
+
+
+@pytest.mark.parametrize("reference", ["base", "arm", "arm_joint", ""])
+def test_links_joints_and_the_model_are_known(reference: str) -> None:
+    assert told("GAZ001", BASE + child("arm") + block("<mu1>1</mu1>", reference)) == []
+
+
+def test_nothing_is_lost_of_an_empty_block() -> None:
+    assert told("GAZ001", BASE + '<gazebo reference="other"/>') == []

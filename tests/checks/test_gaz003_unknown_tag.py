@@ -1,0 +1,27 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, block
+from tests.told import fixed, messages, told
+from urdfkit.catalog.extensions import extensions, meant
+
+
+@pytest.mark.parametrize(("wrong", "right"), [*meant().items(), ("selfcollide", "selfCollide")])
+def test_slips_are_mended(wrong: str, right: str) -> None:
+    text = BASE + block(f"<{wrong}>1</{wrong}>")
+    assert messages("GAZ003", text) == [f"Gazebo knows no <{wrong}>, and ignores it"]
+    assert f"<{right}>1</{right}>" in fixed("GAZ003", text)
+
+
+def test_one_finding_for_a_name_that_nothing_is_like() -> None:
+    text = BASE + block("<stopKp>1</stopKp>") + block("<stopKp>2</stopKp>")
+    (found,) = told("GAZ003", text)
+    assert found.message == "Gazebo knows no <stopKp>, and ignores it (2 times)"
+    assert [note.span.text for note in found.related] == ["<stopKp>"]
+    assert found.fix is None
+
+
+@pytest.mark.parametrize("tag", [*extensions(), "gravity", "sensor", "plugin", "vendor:tag"])
+def test_known_tags(tag: str) -> None:
+    assert told("GAZ003", BASE + block(f"<{tag}>1</{tag}>")) == []

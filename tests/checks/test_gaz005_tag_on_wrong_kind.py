@@ -1,0 +1,44 @@
+from __future__ import annotations
+
+from tests.gazebos import BASE, block, child
+from tests.told import told
+
+ROBOT = BASE + child("cam", "fixed") + child("arm")
+
+
+def heard(tag: str, reference: str) -> list[tuple[str, str]]:
+    found = told("GAZ005", ROBOT + block(f"<{tag}>1</{tag}>", reference))
+    return [(one.message, one.help) for one in found]
+
+
+def test_a_joint_tag_at_a_link() -> None:
+    assert heard("preserveFixedJoint", "cam") == [
+        (
+            "<preserveFixedJoint> is for a joint, and 'cam' is a link: Gazebo ignores it",
+            'move <preserveFixedJoint> into <gazebo reference="cam_joint">',
+        )
+    ]
+
+
+def test_a_link_tag_at_a_joint() -> None:
+    assert heard("mu1", "arm_joint") == [
+        (
+            "<mu1> is for a link, and 'arm_joint' is a joint: Gazebo ignores it",
+            'move <mu1> into <gazebo reference="arm">',
+        )
+    ]
+
+
+def test_a_joint_that_is_not_fixed_cannot_be_preserved() -> None:
+    assert [message for message, _ in heard("preserveFixedJoint", "arm_joint")] == [
+        "<preserveFixedJoint> has no effect: joint 'arm_joint' is continuous, not fixed"
+    ]
+
+
+def test_no_finding() -> None:
+    assert heard("preserveFixedJoint", "cam_joint") == []
+    assert heard("mu1", "cam") == []
+    assert heard("springStiffness", "arm_joint") == []
+    assert heard("sensor", "cam_joint") == []
+    assert heard("mu1", "nothing") == []
+    assert heard("mu1", "") == []

@@ -1,0 +1,39 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, block, child
+from tests.told import messages, told
+
+
+def test_the_last_one_wins() -> None:
+    text = BASE + block("<mu1>1</mu1>") + block("<mu1>2</mu1>")
+    assert messages("GAZ006", text) == ["<mu1> is 1 and then 2 for 'base'; Gazebo takes the last"]
+    assert [note.span.line for one in told("GAZ006", text) for note in one.related] == [4]
+
+
+def test_a_merged_body_has_one_gravity() -> None:
+    robot = BASE + child("cam", "fixed")
+    text = robot + block("<turnGravityOff>true</turnGravityOff>", "cam")
+    text += block("<turnGravityOff>false</turnGravityOff>")
+    assert messages("GAZ006", text) == [
+        (
+            "<turnGravityOff> is true and then false for 'cam' and 'base', which Gazebo merges "
+            "into 'base': one value is lost"
+        )
+    ]
+
+
+@pytest.mark.parametrize(
+    "blocks",
+    [
+        block("<mu1>1</mu1>") + block("<mu1>1.0</mu1>"),
+        block("<mu1>1</mu1>") + block("<mu2>2</mu2>"),
+        block("<mu1>1</mu1>") + block("<mu1>2</mu1>", "cam"),  # each keeps its own surface
+        block("<selfCollide>true</selfCollide>") + block("<selfCollide>True</selfCollide>"),
+        block("<gravity>true</gravity>") + block("<gravity>false</gravity>", "cam"),
+        block("<sensor/>") + block("<sensor/>"),
+    ],
+)
+def test_no_conflict(blocks: str) -> None:
+    assert told("GAZ006", BASE + child("cam", "fixed") + blocks) == []

@@ -1,0 +1,24 @@
+from __future__ import annotations
+
+from tests.gazebos import BASE, plugin
+from tests.told import places, told
+from urdfkit.catalog import plugins
+
+
+def test_a_vendors_library_is_told_once() -> None:
+    text = BASE + plugin("libvendor.so") + plugin("libvendor.so") + plugin("libother.so")
+    assert places("GAZ011", text) == [(4, "libvendor.so"), (10, "libother.so")]
+
+
+def test_a_slip() -> None:
+    (found,) = told("GAZ011", BASE + plugin("libgazebo_ros_diffdrive.so"))
+    assert found.severity.value == "info"
+    assert found.help == "did you mean 'libgazebo_ros_diff_drive.so'?"
+
+
+def test_every_library_of_the_catalogue_is_known() -> None:
+    assert told("GAZ011", BASE + "".join(plugin(file) for file in plugins.files())) == []
+
+
+def test_no_name_is_told_elsewhere() -> None:
+    assert told("GAZ011", BASE + plugin("")) == []
