@@ -8,7 +8,7 @@ Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
 from __future__ import annotations
 
 from functools import cached_property
-from math import isfinite, sqrt
+from math import hypot, isfinite
 from typing import Generic, NamedTuple, TypeVar
 
 from urdfkit.document import Attribute, Document, Element, Step
@@ -378,4 +378,4 @@ def _mimic(element: Element) -> Mimic:
 
 def length(vector: Vector) -> float:
     """The Euclidean norm."""
-    return sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
+    return hypot(*vector)  # which does not overflow
