@@ -64,12 +64,14 @@ def _is_of_another(use: Use) -> bool:
 
 def _finding(use: Use, parameter: Parameter, default: str) -> Finding:
     assert use.plugin is not None
-    outcome = f": {use.plugin.missing}" if use.plugin.missing else ""
     block, _, name = parameter.name.rpartition("/")
     what = f"attribute {name[1:]}" if name.startswith("@") else f"<{name}>"
     where = f" in <{block}>" if block else ""
     if default:
-        message = f"{use.title} has no {what}, and its default '{default}' is no joint{outcome}"
+        message = (
+            f"{use.title} has no {what}, and its default '{default}' is no joint: "
+            f"{use.plugin.missing}"
+        )
     else:
-        message = f"{use.title} has no {what}{where}, which it needs{outcome}"
+        message = f"{use.title} has no {what}{where}, which it needs"
     return Finding(use.at, message, f"add {what}, a {parameter.type}")

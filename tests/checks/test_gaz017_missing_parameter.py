@@ -1,0 +1,59 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, WHEELS, plugin
+from tests.told import messages, told
+
+SLIP = "libgazebo_ros_wheel_slip.so"
+DRIVE = "libgazebo_ros_diff_drive.so"
+
+
+def test_a_tag_without_which_nothing_works() -> None:
+    assert messages("GAZ017", BASE + plugin("libgazebo_ros_hand_of_god.so")) == [
+        "plugin 'p' (libgazebo_ros_hand_of_god.so) has no <linkName>, which it needs"
+    ]
+
+
+def test_an_empty_tag_is_none() -> None:
+    text = BASE + plugin("libgazebo_ros_hand_of_god.so", "<linkName> </linkName>")
+    assert len(told("GAZ017", text)) == 1
+    assert told("GAZ017", text.replace("> <", ">base<")) == []
+
+
+def test_in_a_block_only_where_the_block_is() -> None:
+    assert messages("GAZ017", BASE + plugin(SLIP)) == [
+        f"plugin 'p' ({SLIP}) has no <wheel>, which it needs"
+    ]
+    wheel = "<wheel><wheel_normal_force>1</wheel_normal_force></wheel>"
+    assert messages("GAZ017", BASE + plugin(SLIP, wheel)) == [
+        f"plugin 'p' ({SLIP}) has no attribute link_name in <wheel>, which it needs"
+    ]
+
+
+def test_a_default_that_names_no_joint() -> None:
+    text = WHEELS + plugin(DRIVE, "<leftJoint>left_joint</leftJoint>")
+    assert told("GAZ017", text) == [], "right_joint is the default, and it exists"
+    other = text.replace('"right_joint"', '"right_wheel_joint"')
+    (message,) = messages("GAZ017", other)
+    assert message == (
+        f"plugin 'p' ({DRIVE}) has no <rightJoint>, and its default 'right_joint' is no joint: "
+        "throws at load"
+    )
+
+
+def test_one_of_two() -> None:
+    text = BASE + plugin("libgazebo_ros_ft_sensor.so", "<update_rate>1</update_rate>")
+    name = "plugin 'p' (libgazebo_ros_ft_sensor.so)"
+    assert messages("GAZ017", text) == [f"{name} needs <body_name> or <joint_name>"]
+    assert told("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
+
+
+def test_tags_of_the_other_generation_are_told_elsewhere() -> None:
+    tags = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
+    assert told("GAZ017", WHEELS + plugin(DRIVE, tags), targets=("classic-ros2",)) == []
+
+
+@pytest.mark.parametrize("file", ["libvendor.so", "libgazebo_ros_planar_move.so"])
+def test_plugins_that_need_nothing(file: str) -> None:
+    assert told("GAZ017", BASE + plugin(file)) == []

@@ -1,0 +1,31 @@
+from __future__ import annotations
+
+from tests.gazebos import BASE, child, plugin
+from tests.told import messages, told
+
+HAND = "libgazebo_ros_hand_of_god.so"
+STATES = "libgazebo_ros_joint_state_publisher.so"
+
+
+def test_a_link_without_mass() -> None:
+    text = BASE + child("arm", inside="") + plugin(HAND, "<linkName>arm</linkName>")
+    (found,) = told("GAZ023", text)
+    assert found.message.startswith(
+        f"plugin 'p' ({HAND}) looks for link 'arm', which Gazebo leaves out: link 'arm' has no "
+        "inertial"
+    )
+    assert found.help == "give link 'arm' an <inertial> with its mass"
+
+
+def test_what_hangs_on_it_is_lost_with_it() -> None:
+    robot = BASE + child("arm", inside="") + child("hand", parent="arm")
+    text = robot + plugin(STATES, "<jointName>hand_joint</jointName>")
+    (message,) = messages("GAZ023", text)
+    assert "link 'hand' hangs on 'arm', which is dropped" in message
+
+
+def test_links_that_stay() -> None:
+    states = plugin(STATES, "<jointName>arm_joint</jointName>")
+    assert told("GAZ023", BASE + child("arm") + states) == []
+    merged = BASE + child("arm", "fixed", inside="") + plugin(HAND, "<linkName>arm</linkName>")
+    assert told("GAZ023", merged) == [], "it is merged, which another rule tells"

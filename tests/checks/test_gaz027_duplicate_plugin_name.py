@@ -1,0 +1,30 @@
+from __future__ import annotations
+
+from tests.gazebos import BASE, plugin
+from tests.told import messages, places, told
+
+MOVE, P3D = "libgazebo_ros_planar_move.so", "libgazebo_ros_p3d.so"
+POSE = "<body_name>base</body_name>"
+
+
+def pair(first: str = "<publish_rate>1</publish_rate>", second: str = "") -> str:
+    return BASE + plugin(MOVE, first) + plugin(P3D, POSE + second)
+
+
+def test_two_nodes_of_one_name() -> None:
+    assert messages("GAZ027", pair()) == [
+        f"plugin 'p' ({P3D}) and plugin 'p' ({MOVE}) are two ROS nodes of one name"
+    ]
+    assert places("GAZ027", pair()) == [(7, "p")]
+
+
+def test_namespaces_keep_them_apart() -> None:
+    space = "<ros><namespace>{}</namespace></ros>"
+    assert told("GAZ027", pair(space.format("/a"), space.format("/b"))) == []
+    assert len(told("GAZ027", pair(space.format("/a"), space.format("a")))) == 1
+
+
+def test_other_names_and_other_generations() -> None:
+    assert told("GAZ027", BASE + plugin(MOVE, name="a") + plugin(P3D, POSE, name="b")) == []
+    assert told("GAZ027", pair(), targets=("classic-ros1",)) == []
+    assert told("GAZ027", BASE + 2 * plugin("libvendor.so")) == []

@@ -1,0 +1,53 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, child, plugin
+from tests.told import messages, told
+
+JOINT = "<joint_name>arm_joint</joint_name>"
+ARM = BASE + child("arm")
+MOTOR = plugin("gz-sim-joint-controller-system", JOINT)
+CONTROL = plugin("gz_ros2_control-system", "<parameters>c.yaml</parameters>")
+INTERFACE = (
+    '<ros2_control name="c" type="system"><joint name="arm_joint">'
+    '<command_interface name="velocity"/></joint></ros2_control>'
+)
+TRANSMISSION = '<transmission name="t"><joint name="arm_joint"/></transmission>'
+
+
+def test_two_plugins() -> None:
+    other = plugin("gz-sim-apply-joint-force-system", JOINT, name="q")
+    (message,) = messages("GAZ028", ARM + MOTOR + other)
+    assert message == (
+        "joint 'arm_joint' is driven by plugin 'q' (gz-sim-apply-joint-force-system) and by "
+        "plugin 'p' (gz-sim-joint-controller-system)"
+    )
+
+
+def test_beside_ros2_control() -> None:
+    (found,) = told("GAZ028", ARM + INTERFACE + CONTROL + MOTOR)
+    assert found.message.endswith("and by <ros2_control>")
+    assert [note.span.text for note in found.related] == ['<joint name="arm_joint">']
+
+
+def test_beside_a_transmission() -> None:
+    mimic = "<joint>base_joint</joint><mimicJoint>arm_joint</mimicJoint>"
+    motor = plugin("libroboticsgroup_upatras_gazebo_mimic_joint_plugin.so", mimic)
+    text = ARM + TRANSMISSION + plugin("libgazebo_ros_control.so") + motor
+    (found,) = told("GAZ028", text)
+    assert found.message.endswith("and by a <transmission>")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        MOTOR,
+        INTERFACE + MOTOR,  # nothing in Gazebo reads it
+        TRANSMISSION + MOTOR,
+        INTERFACE.replace("command_interface", "state_interface") + CONTROL + MOTOR,
+        MOTOR + plugin("gz-sim-joint-state-publisher-system", JOINT),  # reads only
+    ],
+)
+def test_driven_once(text: str) -> None:
+    assert told("GAZ028", ARM + text) == []

@@ -1,0 +1,40 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, plugin
+from tests.told import places, told
+
+MOVE = "libgazebo_ros_planar_move.so"
+
+
+def test_topics_that_begin_with_a_slash() -> None:
+    tags = "<commandTopic>/cmd</commandTopic><odometryTopic>odom</odometryTopic>"
+    text = BASE + plugin(MOVE, tags)
+    (found,) = told("GAZ030", text)
+    assert found.message == (
+        f"plugin 'p' ({MOVE}): topic '/cmd' is absolute, so that a robot namespace is ignored"
+    )
+    assert found.help == "write 'cmd' if the robot may get a namespace"
+    assert places("GAZ030", text) == [(4, "<commandTopic>")]
+
+
+@pytest.mark.parametrize(
+    ("remapping", "count"), [("cmd_vel:=/cmd", 1), ("cmd_vel:=cmd", 0), ("/cmd_vel:=cmd", 0)]
+)
+def test_a_remapping_of_ros2(remapping: str, count: int) -> None:
+    tags = f"<ros><remapping>{remapping}</remapping></ros>"
+    assert len(told("GAZ030", BASE + plugin(MOVE, tags))) == count
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        plugin(MOVE, "<odometryFrame>/odom</odometryFrame>"),  # no topic
+        plugin(MOVE, "<commandTopic>/</commandTopic>"),
+        plugin("gz-sim-diff-drive-system", "<topic>/cmd</topic>"),  # all are absolute there
+        plugin("libvendor.so", "<commandTopic>/cmd</commandTopic>"),
+    ],
+)
+def test_no_finding(text: str) -> None:
+    assert told("GAZ030", BASE + text) == []

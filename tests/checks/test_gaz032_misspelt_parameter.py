@@ -1,0 +1,28 @@
+from __future__ import annotations
+
+from tests.gazebos import BASE, plugin
+from tests.told import fixed, messages, told
+
+MOVE = "libgazebo_ros_planar_move.so"
+TEXT = BASE + plugin(MOVE, "<robotBaseFrme>base</robotBaseFrme><odometryFrame>o</odometryFrame>")
+
+
+def test_a_slip_is_mended() -> None:
+    assert messages("GAZ032", TEXT) == [f"plugin 'p' ({MOVE}) does not read <robotBaseFrme>"]
+    assert "<robotBaseFrame>base</robotBaseFrame>" in fixed("GAZ032", TEXT)
+
+
+def test_a_tag_that_is_there_already_is_not_meant() -> None:
+    text = TEXT.replace("<odometryFrame>", "<robotBaseFrame>base</robotBaseFrame><odometryFrame>")
+    assert told("GAZ032", text) == []
+
+
+def test_left_is_no_slip_of_right() -> None:
+    tags = "<frontLeftJoint>a</frontLeftJoint>"
+    assert told("GAZ032", BASE + plugin("libgazebo_ros_diff_drive.so", tags)) == []
+
+
+def test_other_generations_and_vendors() -> None:
+    text = BASE + plugin(MOVE, "<odometryFrame>o</odometryFrame>")
+    assert told("GAZ032", text, targets=("classic-ros2",)) == []
+    assert told("GAZ032", TEXT.replace(MOVE, "libvendor.so")) == []
