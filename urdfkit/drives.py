@@ -94,6 +94,22 @@ class Wheel(NamedTuple):
     origin: Vector
 
 
+class Rolling(NamedTuple):
+    """A wheel in the frame of the root, when all joints are at zero.
+
+    Attributes:
+        axis: of its joint, of length 1.
+        hub: the centre of its tyre if the shape tells, else None.
+        radius: in m, if the shape tells.
+        origin: of its joint.
+    """
+
+    axis: Vector
+    hub: Vector | None
+    radius: float | None
+    origin: Vector
+
+
 def drive_of(use: Use) -> Kind | None:
     """How a plugin drives; None if it is no drive."""
     return KINDS.get(use.plugin.id) if use.plugin else None
@@ -119,14 +135,19 @@ def wheels(use: Use, tree: KinematicTree) -> Iterator[Wheel]:
         name = reference.parameter.name.lower()
         if joint is None or joint.kind not in ("continuous", "revolute") or "steer" in name:
             continue
-        frame = tree.frames.get(joint.child.value) if joint.child else None
-        axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
-        if frame is None or axis is None or joint.child is None:
-            continue
         side = "left" if "left" in name else "right" if "right" in name else ""
-        hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
-        turned = rotate(frame.rotation, axis)
-        yield Wheel(reference, joint, side, turned, hub, radius, frame.position)
+        if found := rolling(joint, tree):
+            yield Wheel(reference, joint, side, *found)
+
+
+def rolling(joint: Joint, tree: KinematicTree) -> Rolling | None:
+    """What the model tells of the wheel that turns about a joint; None if it is nowhere."""
+    frame = tree.frames.get(joint.child.value) if joint.child else None
+    axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
+    if frame is None or axis is None or joint.child is None:
+        return None
+    hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
+    return Rolling(rotate(frame.rotation, axis), hub, radius, frame.position)
 
 
 def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:

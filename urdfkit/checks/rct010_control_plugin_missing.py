@@ -54,10 +54,13 @@ GOOD = (
     + """
 <gazebo>
   <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
-    <parameters>/opt/ros/humble/share/arm_bringup/config/controllers.yaml</parameters>
+    <parameters>/home/student/arm_description/config/controllers.yaml</parameters>
   </plugin>
 </gazebo>"""
 )
+FILES = {
+    "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
+}
 
 
 @rule(

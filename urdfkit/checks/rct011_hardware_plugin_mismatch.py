@@ -49,10 +49,13 @@ BAD = """\
 </ros2_control>
 <gazebo>
   <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/opt/ros/jazzy/share/arm_bringup/config/controllers.yaml</parameters>
+    <parameters>/home/student/arm_description/config/controllers.yaml</parameters>
   </plugin>
 </gazebo>"""
 GOOD = BAD.replace("gazebo_ros2_control/GazeboSystem", "gz_ros2_control/GazeboSimSystem")
+FILES = {
+    "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
+}
 
 
 @rule(

@@ -1,0 +1,45 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.controls import NEXT, ROBOT, plugin
+from tests.told import messages, places, told
+from urdfkit import check
+
+
+def robot(path: str) -> str:
+    return ROBOT + plugin("gz_ros2_control-system", f"<parameters>{path}</parameters>")
+
+
+def test_a_path_that_leads_nowhere() -> None:
+    assert messages("RCT012", robot("/no/such/folder/c.yaml")) == [
+        "file of parameters '/no/such/folder/c.yaml' does not exist"
+    ]
+    assert places("RCT012", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
+
+
+def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:
+    (tmp_path / "controllers.yaml").write_text("")
+    (message,) = messages("RCT012", robot(f"{tmp_path}/controler.yaml"))
+    assert message.endswith("/controler.yaml' does not exist; did you mean 'controllers.yaml'?")
+    assert told("RCT012", robot(f"{tmp_path}/controllers.yaml")) == []
+
+
+def test_paths_that_say_nothing_here() -> None:
+    for path in ("c.yaml", "$(find p)/c.yaml", "", "package://p/c.yaml"):
+        assert told("RCT012", robot(path)) == []
+    other = plugin("libgazebo_ros_camera.so", "<parameters>/no/such.yaml</parameters>")
+    assert told("RCT012", ROBOT + other) == []
+
+
+def test_a_path_of_a_package(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "c.yaml").write_text("")
+    file = tmp_path / "r.xacro"
+    text = robot("$(find p)/config/c.yaml")
+    file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>')
+    assert check(file, select=["RCT012"]).diagnostics == ()
+    (tmp_path / "config" / "c.yaml").unlink()
+    (found,) = check(file, select=["RCT012"]).diagnostics
+    assert found.message == f"file of parameters '{tmp_path}/config/c.yaml' does not exist"

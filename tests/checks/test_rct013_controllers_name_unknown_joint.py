@@ -1,0 +1,67 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.controls import GZ, ROBOT, control, driven, plugin
+from urdfkit import Diagnostic, check
+from urdfkit.examples import whole_robot
+
+TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+
+
+def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
+    """A controller; its parameters begin on the fourth line."""
+    lines = "".join(f"    {key}: {value}\n" for key, value in parameters.items())
+    return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
+
+
+def told(folder: Path, text: str, blocks: str = "") -> list[Diagnostic]:
+    (folder / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
+    (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    report = check(folder / "r.urdf", select=["RCT013"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def test_a_misspelt_joint(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, controller("arm", joints="[swing, slied]"))
+    assert found.message == (
+        "controller 'arm' names joint 'slied', which is not in the model; did you mean 'slide'?"
+    )
+    assert found.span.source.path == str(tmp_path / "c.yaml")
+    assert (found.span.line, found.span.text) == (4, "slied")
+    (related,) = found.related
+    assert related.span.source.path == str(tmp_path / "r.urdf")
+
+
+def test_every_parameter_that_names_joints(tmp_path: Path) -> None:
+    for kind, parameter in [
+        ("forward_command_controller/ForwardCommandController", "joints"),
+        ("position_controllers/GripperActionController", "joint"),
+        ("diff_drive_controller/DiffDriveController", "left_wheel_names"),
+        ("tricycle_controller/TricycleController", "traction_joint_name"),
+        ("ackermann_steering_controller/AckermannSteeringController", "steering_joints_names"),
+        ("mecanum_drive_controller/MecanumDriveController", "front_left_wheel_command_joint_name"),
+    ]:
+        (found,) = told(tmp_path, controller("c", kind, **{parameter: "swnig"}))
+        assert found.message.startswith("controller 'c' names joint 'swnig'")
+        assert told(tmp_path, controller("c", kind, **{parameter: "swing"})) == []
+
+
+def test_names_of_something_else(tmp_path: Path) -> None:
+    forward = "forward_command_controller/ForwardCommandController"
+    gpio = control(driven("swing"), '<gpio name="lamp"/>', plugin=GZ)
+    assert told(tmp_path, controller("c", forward, joints="[swing, lamp]"), gpio) == []
+    assert told(tmp_path, controller("c", forward, joints="[swing, pid/swnig]")) == []
+    assert told(tmp_path, controller("c", forward, joints="[swing, '$(var p)arm']")) == []
+    assert told(tmp_path, controller("c", "acme/Own", joints="[swing, swnig]")) == []
+    broadcaster = "joint_state_broadcaster/JointStateBroadcaster"
+    assert told(tmp_path, controller("c", broadcaster, extra_joints="[free]")) == []
+
+
+def test_a_controller_of_another_variant(tmp_path: Path) -> None:
+    arm, lift = controller("a", joints="[swing]"), controller("l", joints="[mast, boom]")
+    assert told(tmp_path, arm + lift) == []
+    assert len(told(tmp_path, lift)) == 2, "none of them is for this robot"
+    assert len(told(tmp_path, arm + controller("l", joints="[mast, slide]"))) == 1

@@ -1,0 +1,50 @@
+"""The control plugin of Gazebo names a file of parameters that does not exist.
+
+The plugin hands the file to the controller manager, which stops at it; no controller can be loaded,
+and Gazebo may stop as well. The file has another name or folder, or a package does not install it.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.controllers import parameter_files
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<gazebo>
+  <plugin name="gazebo_ros2_control" filename="libgazebo_ros2_control.so">
+    <parameters>/home/student/arm_description/config/controler.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("controler", "controllers")
+FILES = {
+    "config/controllers.yaml": b"controller_manager:\n  ros__parameters:\n    update_rate: 9\n"
+}
+
+
+@rule(
+    "RCT012",
+    "parameters-file-missing",
+    Severity.ERROR,
+    help="correct the path; $(find package)/config/controllers.yaml holds on every machine",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for file in parameter_files(subject):
+        if file.found is None:
+            folder, name = os.path.split(file.path)
+            hint = did_you_mean(name, os.listdir(folder)) if os.path.isdir(folder) else ""
+            yield Finding(file.at, f"file of parameters '{file.path}' does not exist{hint}")

@@ -1,0 +1,123 @@
+"""A file of controllers names a joint that the model does not have.
+
+The controller finds no interface of that name, cannot be activated, and the robot does not move:
+"not in the list of available interfaces". Correct the name in the file. A controller none of whose
+joints is in the model is taken for another variant of the robot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.ros_control import controllers as catalogue
+from urdfkit.controllers import Controller, Value, controllers
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import Speller
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <collision>
+    <origin rpy="1.5707963 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="continuous">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}\
+<ros2_control name="base" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="left_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+  <joint name="right_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: diff_drive_controller/DiffDriveController
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+    wheel_separation: 0.3
+    wheel_radius: 0.1
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"[left_joint]", b"[left_jiont]"),
+    "config/good.yaml": _YAML,
+}
+
+
+@rule(
+    "RCT013",
+    "controllers-name-unknown-joint",
+    Severity.ERROR,
+    help="correct the name in the file of controllers",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.is_part:
+        return
+    known = set(subject.model.joints_by_name)
+    for component in components(subject.model):  # a controller may command a GPIO, too
+        known.update(part.name for part in component.parts)
+    speller = Speller(known)
+    for file, found in controllers(subject):
+        named = [(controller, _joints(controller)) for controller in found]
+        any_known = any(value.text in known for _, values in named for value in values)
+        for controller, values in named:
+            is_of_robot = any(value.text in known for value in values)
+            for value in values:
+                if value.text in known:
+                    continue
+                meant = speller.meant(value.text)
+                if is_of_robot or meant or not any_known:
+                    yield Finding(
+                        Written(value.span),
+                        f"controller '{controller.name}' names joint '{value.text}', "
+                        "which is not in the model"
+                        + (f"; did you mean '{meant}'?" if meant else ""),
+                        related=(Related(file.at.span, "the file is named here"),),
+                    )
+
+
+def _joints(controller: Controller) -> list[Value]:
+    """The names of joints; those with a slash are interfaces of other controllers."""
+    kind = catalogue().get(controller.type)
+    values = controller.values(kind.joints) if kind else []
+    return [v for v in values if v.text and "/" not in v.text and not is_expression(v.text)]

@@ -1,0 +1,160 @@
+"""A wheel controller takes the wheels for larger, smaller or farther apart than they are.
+
+The controller computes wheel speeds and odometry from its own numbers. With a wrong radius the
+robot drives too fast or too slow, and measures too little or too much; with a wrong distance it
+turns by the wrong angle. The model says where the wheels are and, if their collision is a cylinder
+or a sphere, how large. Write its numbers into the file of controllers, corrections into
+multipliers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.ros_control import Measure
+from urdfkit.catalog.ros_control import controllers as catalogue
+from urdfkit.controllers import Controller, controllers
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.drives import Rolling, between, dot, rolling
+from urdfkit.model import length, number
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.spatial import Vector
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+#: Relative difference; real robots are calibrated within this.
+TOLERANCE = 0.05
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <collision>
+    <origin rpy="1.5707963 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="continuous">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}\
+<ros2_control name="base" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="left_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+  <joint name="right_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: diff_drive_controller/DiffDriveController
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+    wheel_separation: 0.3
+    wheel_radius: 0.1
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"0.3", b"0.2"),
+    "config/good.yaml": _YAML,
+}
+
+
+@rule("RCT014", "wheel-numbers-disagree", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    for file, found in controllers(subject):
+        for controller in found:
+            kind = catalogue().get(controller.type)
+            for measure in kind.measures if kind else ():
+                said = controller.values([measure.parameter])
+                value = number(said[0].text) if said else None
+                real = _real(measure, controller, subject)
+                if value is None or not real or any(map(_near(value), real)):
+                    continue
+                yield Finding(
+                    Written(said[0].span),
+                    f"controller '{controller.name}': {measure.parameter} is {value:g} m, "
+                    f"and in the model it is {real[0]:.4g} m",
+                    f"write {real[0]:.4g}",
+                    related=(Related(file.at.span, "the file is named here"),),
+                    weight=abs(value - real[0]),
+                )
+
+
+def _near(value: float) -> Callable[[float], bool]:
+    return lambda real: abs(value - real) <= TOLERANCE * real
+
+
+def _real(measure: Measure, controller: Controller, subject: Subject) -> list[float]:
+    """What the model says, in m: from the tyres and from the joints. Empty if it says nothing."""
+    sides = [_wheels(controller, names, subject) for names in measure.sides]
+    if not all(sides):
+        return []
+    if measure.kind == "radius":
+        radii = [wheel.radius for wheel in sides[0] if wheel.radius is not None]
+        alike = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
+        return radii[:1] if alike else []
+    if measure.kind == "wheelbase":
+        x, y, _ = between(_centre(sides[0]), _centre(sides[1]))
+        return [length((x, y, 0.0))]
+    if measure.kind == "track":
+        return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
+    left, right = sides[0][0], sides[1][0]
+    if abs(dot(left.axis, right.axis)) < 0.999:
+        return []
+    return _distances(left, right, left.axis)
+
+
+def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[Rolling]:
+    """The wheels that some parameters name; empty if one of them is unknown."""
+    wheels: list[Rolling] = []
+    for value in controller.values(names):
+        joint = subject.model.joints_by_name.get(value.text)
+        wheel = rolling(joint, subject.tree) if joint else None
+        if wheel is None:
+            return []
+        wheels.append(wheel)
+    return wheels
+
+
+def _centre(wheels: list[Rolling]) -> Vector:
+    x, y, z = (sum(part) / len(wheels) for part in zip(*(w.origin for w in wheels), strict=True))
+    return x, y, z
+
+
+def _distances(a: Rolling, b: Rolling, along: Vector | None = None) -> list[float]:
+    """Between the tyres and between the joints of two wheels; along a direction if there is one."""
+    apart = [between(a.origin, b.origin)]
+    if a.hub and b.hub:
+        apart.insert(0, between(a.hub, b.hub))
+    return [abs(dot(way, along)) if along else length(way) for way in apart]
