@@ -86,6 +86,7 @@ def test_references() -> None:
         (DRIVE, {"classic-ros1", "classic-ros2"}),
         ("libgazebo_ros_laser.so", {"classic-ros1"}),
         ("libLiftDragPlugin.so", {"classic", "classic-ros1", "classic-ros2"}),
+        ("libhector_gazebo_ros_imu.so", {"classic-ros1", "classic-ros2"}),
         ("gz-sim-diff-drive-system", {"gz"}),
         ("libvendor.so", set()),
     ],

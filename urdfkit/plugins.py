@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 #: Blocks of ROS 2 in which not every tag is catalogued.
 _FREE = ("ros/qos", "ros/parameter")
 
+_CLASSIC = ("classic-ros1", "classic-ros2")
+#: The packages of which every library is catalogued for both.
+_GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros2_control")
+
 
 class Item(NamedTuple):
     """A tag or an attribute in a plugin.
@@ -148,12 +152,17 @@ def _loaded(use: Use, wanted: set[str]) -> Plugin | None:
 
 
 def generations(use: Use) -> set[str]:
-    """The generations that have a plugin's library; empty if it is not known.
+    """The generations that may have a plugin's library; empty if it is not known.
 
-    A library without ROS runs with both of them.
+    A library without ROS runs with both of them, and of a vendor's library for one of them there
+    may be a port to the other.
     """
-    present = {plugin.generation for plugin in use.known if not plugin.removed}
-    return present | {"classic-ros1", "classic-ros2"} if "classic" in present else present
+    present = [plugin for plugin in use.known if not plugin.removed]
+    found = {plugin.generation for plugin in present}
+    ported = not any(plugin.package in _GAZEBO_ROS for plugin in use.known)
+    if "classic" in found or (ported and not found.isdisjoint(_CLASSIC)):
+        found.update(_CLASSIC)
+    return found
 
 
 def fate(conversion: Conversion, kind: str, name: str) -> str:

@@ -39,7 +39,7 @@ def test_the_successor_of_the_successor(target: str) -> None:
 
 def test_gz_sim_in_classic() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
-    assert [help for _, _, help in heard(text, "classic-ros1")] == ["nothing replaces it"]
+    assert [help for _, _, help in heard(text, "classic-ros1")] == ["nothing is known to take its place there"]
     assert heard(text, "gz-harmonic") == []
 
 
@@ -62,6 +62,12 @@ def test_a_plugin_without_ros_runs_with_both() -> None:
     assert heard(text, "classic-ros1") == []
     assert heard(text, "classic-ros2") == []
     assert len(heard(text, "gz-jetty")) == 1
+
+
+def test_of_a_vendors_plugin_there_may_be_a_port() -> None:
+    text = BASE + plugin("libhector_gazebo_ros_imu.so")
+    assert heard(text, "classic-ros2") == []
+    assert len(heard(text, "gz-harmonic")) == 1
 
 
 def test_an_unknown_plugin_is_of_no_generation() -> None:

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.catalog.plugins import GENERATIONS, Plugin, find
+from urdfkit.catalog.plugins import GENERATIONS, find
 from urdfkit.diagnostic import Severity
+from urdfkit.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:
-    from urdfkit.plugins import Use
     from urdfkit.subject import Subject
 
 FILES = {
@@ -64,7 +64,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     targets = [name for name in subject.targets.names if name in GENERATIONS]
     for use in subject.plugins:
         present = [plugin for plugin in use.known if not plugin.removed]
-        if not targets or not present or any(_runs(use, present, name) for name in targets):
+        if not targets or not present or any(_runs(use, name) for name in targets):
             continue
         found = " and ".join(dict.fromkeys(_NAMES[plugin.generation] for plugin in present))
         wanted = " or ".join(_NAMES[target] for target in targets)
@@ -75,10 +75,10 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _runs(use: Use, present: list[Plugin], target: str) -> bool:
+def _runs(use: Use, target: str) -> bool:
     if target == "gz-fortress" and use.name.startswith("gz::sim::"):
         return False
-    return any(plugin.generation in GENERATIONS[target] for plugin in present)
+    return not generations(use).isdisjoint(GENERATIONS[target])
 
 
 def _successor(use: Use, target: str) -> str:
@@ -88,7 +88,11 @@ def _successor(use: Use, target: str) -> str:
     old = use.known[0]
     for _ in range(len(use.known) + 1):
         if old.successor is None:
-            return f"take its successor: {old.advice}" if old.advice else "nothing replaces it"
+            return (
+                f"take its successor: {old.advice}"
+                if old.advice
+                else "nothing is known to take its place there"
+            )
         found = [one for one in find(old.successor) if not one.removed]
         fits = [one for one in found if one.generation in GENERATIONS[target]]
         if fits:
@@ -96,6 +100,6 @@ def _successor(use: Use, target: str) -> str:
             return f"take {old.successor}{advice}, and see its tags"
         newer = [one for one in found if one.id != old.id and one.generation != old.generation]
         if not newer:
-            return "nothing is known to replace it"
+            return "nothing is known to take its place there"
         old = newer[0]
-    return "nothing is known to replace it"
+    return "nothing is known to take its place there"
