@@ -65,3 +65,10 @@ def test_a_controller_of_another_variant(tmp_path: Path) -> None:
     assert told(tmp_path, arm + lift) == []
     assert len(told(tmp_path, lift)) == 2, "none of them is for this robot"
     assert len(told(tmp_path, arm + controller("l", joints="[mast, slide]"))) == 1
+
+
+def test_a_variant_with_prefixes(tmp_path: Path) -> None:
+    assert told(tmp_path, controller("a", joints="[left_swing, left_slide]")) == []
+    assert told(tmp_path, controller("a", joints="[wing, lide]")) == [], "without its prefix"
+    (found,) = told(tmp_path, controller("a", joints="[swing, left_slide]"))
+    assert found.span.text == "left_slide", "the other one is of this robot"

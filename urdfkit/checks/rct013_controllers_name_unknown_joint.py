@@ -2,7 +2,8 @@
 
 The controller finds no interface of that name, cannot be activated, and the robot does not move:
 "not in the list of available interfaces". Correct the name in the file. A controller none of whose
-joints is in the model is taken for another variant of the robot.
+joints is in the model is taken for one of another variant of the robot, if other controllers fit,
+or if the names differ in a prefix only.
 """
 
 from __future__ import annotations
@@ -103,7 +104,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for controller, values in named:
             is_of_robot = any(value.text in known for value in values)
             for value in values:
-                if value.text in known:
+                if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
                     continue
                 meant = speller.meant(value.text)
                 if is_of_robot or meant or not any_known:
@@ -114,6 +115,11 @@ def check(subject: Subject) -> Iterator[Finding]:
                         + (f"; did you mean '{meant}'?" if meant else ""),
                         related=(Related(file.at.span, "the file is named here"),),
                     )
+
+
+def _is_prefixed(name: str, known: set[str]) -> bool:
+    """True if the model has that joint with another prefix: the file is for another variant."""
+    return any(joint.endswith(name) or name.endswith(joint) for joint in known if joint)
 
 
 def _joints(controller: Controller) -> list[Value]:
