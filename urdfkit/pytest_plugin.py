@@ -13,7 +13,7 @@ urdfkit itself is imported only when a fixture is used.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,11 +26,15 @@ if TYPE_CHECKING:
     from urdfkit.testing import Description
 
 _MARKER = "urdf"
+_SEVERITIES = ("error", "warning", "info")
+_FILES = pytest.StashKey[set[Path]]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """The settings ``urdf_files`` and ``urdf_fail_on``."""
-    parser.addini("urdf_files", "URDF and xacro files (globs) that are tests themselves", "args")
+    parser.addini(
+        "urdf_files", "URDF and xacro files (globs from the root folder) that are tests", "args"
+    )
     parser.addini("urdf_fail_on", "mildest finding that fails such a test", default="warning")
 
 
@@ -42,6 +46,24 @@ def pytest_configure(config: pytest.Config) -> None:
         "a list as the value of an argument runs the test once for each of its items, and "
         "variants are named sets of arguments",
     )
+    fail_on = config.getini("urdf_fail_on")
+    if fail_on not in _SEVERITIES:
+        known = ", ".join(_SEVERITIES)
+        raise pytest.UsageError(f"urdf_fail_on: '{fail_on}' is none of {known}")
+    config.stash[_FILES] = {
+        path for pattern in config.getini("urdf_files") for path in _matching(config, pattern)
+    }
+
+
+def _matching(config: pytest.Config, pattern: str) -> list[Path]:
+    """The files that a pattern of the setting ``urdf_files`` means."""
+    try:
+        found = list(config.rootpath.glob(pattern))
+    except (NotImplementedError, ValueError) as error:
+        raise pytest.UsageError(f"urdf_files: '{pattern}': {error}") from error
+    if not found:
+        raise pytest.UsageError(f"urdf_files: no file in {config.rootpath} matches '{pattern}'")
+    return found
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -49,22 +71,27 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     marker = metafunc.definition.get_closest_marker(_MARKER)
     if marker is None or "marked_urdf" not in metafunc.fixturenames:
         return
-    sets = dict(_argument_sets(**marker.kwargs))
-    if len(sets) > 1:
-        metafunc.parametrize("marked_urdf", list(sets.values()), ids=list(sets), indirect=True)
+    sets = _argument_sets(marker)
+    if [name for name, _ in sets] != [""]:
+        names, arguments = [name for name, _ in sets], [chosen for _, chosen in sets]
+        metafunc.parametrize("marked_urdf", arguments, ids=names, indirect=True)
 
 
-def _argument_sets(
-    args: Mapping[str, Any] | None = None, variants: Mapping[str, Mapping[str, Any]] | None = None
-) -> Iterator[tuple[str, dict[str, str]]]:
+def _argument_sets(marker: pytest.Mark) -> list[tuple[str, dict[str, str]]]:
     """The sets of arguments that a marker means, each with a name."""
-    for name, variant in (variants or {"": {}}).items():
-        every = {**(args or {}), **variant}
+    wrong = marker.kwargs.keys() - {"args", "variants"}
+    if wrong or len(marker.args) != 1:
+        what = f", not {', '.join(sorted(wrong))}" if wrong else ""
+        pytest.fail(f"@pytest.mark.urdf takes a path, args and variants{what}", pytrace=False)
+    sets = []
+    for name, variant in (marker.kwargs.get("variants") or {"": {}}).items():
+        every = {**(marker.kwargs.get("args") or {}), **variant}
         lists = [value if isinstance(value, (list, tuple)) else [value] for value in every.values()]
         for values in product(*lists):
             chosen = dict(zip(every, map(_as_text, values), strict=True))
             varied = [chosen[key] for key, choice in zip(every, lists, strict=True) if choice[1:]]
-            yield "-".join([name, *varied] if name else varied), chosen
+            sets.append(("-".join([name, *varied] if name else varied), chosen))
+    return sets
 
 
 def _as_text(value: object) -> str:
@@ -78,31 +105,35 @@ def urdf(request: pytest.FixtureRequest) -> Callable[..., Description]:
 
     Paths are relative to the test's file, else to pytest's root folder.
     """
-    from urdfkit.testing import Description
 
-    def make(path: str, **arguments: object) -> Description:
+    def make(path: str | Path, /, **arguments: object) -> Description:
         texts = {name: _as_text(value) for name, value in arguments.items()}
-        return Description(_find(request, path), texts)
+        return _description(request, path, texts)
 
     return make
 
 
-def _find(request: pytest.FixtureRequest, path: str) -> str:
-    beside = request.path.parent / path
-    return str(beside if beside.exists() else request.config.rootpath / path)
+def _description(
+    request: pytest.FixtureRequest, path: str | Path, arguments: dict[str, str]
+) -> Description:
+    from urdfkit.testing import Description
+
+    places = [request.path.parent / path, request.config.rootpath / path]
+    found = next((place for place in places if place.is_file()), None)
+    if found is None:
+        told = " nor ".join(dict.fromkeys(map(str, places)))
+        pytest.fail(f"there is no model {told}", pytrace=False)
+    return Description(str(found), arguments)
 
 
 @pytest.fixture
 def marked_urdf(request: pytest.FixtureRequest) -> Description:
     """The model of the test's ``urdf`` marker, with one set of its arguments."""
-    from urdfkit.testing import Description
-
     marker = request.node.get_closest_marker(_MARKER)
-    if marker is None or len(marker.args) != 1:
-        raise pytest.UsageError('mark the test with its model: @pytest.mark.urdf("path")')
-    sets = dict(_argument_sets(**marker.kwargs))
-    arguments = getattr(request, "param", None) or next(iter(sets.values()))
-    return Description(_find(request, marker.args[0]), arguments)
+    if marker is None:
+        pytest.fail('mark the test with its model: @pytest.mark.urdf("path")', pytrace=False)
+    ((_, arguments), *_) = _argument_sets(marker)
+    return _description(request, marker.args[0], getattr(request, "param", arguments))
 
 
 @pytest.fixture
@@ -122,7 +153,8 @@ def check_urdf(urdf: Callable[..., Description]) -> Callable[..., Report]:
     """``check_urdf("urdf/arm.urdf.xacro", side="left")`` fails the test on findings."""
     from urdfkit.testing import assert_no_findings
 
-    def check(path: str, **arguments: object) -> Report:
+    def check(path: str | Path, /, **arguments: object) -> Report:
+        __tracebackhide__ = True
         report = urdf(path, **arguments).report
         assert_no_findings(report)
         return report
@@ -132,12 +164,7 @@ def check_urdf(urdf: Callable[..., Description]) -> Callable[..., Report]:
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> UrdfFile | None:
     """Make the files of the setting ``urdf_files`` tests."""
-    patterns = parent.config.getini("urdf_files")
-    root = parent.config.rootpath
-    if not patterns or not file_path.is_relative_to(root):
-        return None
-    relative = file_path.relative_to(root)
-    if any(relative.match(pattern) or relative.as_posix() == pattern for pattern in patterns):
+    if file_path in parent.config.stash[_FILES]:
         return UrdfFile.from_parent(parent, path=file_path)
     return None
 
@@ -169,7 +196,7 @@ class UrdfItem(pytest.Item):
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         if isinstance(excinfo.value, AssertionError):
-            return str(excinfo.value)
+            return str(excinfo.value).strip()
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:

@@ -1,28 +1,39 @@
 """Assertions about robots, for the tests of projects that hold models.
 
-Every failed assertion says what was measured and what was expected. ``urdfkit.pytest_plugin`` has
-fixtures that go with them; with another test runner, start from a Description.
+Every failed assertion says what was measured and what was expected; pytest shows the line of the
+test that made it. ``urdfkit.pytest_plugin`` has fixtures that go with them; with another test
+runner, start from a Description.
 """
 
 from __future__ import annotations
 
 import os
-import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from functools import cached_property
-from math import sqrt
-from typing import NamedTuple
 
 from urdfkit.config import Config, load, nearest
 from urdfkit.diagnostic import Report, Severity
+from urdfkit.differences import Tolerances, differences
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
-from urdfkit.model import Joint, Link, RobotModel
+from urdfkit.model import Joint, RobotModel
 from urdfkit.resolve import Resolver
+from urdfkit.revisions import check_out
+from urdfkit.rules import matching
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+
+__all__ = [
+    "Description",
+    "Tolerances",
+    "assert_dof",
+    "assert_limits_within",
+    "assert_mass",
+    "assert_no_findings",
+    "assert_unchanged_since",
+]
 
 
 class Description:
@@ -30,12 +41,18 @@ class Description:
 
     Attributes:
         path: of the file.
-        arguments: for xacro.
+        arguments: for xacro, with those of the configuration.
+        config: the settings that hold for it.
     """
 
-    def __init__(self, path: str, arguments: Mapping[str, str] | None = None) -> None:
+    def __init__(
+        self,
+        path: str,
+        arguments: Mapping[str, str] | None = None,
+        config: Config | None = None,
+    ) -> None:
         self.path = path
-        self.config = _config(path)
+        self.config = _config(path) if config is None else config
         self.arguments = {**self.config.arguments, **(arguments or {})}
 
     @cached_property
@@ -54,8 +71,13 @@ class Description:
         resolver = Resolver(dict(self.config.packages))
         subject = Subject(Source.read(self.path), resolver, self.arguments, trust=self.config.trust)
         if subject.reading.document is None:
-            raise AssertionError(_text(self.report))
+            raise AssertionError(_text(self._why_unreadable()))
         return subject.model
+
+    def _why_unreadable(self) -> Report:
+        """Whatever rules the project selects."""
+        config = self.config._replace(robots=(), select=frozenset(), ignore=frozenset())
+        return check(self.path, arguments=self.arguments, config=config, select=("XML", "XAC"))
 
 
 def _config(path: str) -> Config:
@@ -78,11 +100,18 @@ def assert_no_findings(
     Args:
         report: of ``urdfkit.check`` or a fixture.
         fail_on: the mildest severity that counts.
-        ignore: codes, or beginnings of codes, that do not count.
+        ignore: codes, beginnings of codes or names of rules that do not count.
+
+    Raises:
+        UnknownRule: a word of ``ignore`` means no rule.
     """
-    kept = tuple(d for d in report.diagnostics if not d.code.startswith(tuple(ignore) or "-"))
-    if report._replace(diagnostics=kept).exit_code(fail_on):
-        raise AssertionError(_text(report._replace(diagnostics=kept)))
+    __tracebackhide__ = True
+    ignored = {code for word in ignore for code in matching(word)}
+    kept = report._replace(
+        diagnostics=tuple(d for d in report.diagnostics if d.code not in ignored)
+    )
+    if kept.exit_code(fail_on):
+        raise AssertionError(_text(kept))
 
 
 def _text(report: Report) -> str:
@@ -93,6 +122,7 @@ def _text(report: Report) -> str:
 
 def assert_dof(model: RobotModel, expected: int) -> None:
     """Fail unless the robot has so many degrees of freedom; followers of mimic have none."""
+    __tracebackhide__ = True
     if model.degrees_of_freedom != expected:
         moving = ", ".join(joint.name for joint in model.joints if joint.degrees_of_freedom)
         raise AssertionError(
@@ -108,6 +138,7 @@ def assert_mass(model: RobotModel, expected: float, *, tolerance: float = 1e-3) 
         expected: in kg.
         tolerance: in kg.
     """
+    __tracebackhide__ = True
     if abs(model.mass - expected) > tolerance:
         raise AssertionError(f"total mass {model.mass:g} kg, not {expected:g} +- {tolerance:g} kg")
 
@@ -122,6 +153,7 @@ def assert_limits_within(
         bounds: least and greatest value by joint name or pattern, in rad or m (and rad/s, N m).
         of: ``position``, ``velocity`` or ``effort``.
     """
+    __tracebackhide__ = True
     wrong: list[str] = []
     for pattern, (least, greatest) in bounds.items():
         joints = [joint for joint in model.joints if fnmatchcase(joint.name, pattern)]
@@ -144,129 +176,59 @@ def _limits(joint: Joint, of: str) -> dict[str, float | None]:
     return {name: placed.value if placed else None for name, placed in limits.items()}
 
 
-class Tolerances(NamedTuple):
-    """How much a model may differ from another revision of it.
-
-    Attributes:
-        mass: relative, per link.
-        position: of joint origins, in m.
-        rotation: of joint origins, in rad.
-        inertia: of the tensor, relative to its greatest entry.
-        limit: of joint limits, relative.
-        links, joints: True if some may come or go.
-    """
-
-    mass: float = 1e-3
-    position: float = 1e-4
-    rotation: float = 1e-4
-    inertia: float = 1e-3
-    limit: float = 1e-6
-    links: bool = False
-    joints: bool = False
-
-
 def assert_unchanged_since(
     description: Description, revision: str, tolerances: Tolerances | None = None
 ) -> None:
     """Fail if a model differs from a git revision of it by more than the tolerances.
 
     The files of that revision are read from git into a temporary folder; the working tree is
-    not touched.
+    not touched. Arguments and settings are the present ones. ``urdfkit.differences`` says what
+    is compared.
+
+    Args:
+        description: the model, as the fixture ``urdf`` makes it.
+        revision: a tag, branch or commit.
+        tolerances: those of the class unless given.
 
     Raises:
-        UrdfkitError: there is no such revision, or git is not there.
+        AssertionError: it differs; with every difference.
+        UrdfkitError: there is no such revision, the file is not in it or cannot be read as it
+            was, or git is not there.
     """
+    __tracebackhide__ = True
     with tempfile.TemporaryDirectory() as folder:
-        path = _check_out(description.path, revision, folder)
-        before = Description(path, description.arguments).model
+        before = _as_it_was(description, revision, folder)
         found = differences(before, description.model, tolerances or Tolerances())
     if found:
         raise AssertionError(f"since {revision}:\n" + "\n".join(found))
 
 
-def _check_out(path: str, revision: str, folder: str) -> str:
-    """The file as it was, with everything that was beside it in the repository."""
-    where = os.path.dirname(os.path.abspath(path))
-    top = _git(where, "rev-parse", "--show-toplevel").decode().strip()
-    archive = _git(top, "archive", "--format=tar", revision)
-    subprocess.run(["tar", "-x", "-C", folder], input=archive, check=True, capture_output=True)
-    return os.path.join(folder, os.path.relpath(os.path.realpath(path), os.path.realpath(top)))
-
-
-def _git(folder: str, *words: str) -> bytes:
+def _as_it_was(description: Description, revision: str, folder: str) -> RobotModel:
+    """The model in a revision, whose files are put into a folder."""
+    path = os.path.realpath(description.path)
+    top = check_out(path, revision, folder)
+    config = description.config._replace(packages=_packages(description, top, folder))
+    old = Description(_moved(path, top, folder), description.arguments, config)
+    if not os.path.exists(old.path):
+        raise UrdfkitError(f"{description.path} is not in revision {revision}")
     try:
-        return subprocess.run(["git", "-C", folder, *words], check=True, capture_output=True).stdout
-    except FileNotFoundError as error:
-        raise UrdfkitError("git is not installed") from error
-    except subprocess.CalledProcessError as error:
-        raise UrdfkitError(f"git {' '.join(words)}: {error.stderr.decode().strip()}") from error
+        return old.model
+    except AssertionError as error:
+        raise UrdfkitError(f"{description.path} at {revision} cannot be read:{error}") from error
 
 
-def differences(before: RobotModel, after: RobotModel, allowed: Tolerances) -> list[str]:
-    """What differs between two models by more than the tolerances, a sentence each."""
-    found: list[str] = []
-    if not allowed.links:
-        found += _names("link", before.links_by_name, after.links_by_name)
-    if not allowed.joints:
-        found += _names("joint", before.joints_by_name, after.joints_by_name)
-    for name, link in before.links_by_name.items():
-        if name in after.links_by_name:
-            found += _link_differences(link, after.links_by_name[name], allowed)
-    for name, joint in before.joints_by_name.items():
-        if name in after.joints_by_name:
-            found += _joint_differences(joint, after.joints_by_name[name], allowed)
-    return found
+def _packages(description: Description, top: str, folder: str) -> dict[str, str]:
+    """The packages that the model may need: of the repository as they were, else as they are."""
+    given = {name: os.path.realpath(at) for name, at in description.config.packages.items()}
+    around = Resolver().packages.known(description.path)
+    outside = {name: at for name, at in around.items() if not _is_within(at, top)}
+    return outside | {name: _moved(at, top, folder) for name, at in given.items()}
 
 
-def _names(kind: str, before: Iterable[str], after: Iterable[str]) -> list[str]:
-    old, new = set(before), set(after)
-    gone = [f"{kind} '{name}' is gone" for name in sorted(old - new)]
-    return gone + [f"{kind} '{name}' is new" for name in sorted(new - old)]
+def _moved(path: str, top: str, folder: str) -> str:
+    """A path of the repository in the folder that holds its old files; others stay."""
+    return os.path.join(folder, os.path.relpath(path, top)) if _is_within(path, top) else path
 
 
-def _link_differences(before: Link, after: Link, allowed: Tolerances) -> list[str]:
-    found: list[str] = []
-    old, new = before.mass, after.mass
-    if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
-        found.append(f"link '{before.name}': mass {old:g} kg became {new:g} kg")
-    tensors = [_tensor(before), _tensor(after)]
-    scale = max(abs(entry) for tensor in tensors for entry in tensor)
-    if _distance(*tensors) > allowed.inertia * scale:
-        texts = [", ".join(f"{entry:g}" for entry in tensor) for tensor in tensors]
-        found.append(f"link '{before.name}': inertia {texts[0]} became {texts[1]} kg m^2")
-    return found
-
-
-def _tensor(link: Link) -> tuple[float, ...]:
-    return link.inertial.tensor.value if link.inertial and link.inertial.tensor else (0.0,) * 6
-
-
-def _distance(before: Iterable[float], after: Iterable[float]) -> float:
-    return sqrt(sum((new - old) ** 2 for old, new in zip(before, after, strict=True)))
-
-
-def _joint_differences(before: Joint, after: Joint, allowed: Tolerances) -> list[str]:
-    name = f"joint '{before.name}'"
-    found: list[str] = []
-    if before.kind != after.kind:
-        found.append(f"{name}: type {before.kind} became {after.kind}")
-    moved = _distance(before.origin.position, after.origin.position)
-    if moved > allowed.position:
-        found.append(f"{name}: its origin moved by {moved:.4g} m")
-    axes = [[e for row in joint.origin.rotation for e in row] for joint in (before, after)]
-    turned = _distance(*axes) / sqrt(2)  # |R - R'| = sqrt(2) 2 sin(angle / 2)
-    if turned > allowed.rotation:
-        found.append(f"{name}: its origin turned by {turned:.4g} rad")
-    for of in ("position", "velocity", "effort"):
-        new_limits = _limits(after, of)
-        for key, old_value in _limits(before, of).items():
-            new_value = new_limits[key]
-            if not _alike(old_value, new_value, allowed.limit):
-                found.append(f"{name}: {key} {old_value} became {new_value}")
-    return found
-
-
-def _alike(old: float | None, new: float | None, tolerance: float) -> bool:
-    if old is None or new is None:
-        return old is new
-    return abs(new - old) <= tolerance * max(abs(old), abs(new))
+def _is_within(path: str, folder: str) -> bool:
+    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(folder, ""))

@@ -1,0 +1,176 @@
+"""What differs between two states of a robot, by more than some tolerances.
+
+Compared is what a program reads out of the model: names, masses, centres of mass, inertia
+tensors, shapes, and of joints type, links, origin, axis, limits and mimic. How the file is
+written, colours, and the blocks for single programs are not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import dist
+from typing import NamedTuple
+
+from urdfkit.inertia import rotated
+from urdfkit.model import Body, Inertial, Joint, Limit, Link, RobotModel, Shape, length
+from urdfkit.spatial import Frame, Vector
+
+#: Axis of a joint that names none.
+_DEFAULT_AXIS = (1.0, 0.0, 0.0)
+
+
+class Tolerances(NamedTuple):
+    """How much a model may differ from another state of it.
+
+    Attributes:
+        mass: relative, per link.
+        position: of origins and centres of mass, and of the sizes of shapes, in m.
+        rotation: of origins and axes, in rad.
+        inertia: of the tensor, relative to its greatest entry.
+        limit: of joint limits, relative.
+        links, joints: True if some may come or go.
+    """
+
+    mass: float = 1e-3
+    position: float = 1e-4
+    rotation: float = 1e-4
+    inertia: float = 1e-3
+    limit: float = 1e-6
+    links: bool = False
+    joints: bool = False
+
+
+def differences(before: RobotModel, after: RobotModel, allowed: Tolerances) -> list[str]:
+    """What differs between two models by more than the tolerances, a sentence each."""
+    found: list[str] = []
+    if not allowed.links:
+        found += _names("link", before.links_by_name, after.links_by_name)
+    if not allowed.joints:
+        found += _names("joint", before.joints_by_name, after.joints_by_name)
+    for name, link in before.links_by_name.items():
+        if new_link := after.links_by_name.get(name):
+            found += (f"link '{name}': {what}" for what in _of_link(link, new_link, allowed))
+    for name, joint in before.joints_by_name.items():
+        if new_joint := after.joints_by_name.get(name):
+            found += (f"joint '{name}': {what}" for what in _of_joint(joint, new_joint, allowed))
+    return found
+
+
+def _names(kind: str, before: Iterable[str], after: Iterable[str]) -> list[str]:
+    old, new = set(before), set(after)
+    gone = [f"{kind} '{name}' is gone" for name in sorted(old - new)]
+    return gone + [f"{kind} '{name}' is new" for name in sorted(new - old)]
+
+
+def _of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[str]:
+    old, new = before.mass, after.mass
+    if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
+        yield f"mass {old:g} kg became {new:g} kg"
+    if old or new:  # the place of no mass means nothing
+        moved = dist(_center(before.inertial), _center(after.inertial))
+        if moved > allowed.position:
+            yield f"its centre of mass moved by {moved:.4g} m"
+    tensors = _tensor(before.inertial), _tensor(after.inertial)
+    scale = max(abs(entry) for tensor in tensors for entry in tensor)
+    if dist(*tensors) > allowed.inertia * scale:
+        texts = [", ".join(f"{entry:g}" for entry in tensor) for tensor in tensors]
+        yield f"inertia {texts[0]} became {texts[1]} kg m^2"
+    for kind in ("visuals", "collisions"):
+        yield from _of_bodies(kind, getattr(before, kind), getattr(after, kind), allowed)
+
+
+def _center(inertial: Inertial | None) -> Vector:
+    return inertial.origin.position if inertial else (0.0, 0.0, 0.0)
+
+
+def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
+    """Along the axes of the link."""
+    if inertial is None or inertial.tensor is None:
+        return (0.0,) * 6
+    return rotated(inertial.tensor.value, inertial.origin.rotation)
+
+
+def _of_bodies(
+    kind: str, before: Sequence[Body], after: Sequence[Body], allowed: Tolerances
+) -> Iterator[str]:
+    if len(before) != len(after):
+        yield f"{len(before)} {kind} became {len(after)}"
+        return
+    for number, (old, new) in enumerate(zip(before, after, strict=True), 1):
+        name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
+        (old_kind, old_size), (new_kind, new_size) = _shape(old.shape), _shape(new.shape)
+        if old_kind != new_kind:
+            yield f"{name} {old_kind} became {new_kind}"
+        elif len(old_size) != len(new_size) or dist(old_size, new_size) > allowed.position:
+            texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
+            yield f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
+        yield from _of_frames(name, old.origin, new.origin, allowed)
+
+
+def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
+    """What it is, and its numbers."""
+    if shape is None:
+        return "nothing", ()
+    if shape.filename:
+        return f"mesh {shape.filename.value}", shape.scale
+    lengths = (*(shape.size or ()), shape.radius, shape.length)
+    return shape.kind, tuple(value for value in lengths if value is not None)
+
+
+def _of_frames(name: str, before: Frame, after: Frame, allowed: Tolerances) -> Iterator[str]:
+    moved = dist(before.position, after.position)
+    if moved > allowed.position:
+        yield f"the origin of its {name} moved by {moved:.4g} m"
+    axes = [[entry for row in frame.rotation for entry in row] for frame in (before, after)]
+    turned = dist(*axes) / 2**0.5  # |R - R'| = sqrt(2) 2 sin(angle / 2)
+    if turned > allowed.rotation:
+        yield f"the origin of its {name} turned by {turned:.4g} rad"
+
+
+def _of_joint(before: Joint, after: Joint, allowed: Tolerances) -> Iterator[str]:
+    for what, old, new in (
+        ("type", before.kind, after.kind),
+        ("parent", before.parent and before.parent.value, after.parent and after.parent.value),
+        ("child", before.child and before.child.value, after.child and after.child.value),
+        ("mimic", _mimic(before), _mimic(after)),
+    ):
+        if old != new:
+            yield f"{what} {old or 'none'} became {new or 'none'}"
+    yield from _of_frames("frame", before.origin, after.origin, allowed)
+    if after.kind != "fixed":
+        turned = dist(_axis(before), _axis(after))
+        if turned > allowed.rotation:
+            yield f"its axis turned by {turned:.4g} rad"
+    for key in ("lower", "upper", "velocity", "effort"):
+        limits = _limit(before.limit, key), _limit(after.limit, key)
+        if not _alike(*limits, allowed.limit):
+            yield " became ".join([f"{key} {_text(limits[0])}", _text(limits[1])])
+
+
+def _axis(joint: Joint) -> Vector:
+    """A unit vector in the frame of the joint."""
+    axis = joint.axis.value if joint.axis else _DEFAULT_AXIS
+    size = length(axis) or 1.0
+    return (axis[0] / size, axis[1] / size, axis[2] / size)
+
+
+def _mimic(joint: Joint) -> str:
+    mimic = joint.mimic
+    if mimic is None or mimic.joint is None:
+        return ""
+    return f"{mimic.joint.value} x {mimic.multiplier:g} + {mimic.offset:g}"
+
+
+def _limit(limit: Limit | None, key: str) -> float | None:
+    placed = getattr(limit, key) if limit else None
+    return placed.value if placed else None
+
+
+def _alike(old: float | None, new: float | None, tolerance: float) -> bool:
+    if old is None or new is None:
+        return old is new
+    return abs(new - old) <= tolerance * max(abs(old), abs(new))
+
+
+def _text(value: float | None) -> str:
+    return "none" if value is None else f"{value:g}"
