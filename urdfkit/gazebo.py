@@ -120,6 +120,11 @@ class Conversion:
             for link, _ in simulated.body.links
         }
 
+    @cached_property
+    def joint_names(self) -> frozenset[str]:
+        """The names of the joints that Gazebo has."""
+        return frozenset(simulated.joint.name for simulated in self.joints)
+
     @property
     def merged(self) -> dict[str, str]:
         """The link that each merged link became part of."""

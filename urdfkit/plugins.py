@@ -102,15 +102,14 @@ class Use(NamedTuple):
     def unread(self, plugin: Plugin) -> list[Item]:
         """The tags that a plugin does not read; of a block that it does not know only the first."""
         found: list[Item] = []
-        closed: list[str] = []
+        closed = ""  # what is in a tag follows right behind it
         for item in self.items():
-            if "@" in item.path or any(item.path.startswith(outer) for outer in closed):
+            if "@" in item.path or (closed and item.path.startswith(closed)):
                 continue
-            if not plugin.reads(item.path):
+            known = plugin.reads(item.path)
+            if not known:
                 found.append(item)
-                closed.append(f"{item.path}/")
-            elif item.path in _FREE:
-                closed.append(f"{item.path}/")
+            closed = f"{item.path}/" if not known or item.path in _FREE else ""
         return found
 
     def references(self) -> Iterator[Reference]:
@@ -185,7 +184,7 @@ def fate(conversion: Conversion, kind: str, name: str) -> str:
     joint = model.joints_by_name.get(name)
     if joint is None:
         return "unknown"
-    if any(simulated.joint.name == name for simulated in conversion.joints):
+    if name in conversion.joint_names:
         return "kept"
     if joint.child is not None and joint.child.value in conversion.dropped:
         return "dropped"

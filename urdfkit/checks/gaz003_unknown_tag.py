@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.catalog.extensions import copied, extensions, meant
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.edits import rename_element
-from urdfkit.nearest import nearest
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -48,12 +48,13 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
                 strange.setdefault(child.tag, []).append(child)
+    speller = Speller(known)
     for tag, elements in strange.items():
-        right = meant().get(tag) or nearest(tag, known, 0.8)
-        if right is None:
-            yield _unknown(tag, elements)
-        else:
+        right = meant().get(tag) or speller.meant(tag)
+        if right:
             yield from (_slip(element, right) for element in elements)
+        else:
+            yield _unknown(tag, elements)
 
 
 def _unknown(tag: str, elements: list[Element]) -> Finding:

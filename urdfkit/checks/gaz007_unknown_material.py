@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from urdfkit.catalog.materials import materials
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_text
-from urdfkit.nearest import nearest
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -43,18 +43,18 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = materials()
+    speller = Speller([name for name in known if not known[name].internal])
     for block in subject.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
             # Another prefix is that of a vendor's own scripts.
             if name not in known and ("/" not in name or name.lower().startswith("gazebo/")):
-                yield _finding(child, name, [one for one in known if not known[one].internal])
+                yield _finding(child, name, speller)
 
 
-def _finding(child: Element, name: str, known: list[str]) -> Finding:
-    bare = name.rpartition("/")[2].casefold()
-    right = next((one for one in known if one.rpartition("/")[2].casefold() == bare), None)
-    right = right or nearest(name, known, 0.8)
+def _finding(child: Element, name: str, speller: Speller) -> Finding:
+    bare = name.rpartition("/")[2]
+    right = (speller.meant(f"Gazebo/{bare}") or speller.meant(name)) if bare else ""
     edits = replace_text(child, right) if right and not child.get("value") else None
     return Finding(
         child,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import files
 from urdfkit.diagnostic import Severity
-from urdfkit.nearest import nearest
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -39,12 +39,13 @@ GOOD = BAD.replace("mvoe", "move")
 )
 def check(subject: Subject) -> Iterator[Finding]:
     told: set[str] = set()
+    speller = Speller(files())
     for use in subject.plugins:
         name = use.filename
         if use.known or not name or name in told:
             continue
         told.add(name)  # one robot may use a library a hundred times
-        meant = nearest(name, files(), 0.9)
+        meant = speller.meant(name)
         yield Finding(
             use.at.attributes["filename"],
             f"'{name}' is no plugin of Gazebo or ROS that is known here",

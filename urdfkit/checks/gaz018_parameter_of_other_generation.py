@@ -53,13 +53,14 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
+        given = {item.path for item in use.items()}
         for found in unread(use):
             if found.other is None or use.plugin is None:
                 continue
             element = found.item.at
             assert isinstance(element, Element)
             new = _renamed(found.item, use.plugin)
-            edits = rename_element(element, new) if new and not use.values(new) else None
+            edits = rename_element(element, new) if new and new not in given else None
             yield Finding(
                 element,
                 f"{use.title} reads <{element.tag}> in {_NAMES[found.other.generation]}, and "
