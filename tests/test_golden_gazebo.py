@@ -1,0 +1,119 @@
+"""What the rules about Gazebo's tags and plugins say about the mission's own robot, exactly."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from tests.conftest import MODELS, SHARED, manifest
+from urdfkit import engine, rules
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.source import Source
+
+ROBOT = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+FAMILY = [code for code in rules.codes() if "GAZ001" <= code <= "GAZ034"]
+
+#: Codes and places whatever the target is.
+ALWAYS = [
+    ("GAZ016", "<bodyName>"),
+    ("GAZ016", "<enableYAxis>"),
+    ("GAZ029", '<joint name="base_to_wheel1" type="continuous">'),
+    ("GAZ030", "<commandTopic>"),
+    ("GAZ030", "<imageTopicName>"),
+    ("GAZ030", "<odometryTopic>"),
+    ("GAZ030", "<topicName>"),
+    ("GAZ030", "<topicName>"),
+    ("GAZ031", "<robotBaseFrame>"),
+]
+OLD_TAGS = (
+    "updateRate cameraName imageTopicName cameraInfoTopicName frameName hackBaseline distortionK1 "
+    "distortionK2 distortionK3 distortionT1 distortionT2 commandTopic odometryTopic odometryFrame "
+    "odometryRate robotBaseFrame topicName updateRateHZ gaussianNoise xyzOffset rpyOffset frameName"
+).split()
+
+
+def found(*targets: str) -> list[Diagnostic]:
+    report = engine.check(str(ROBOT), select=FAMILY, targets=targets)
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def test_as_it_is() -> None:
+    heard = found()
+    assert sorted((one.code, one.span.text) for one in heard) == ALWAYS
+    warnings = [one.code for one in heard if one.severity.value != "info"]
+    assert warnings == ["GAZ031"]
+
+
+def test_the_inferred_generation_is_that_of_ros1() -> None:
+    assert sorted((one.code, one.span.text) for one in found("classic-ros1")) == ALWAYS
+
+
+def test_for_ros2_the_old_tags_and_the_old_laser_are_told() -> None:
+    heard = found("classic-ros2")
+    (laser,) = [one for one in heard if one.code == "GAZ012"]
+    assert laser.severity.value == "error"
+    assert laser.span.text == "libgazebo_ros_laser.so"
+    assert "take libgazebo_ros_ray_sensor.so" in laser.help
+    old = [one for one in heard if one.code == "GAZ018"]
+    assert Counter(one.span.text.strip("<>") for one in old) == Counter(OLD_TAGS)
+    assert {one.severity.value for one in old} == {"warning"}
+
+
+@pytest.mark.parametrize("target", ["gz-fortress", "gz-harmonic", "gz-jetty"])
+def test_gz_loads_none_of_its_plugins(target: str) -> None:
+    errors = [one for one in found(target) if one.severity.value == "error"]
+    assert [(one.code, one.span.text) for one in errors] == [
+        ("GAZ012", "libgazebo_ros_laser.so"),
+        ("GAZ012", "libgazebo_ros_camera.so"),
+        ("GAZ012", "libgazebo_ros_planar_move.so"),
+        ("GAZ012", "libgazebo_ros_imu_sensor.so"),
+    ]
+
+
+def test_errors_on_real_robots_are_those_that_were_looked_at() -> None:
+    """Blocks of the PR2 that refer to links which a later version of the robot lost."""
+    robots = list(manifest())
+    if not robots:
+        pytest.skip(f"{SHARED} is not beside this checkout")
+    errors: Counter[tuple[str, str]] = Counter()
+    for folder, model in robots:
+        arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
+        report = engine.check(str(folder / model["path"]), arguments=arguments, select=FAMILY)
+        assert report.crashed == ()
+        errors.update(
+            (one.code, one.message.rpartition("there is no ")[2])
+            for one in report.diagnostics
+            if one.severity.value == "error"
+        )
+    gone = "link or joint"
+    assert set(errors) == {
+        ("GAZ001", f"{gone} '{name}'")
+        for name in (
+            "double_stereo_double_stereo_link",
+            "sensor_mount_sensor_link",
+            "plug_holder_2",
+            "plug_holder_3",
+            "plug_holder_4",
+            "r_gripper_l_parallel_link",
+            "r_gripper_r_parallel_link",
+            "l_gripper_l_parallel_link",
+            "l_gripper_r_parallel_link",
+        )
+    }
+
+
+def test_a_hostile_robot_takes_no_time() -> None:
+    size = 20_000
+    names = "".join(f"<t{n}/>" for n in range(size))
+    joints = ",".join(f"j{n}" for n in range(size))
+    text = (
+        f'<robot name="r"><link name="base"/><gazebo reference="base">{names}</gazebo><gazebo>'
+        f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{names}</plugin>'
+        f'<plugin name="p" filename="libgazebo_ros_joint_state_publisher.so">'
+        f"<jointName>{joints}</jointName></plugin></gazebo></robot>"
+    )
+    report = engine.check(Source("robot.urdf", text.encode()), select=FAMILY)
+    assert report.crashed == ()
+    assert {one.code for one in report.diagnostics} == {"GAZ003", "GAZ016", "GAZ021"}
