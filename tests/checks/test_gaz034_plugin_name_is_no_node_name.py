@@ -33,4 +33,4 @@ def test_other_plugins_are_no_nodes_of_that_name() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame>", "a-b")
     assert told("GAZ034", text) == []
     assert told("GAZ034", BASE + plugin("gz-sim-imu-system", name="gz::sim::systems::Imu")) == []
-    assert told("GAZ034", BASE + plugin("libgazebo_ros2_control.so", name="a-b")) == []
+    assert told("GAZ034", BASE + plugin("libvendor.so", name="a-b")) == []
