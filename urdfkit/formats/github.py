@@ -5,9 +5,8 @@ Source of the form: GitHub's documentation of workflow commands.
 
 from __future__ import annotations
 
-import os
-
 from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.formats._paths import relative
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 
@@ -26,7 +25,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
     span = diagnostic.span
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
-    path = os.path.relpath(span.source.path).replace(os.sep, "/")
+    path = relative(span.source.path)
     properties = f"file={_property(path)},line={line},endLine={end_line}"
     if end_line == line:  # GitHub takes columns for one line only
         properties += f",col={column},endColumn={end_column}"

@@ -6,11 +6,11 @@ Source of the form: GitLab's documentation of code quality reports.
 from __future__ import annotations
 
 import json
-import os
 from typing import Any
 
 from urdfkit.baseline import fingerprints
 from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.formats._paths import relative
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
@@ -32,7 +32,7 @@ def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, Any]:
         "fingerprint": mark,
         "severity": _SEVERITIES[diagnostic.severity],
         "location": {
-            "path": os.path.relpath(span.source.path).replace(os.sep, "/"),
+            "path": relative(span.source.path),
             "positions": {
                 "begin": {"line": line, "column": column},
                 "end": {"line": end_line, "column": end_column},

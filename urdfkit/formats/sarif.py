@@ -15,6 +15,7 @@ from typing import Any
 from urdfkit import __version__, rules
 from urdfkit.baseline import fingerprints
 from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.formats._paths import relative
 from urdfkit.source import Source, Span
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
@@ -135,11 +136,11 @@ def _location(span: Span) -> dict[str, Any]:
 def _artifact(source: Source) -> dict[str, Any]:
     from urllib.parse import quote
 
-    path = os.path.relpath(source.path) if os.path.isabs(source.path) else source.path
-    path = os.path.normpath(path).replace(os.sep, "/")
+    path = relative(source.path)
     if path.startswith("../"):
-        return {"uri": "file://" + quote(os.path.abspath(source.path).replace(os.sep, "/"))}
-    return {"uri": quote(path), "uriBaseId": "SRCROOT"}
+        whole = os.path.abspath(source.path).replace(os.sep, "/")
+        return {"uri": "file://" + quote(os.fsencode(whole))}
+    return {"uri": quote(os.fsencode(path)), "uriBaseId": "SRCROOT"}
 
 
 def _region(span: Span) -> dict[str, int]:
