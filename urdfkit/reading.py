@@ -135,7 +135,7 @@ def _undecodable(source: Source, start: int) -> Problem:
         return Problem("XML002", at, message)
     try:
         "".encode(source.encoding)
-    except LookupError:
+    except (LookupError, UnicodeError):  # the latter of the codec 'undefined'
         at = Span(source, *declared.span(1))
         return Problem("XML002", at, f"the declared encoding '{source.encoding}' does not exist")
     return Problem("XML002", at, f"this byte is not {source.encoding}, which the file declares")

@@ -14,6 +14,8 @@ from urdfkit.nearest import did_you_mean
 MAX_BYTES = 64 * 1024 * 1024
 
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([A-Za-z0-9._-]+)["']""")
+#: Codecs of Python that are no encodings of XML; some take quadratic time.
+_CODES = frozenset("idna punycode raw_unicode_escape undefined unicode_escape".split())
 _BYTE_ORDER_MARKS = (
     (b"\xef\xbb\xbf", "utf-8-sig"),
     (b"\xff\xfe\x00\x00", "utf-32"),
@@ -84,6 +86,8 @@ class Source:
                 return data[: error.start] + _ascii_only(data[error.start :])
             return data
         try:
+            if self.encoding.replace("-", "_") in _CODES:
+                raise LookupError(self.encoding)
             return data.decode(self.encoding).encode("utf-8")
         except UnicodeError as error:
             self.undecodable = getattr(error, "start", 0)

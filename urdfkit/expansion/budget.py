@@ -6,7 +6,7 @@ import time
 
 from urdfkit.reading import TooMuch
 
-MAX_SECONDS = 60.0
+MAX_SECONDS = 30.0
 #: Characters and items, counted together, that one expansion may make; with what Python needs
 #: for them half a gigabyte. The largest public robots need a twentieth.
 MAX_UNITS = 30_000_000

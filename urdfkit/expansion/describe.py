@@ -161,7 +161,7 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         message = f"package '{cause.name}' is not found; searched: {searched}"
         return "XAC011", message, f"name its folder: --package {cause.name}=DIR"
     if isinstance(cause, EscapesRoots):
-        return "XAC012", f"{cause} is outside the workspace and the packages of this model", ""
+        return "XAC012", str(cause), ""
     if isinstance(cause, MissingArgument):
         return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
     return "XAC001", *words(run, error, cause)

@@ -14,7 +14,7 @@ from xml.parsers import expat
 
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
-from urdfkit.reading import Problem, entity_problem
+from urdfkit.reading import Problem, TooMuch, entity_problem
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -22,7 +22,11 @@ if TYPE_CHECKING:
 
 ELEMENT = minidom.Node.ELEMENT_NODE
 TEXT = minidom.Node.TEXT_NODE
+COMMENT = minidom.Node.COMMENT_NODE
 CDATA = minidom.Node.CDATA_SECTION_NODE
+
+#: Elements in one another; xacro works on them by recursion. Real robots have ten.
+MAX_DEPTH = 500
 
 # minidom's stubs describe the DOM, not the attributes that its own code works with.
 _StockElement: Any = minidom.Element
@@ -42,6 +46,7 @@ class Node(_StockElement):  # type: ignore[misc]
         given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
         traces: what the expressions of its attributes looked up, if the run is traced.
         budget: what the whole expansion may make.
+        cursor: number of the child that was looked for last.
     """
 
     tag_at: Tag
@@ -51,6 +56,7 @@ class Node(_StockElement):  # type: ignore[misc]
     given: dict[str, Tag] | None
     traces: dict[str, tuple[Origin, ...]] | None
     budget: Budget
+    cursor = 0
 
     def cloneNode(self, deep: bool) -> Any:  # noqa: N802 - the name of the DOM
         frame = self.frame
@@ -154,18 +160,87 @@ def replace_node(node: Any, by: Any, content_only: bool = False) -> None:
             if one.parentNode is not None:
                 one.parentNode.removeChild(one)
     parent = node.parentNode
-    at = parent.childNodes.index(node)
+    parent.budget.charge(1)
+    at = _index(parent, node)
     parent.childNodes[at : at + 1] = coming
-    previous = node.previousSibling
-    for one in (*coming, node.nextSibling):
+    _link(node.previousSibling, coming, node.nextSibling)
+    for one in coming:
+        one.parentNode = parent
+    node.parentNode = node.previousSibling = node.nextSibling = None
+
+
+def _index(parent: Node, node: Any) -> int:
+    """Where a child stands; near the one asked for before, as xacro works from left to right."""
+    siblings = parent.childNodes
+    start = max(parent.cursor - 8, 0)
+    try:
+        parent.cursor = siblings.index(node, start, start + 24)
+    except ValueError:
+        parent.cursor = siblings.index(node)
+    return parent.cursor
+
+
+def _link(before: Any, nodes: list[Any], after: Any) -> None:
+    """Make nodes siblings, in their order."""
+    previous = before
+    for one in (*nodes, after):
         if one is not None:
             one.previousSibling = previous
         if previous is not None:
             previous.nextSibling = one
         previous = one
-    for one in coming:
-        one.parentNode = parent
-    node.parentNode = node.previousSibling = node.nextSibling = None
+
+
+def remove_previous_comments(node: Any, marker: Any) -> None:
+    """xacro's function of this name; by one step instead of one for every comment.
+
+    Args:
+        node: the element above which comments go.
+        marker: an empty text that keeps the next element from taking those above.
+    """
+    comments: list[Any] = []
+    previous = node.previousSibling
+    while previous is not None:
+        if _is_line_end(previous):
+            previous = previous.previousSibling
+        if previous is None or previous.nodeType != COMMENT:
+            if node.nextSibling not in (None, marker):
+                _insert_after(node, marker)
+            break
+        comments.append(previous)
+        previous = previous.previousSibling
+    if comments:
+        _take_out(comments, node)
+
+
+def _insert_after(node: Any, marker: Any) -> None:
+    if marker.parentNode is not None:
+        replace_node(marker, None)
+    parent = node.parentNode
+    parent.childNodes.insert(_index(parent, node) + 1, marker)
+    _link(node, [marker], node.nextSibling)
+    marker.parentNode = parent
+
+
+def _is_line_end(node: Any) -> bool:
+    return bool(node.nodeType == TEXT and node.data.isspace() and node.data.count("\n") <= 1)
+
+
+def _take_out(nodes: list[Any], before: Any) -> None:
+    """Take out some of the nodes before a node, the last of which is the first in order."""
+    parent = before.parentNode
+    parent.budget.charge(1)
+    siblings = parent.childNodes
+    end = _index(parent, before)
+    start = end - 1
+    while siblings[start] is not nodes[-1]:
+        start -= 1
+    gone = set(map(id, nodes))
+    kept = [one for one in siblings[start:end] if id(one) not in gone]
+    siblings[start:end] = kept
+    _link(nodes[-1].previousSibling, kept, before)
+    for one in nodes:
+        one.parentNode = one.previousSibling = one.nextSibling = None
 
 
 class _Builder(_StockBuilder):  # type: ignore[misc]
@@ -176,6 +251,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         self._source = source
         self._frame = frame
         self._budget = budget
+        self._depth = 0
         self.problems: list[Problem] = []
         self.arguments: list[Node] = []
 
@@ -192,12 +268,16 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.given = node.traces = None
         node.budget = self._budget
         self._budget.charge(ELEMENT_SIZE)
+        self._depth += 1
+        if self._depth > MAX_DEPTH:
+            raise TooMuch(f"elements are nested more than {MAX_DEPTH} levels deep")
         if node.tagName == "xacro:arg":
             self.arguments.append(node)
 
     def end_element_handler(self, name: str) -> None:
         node = self.curNode
         super().end_element_handler(name)
+        self._depth -= 1
         at = self._parser.CurrentByteIndex
         node.tag_at = node.tag_at.ended(at, empty=not node.childNodes)
 
@@ -241,7 +321,7 @@ def comments(dom: Dom) -> Iterator[str]:
     stack = [dom]
     while stack:
         for child in stack.pop().childNodes:
-            if child.nodeType == minidom.Node.COMMENT_NODE:
+            if child.nodeType == COMMENT:
                 yield child.data
             elif child.nodeType == ELEMENT:
                 stack.append(child)

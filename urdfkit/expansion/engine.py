@@ -19,20 +19,25 @@ from typing import TYPE_CHECKING, Any
 from xml.dom import minidom
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.expansion import patterns
-from urdfkit.expansion.dom import Node, replace_node
+from urdfkit.expansion import dom, patterns
+from urdfkit.expansion.dom import Node
 from urdfkit.expansion.evaluation import POISON, Evaluation, Tainted
+from urdfkit.expansion.fence import UnsafeExpression
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
 
+#: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
+MAX_NAME = 200
+
 _PRIVATE_NAME = "_urdfkit_xacro"
 #: What the instrumentation builds on; other versions of xacro lack some of it.
 _REQUIRED = (
-    "Table NameSpace XacroException YamlListWrapper all_includes create_global_symbols eval_all "
-    "eval_default_arg eval_extension eval_text filestack get_boolean_value glob grab_macro "
-    "grab_property handle_macro_call include_no_matches_msg macrostack parse parse_macro_arg "
-    "process_include replace_node root_dir safe_eval tokenize"
+    "all_includes create_global_symbols eval_all eval_default_arg eval_extension eval_text "
+    "filestack get_boolean_value glob grab_macro grab_property handle_macro_call "
+    "include_no_matches_msg is_valid_name macrostack NameSpace parse parse_macro_arg "
+    "process_include remove_previous_comments replace_node root_dir safe_eval Table tokenize "
+    "XacroException YamlListWrapper"
 ).split()
 
 
@@ -116,7 +121,7 @@ class Engine:
         dict.__setitem__(symbols["xacro"], "arg", lambda name: self._run.argument(name, symbols))
         if not trust:
             for name in ("type", "vars"):  # they lead from any value to the whole interpreter
-                dict.pop(symbols["python"], name, None)
+                dict.__setitem__(symbols["python"], name, _refusing(f"python.{name}()"))
         return symbols
 
     def _exchange_evaluation(self) -> None:
@@ -151,6 +156,7 @@ class Engine:
         stock_include = xacro.process_include
         stock_macro = xacro.grab_macro
         stock_call = xacro.handle_macro_call
+        stock_name = xacro.is_valid_name
 
         def process_include(elt: Node, macros: Any, symbols: Any, func: Any) -> None:
             if self._run.leaves_out(elt):
@@ -171,11 +177,19 @@ class Engine:
                 self._run.enter_call(len(xacro.macrostack))
             return bool(stock_call(node, macros, symbols))
 
+        def is_valid_name(name: str) -> bool:
+            return len(name) <= MAX_NAME and bool(stock_name(name))
+
+        def remove_previous_comments(node: Node) -> None:
+            dom.remove_previous_comments(node, xacro._empty_text_node)
+
+        xacro.is_valid_name = is_valid_name
         xacro.process_include = process_include
         xacro.grab_macro = grab_macro
         xacro.handle_macro_call = handle_macro_call
         xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
-        xacro.replace_node = replace_node
+        xacro.replace_node = dom.replace_node
+        xacro.remove_previous_comments = remove_previous_comments
 
     def _exchange_files(self) -> None:
         xacro = self.xacro
@@ -224,6 +238,15 @@ class Engine:
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)
         xacro.tokenize = patterns.tokenize(xacro.tokenize)
+
+
+def _refusing(what: str) -> Callable[..., Any]:
+    """A function that models may not call."""
+
+    def refuse(*_: Any) -> Any:
+        raise UnsafeExpression(f"{what} is not allowed in expressions")
+
+    return refuse
 
 
 def _joined(words: tuple[Any, ...]) -> str:

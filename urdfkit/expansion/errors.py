@@ -8,7 +8,7 @@ class MissingArgument(Exception):
 
 
 class EscapesRoots(Exception):
-    """A file outside the workspace and the packages; the text is its path."""
+    """A file outside the workspace and the packages, or none; the text is for users."""
 
 
 def root_cause(error: BaseException) -> BaseException:

@@ -60,6 +60,11 @@ class Ledger:
         """Errors and warnings, each with its place, in the order of the expansion."""
         return list(self._problems.values())
 
+    @property
+    def is_full(self) -> bool:
+        """True if no other problem will be kept."""
+        return len(self._problems) >= MAX_PROBLEMS
+
     def say(self, message: Message) -> None:
         """Keep a message."""
         if len(self.messages) < MAX_MESSAGES:
@@ -70,7 +75,7 @@ class Ledger:
         key = _identity(problem)
         known = self._problems.get(key)
         if known is None:
-            if len(self._problems) < MAX_PROBLEMS:
+            if not self.is_full:
                 self._problems[key] = problem
         elif len(known.related) < MAX_RELATED:
             uses = problem.related

@@ -8,6 +8,8 @@ from typing import Any
 
 from urdfkit.expansion.fence import TooLarge, UnsafeExpression
 
+#: Characters of all parameters of a macro; real ones have 1 000.
+_MAX_PARAMETERS = 10_000
 #: Characters among which xacro's pattern may try all ways to read a default.
 _MAX_TRIED = 24
 _WITH_DEFAULT = re.compile(r"\s*[^\s:=]+?\s*:?=\s*")
@@ -24,6 +26,8 @@ def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
     """
 
     def parse_macro_arg(text: str) -> Any:
+        if len(text) > _MAX_PARAMETERS:
+            raise TooLarge(f"parameters of {len(text)} characters")
         start = _WITH_DEFAULT.match(text)
         if start and len(text) - start.end() > _MAX_TRIED and not _DEFAULT.match(text, start.end()):
             raise TooLarge("a long default with an unmatched quote")

@@ -8,12 +8,12 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
 from urdfkit.expansion.errors import EscapesRoots
 from urdfkit.expansion.fence import MAX_LENGTH, TooLarge
 from urdfkit.source import MAX_BYTES, Source
 
 if TYPE_CHECKING:
-    from urdfkit.expansion.budget import Budget
     from urdfkit.resolve import Resolver
 
 _WILDCARD = re.compile(r"[*?[]")
@@ -81,8 +81,11 @@ class Reader:
         return path
 
     def _refuse_outside(self, path: str) -> None:
-        if not self._trust and not self._resolver.allows(path, self._near):
-            raise EscapesRoots(path)
+        if self._trust or self._resolver.allows(path, self._near):
+            return
+        if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+            raise EscapesRoots(f"{path} is no file but a device or a pipe")
+        raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
 
     def glob(self, pattern: str) -> Iterator[str]:
         """The paths that ``glob.glob`` gives, searched for in admitted folders only.
@@ -104,7 +107,7 @@ class Reader:
                 yield path
 
     def _matching(self, folder: str, pattern: str) -> Iterator[str]:
-        self._budget.charge(1)
+        self._budget.charge(ELEMENT_SIZE)  # it takes as long
         if not os.path.isdir(folder or os.curdir):
             return
         self._refuse_outside(folder or os.curdir)

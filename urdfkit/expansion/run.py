@@ -188,6 +188,7 @@ class Run:
         xacro = load_engine().xacro
         filename = xacro.abs_filename_spec(filename)
         path, text = self.reader.yaml(filename)
+        self.budget.charge(10 * len(text))  # it takes so much longer than other text
         xacro.filestack.append(filename)
         try:
             value = values.load(
@@ -339,7 +340,7 @@ class Run:
             raise error
         ledger = self.ledger
         ledger.first_error = ledger.first_error or str(error) or repr(error)
-        if not ledger.is_consequence(error):
+        if not ledger.is_full and not ledger.is_consequence(error):
             located = located or Located(text, 0, text, ())
             ledger.add(describe.problem(self, error, located, frame))
 

@@ -6,12 +6,14 @@ are found by the Resolver, and environment variables pass an allow-list.
 
 from __future__ import annotations
 
+import builtins
 import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.expansion.errors import MissingArgument
 from urdfkit.expansion.expressions import evaluate
+from urdfkit.expansion.fence import UnsafeExpression
 
 if TYPE_CHECKING:
     from urdfkit.expansion.fence import Fence
@@ -107,7 +109,7 @@ def _optional_variable(name: str, default: str, context: Context) -> str:
 
 def _evaluate(expression: str, context: Context) -> Any:
     if "__" in expression:
-        raise SubstitutionError("$(eval ...) may not contain double underscores")
+        raise UnsafeExpression("$(eval ...) may not contain double underscores")
     names = _EvalNames(context)
     if context.fence is None:
         return eval(expression, {}, names)
@@ -134,7 +136,9 @@ class _EvalNames(dict[str, Any]):
         try:
             return _convert(self.context.argument(name))
         except MissingArgument:
-            raise KeyError(name) from None  # Python looks on in the builtins
+            if hasattr(builtins, name):
+                raise UnsafeExpression(f"{name} is not allowed in expressions") from None
+            raise KeyError(name) from None
 
 
 def _convert(text: str) -> Any:

@@ -9,9 +9,10 @@ from typing import NamedTuple
 from urdfkit.source import Source
 
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_EXPRESSION = re.compile(rb"\$\{([^}]*)\}|\$\(([^)]*)\)")
+_EXPRESSION = re.compile(rb"\$\{([^}]*)\}")
+_COMMAND = re.compile(rb"\$\(([^)]*)\)")
 _WORD = re.compile(rb"[A-Za-z_]\w*")
-_FORWARDED = re.compile(rb"(\w+)\s*:?=\s*\^")
+_FORWARDED = re.compile(rb"(?<!\w)(\w+)\s*:?=\s*\^")
 _INSERTED = re.compile(rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)""")
 _CALL = re.compile(rb"<xacro:([\w.]+)")
 _INCLUDE = re.compile(rb"<xacro:include\b")
@@ -38,8 +39,11 @@ def usage(sources: Iterable[Source]) -> Usage:
     includes: set[tuple[str, int]] = set()
     for source in sources:
         data = _COMMENT.sub(lambda match: b" " * len(match.group()), source.data)
-        for expression in _EXPRESSION.findall(data):
-            names.update(_WORD.findall(b" ".join(expression)))
+        # Not behind the last bracket: there every opening one is searched for to the end.
+        expressions = _EXPRESSION.findall(data, 0, data.rfind(b"}") + 1)
+        expressions += _COMMAND.findall(data, 0, data.rfind(b")") + 1)
+        for expression in expressions:
+            names.update(_WORD.findall(expression))
         names.update(_FORWARDED.findall(data))
         names.update(_INSERTED.findall(data))
         calls.update(tag.rpartition(b".")[2] for tag in _CALL.findall(data))

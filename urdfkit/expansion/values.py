@@ -9,8 +9,12 @@ from typing import Any
 
 from urdfkit.expansion.trace import Mark
 
-#: Scalars of one YAML file, counted as often as aliases repeat them.
+#: Scalars of one YAML file, counted as often as aliases repeat them; and keys of one table, all
+#: of which are compared with each other if they hash alike.
 MAX_VALUES = 100_000
+MAX_KEYS = 10_000
+#: Levels of a YAML file. libyaml builds it by recursion, in C, where the end is a crash.
+MAX_LEVELS = 100
 
 #: xacro's units: tag, factor to radians or metres.
 _UNITS = {
@@ -24,7 +28,7 @@ _UNITS = {
 
 
 class YamlTooLarge(Exception):
-    """Aliases make the file larger than any configuration."""
+    """The file, with its aliases, is larger or deeper than any configuration."""
 
 
 @lru_cache(maxsize=1)
@@ -88,8 +92,9 @@ def load(text: str, evaluate: Callable[[str], Any], *, marked_as: str | None = N
 
     Raises:
         yaml.YAMLError: it is not YAML.
-        YamlTooLarge: its aliases multiply it.
+        YamlTooLarge: it is too deep, or its aliases multiply it.
     """
+    _check_levels(text)
     kind = _loader() if marked_as is None else _marking(_loader(), marked_as)
     loader = kind(text)
     loader.evaluate = evaluate
@@ -101,6 +106,23 @@ def load(text: str, evaluate: Callable[[str], Any], *, marked_as: str | None = N
         return loader.construct_document(node)
     finally:
         loader.dispose()
+
+
+def _check_levels(text: str) -> None:
+    """Count the levels from the parser's events, which are read without recursion."""
+    inline = sum(text.count(opening) for opening in ("[", "{", "- ", "? "))
+    if inline <= MAX_LEVELS and "\n" + " " * MAX_LEVELS not in text:
+        return
+    import yaml
+
+    level = 0
+    for event in yaml.parse(text, _loader()):
+        if isinstance(event, yaml.CollectionStartEvent):
+            level += 1
+            if level > MAX_LEVELS:
+                raise YamlTooLarge(f"more than {MAX_LEVELS} levels")
+        elif isinstance(event, yaml.CollectionEndEvent):
+            level -= 1
 
 
 def _check_size(root: Any) -> None:
@@ -117,6 +139,8 @@ def _check_size(root: Any) -> None:
             sizes[key] = 1 + sum(sizes.get(id(child), 1) for child in inner)
             if sizes[key] > MAX_VALUES:
                 raise YamlTooLarge(f"more than {MAX_VALUES} values")
+            if len(inner) > 2 * MAX_KEYS and isinstance(node.value[0], tuple):
+                raise YamlTooLarge(f"a table of more than {MAX_KEYS} keys")
         elif key in open_nodes:
             raise YamlTooLarge("a value contains itself")
         elif key not in sizes:
