@@ -73,13 +73,14 @@ def read_rules(folder: str, package: str) -> list[Installed]:
             text = file.read(MAX_BYTES).decode("utf-8", "replace")
     except OSError:
         return []
-    reader = _Reader(_variables(package))
+    reader = _Reader(known_variables(package))
     for command in _commands(text):
         reader.read(command)
     return reader.rules
 
 
-def _variables(package: str) -> dict[str, str]:
+def known_variables(package: str) -> dict[str, str]:
+    """Variables that CMake or catkin sets, as paths below the prefix."""
     share = f"share/{package}"
     return {
         "PROJECT_NAME": package,

@@ -16,10 +16,11 @@ from urdfkit.subject import Outcome, Subject, Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
+    from urdfkit.source import Source
     from urdfkit.targets import Targets
 
 #: Families of rules that look at the document or the robot in it.
-_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH GAZ RCT SRD".split())
+_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH GAZ RCT SRD PKG".split())
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -141,14 +142,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         told.update(subject.deviations)
         model = subject.model
         waiting |= glance.silent(model, subject.tree)
-        if not model.joints:
-            silent.add("JNT")
-        if not glance.is_controlled(model):
-            silent.add("RCT")
-        if not model.gazebo:
-            silent.add("GAZ")
-        if not srdf_files(subject.source.path, subject.resolver):
-            silent.add("SRD")
+        waiting |= _silent_about_packages(subject, reading.document.sources)
+        silent |= _silent_families(subject)
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         elif not rules.TOLD_BY_FILES.isdisjoint(chosen):
@@ -160,6 +155,26 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         for code in chosen
         if code in told or not (code[:3] in silent or code in waiting)
     ]
+
+
+def _silent_families(subject: Subject) -> set[str]:
+    """The families that speak of something that the model does not have."""
+    model = subject.model
+    there = {
+        "JNT": model.joints,
+        "RCT": glance.is_controlled(model),
+        "GAZ": model.gazebo,
+        "SRD": srdf_files(subject.source.path, subject.resolver),
+    }
+    return {family for family, things in there.items() if not things}
+
+
+def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
+    if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
+        return {"PKG001", "PKG002"}
+    from urdfkit.mentions import silent  # it compiles a regular expression
+
+    return silent(sources, subject.resolver.packages)
 
 
 def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:

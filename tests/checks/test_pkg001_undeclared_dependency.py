@@ -1,0 +1,55 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+from urdfkit import Diagnostic, check
+
+
+def told(folder: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
+    for name in ("arm", "hand"):
+        (folder / name).mkdir(exist_ok=True)
+        content = dependencies if name == "arm" else ""
+        (folder / name / "package.xml").write_text(
+            f"<package><name>{name}</name>{content}</package>"
+        )
+    (folder / "hand" / "hand.xacro").write_text("<robot/>")
+    file = folder / "arm" / "arm.xacro"
+    xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    file.write_text(f'<robot name="r" {xacro}>\n<link name="base"/>\n{text}\n</robot>')
+    report = check(file, select=["PKG001"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+HAND = '<xacro:include filename="$(find hand)/hand.xacro"/>'
+
+
+def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, HAND)
+    manifest = tmp_path / "arm" / "package.xml"
+    assert found.message == f"package 'hand' is used, and {manifest} does not declare it"
+    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+    assert (found.span.line, found.span.text) == (3, "$(find hand)/hand.xacro")
+
+
+def test_once_for_each_package(tmp_path: Path) -> None:
+    assert len(told(tmp_path, HAND * 3)) == 1
+
+
+def test_every_kind_of_dependency_declares(tmp_path: Path) -> None:
+    for kind in ("depend", "exec_depend", "run_depend", "build_depend", "test_depend"):
+        assert told(tmp_path, HAND, f"<{kind}>hand</{kind}>") == []
+
+
+def test_packages_that_need_no_declaration(tmp_path: Path) -> None:
+    uses = "<!-- $(find hand) -->" + '<xacro:property name="p" value="package://{}/x"/>'
+    assert told(tmp_path, uses.format("arm")) == []
+    assert told(tmp_path, uses.format("gazebo_ros")) == [], "comes with ROS"
+    assert told(tmp_path, uses.format("nowhere")) == [], "MSH005, XAC011"
+    assert len(told(tmp_path, uses.format("hand"))) == 1
+
+
+def test_a_file_outside_of_packages(tmp_path: Path) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text('<robot name="r"><link name="package://hand/x"/></robot>')
+    assert check(file, select=["PKG001"]).diagnostics == ()

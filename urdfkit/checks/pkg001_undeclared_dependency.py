@@ -1,0 +1,79 @@
+"""A description uses a package that its own `package.xml` does not declare.
+
+It works on the machine where that package happens to be. Elsewhere rosdep does not install it,
+colcon and catkin build in the wrong order, and `$(find ...)` or `package://` leads nowhere.
+Packages that come with ROS are not told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.errors import PackageNotFound
+from urdfkit.manifest import manifest_of
+from urdfkit.mentions import of_package
+from urdfkit.ros_packages import comes_with_ros
+from urdfkit.rules import Finding, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.resolve import Resolver
+    from urdfkit.subject import Subject
+
+NAME = "bot_description/bot.urdf"
+BAD = """\
+<robot name="bot">
+  <link name="base">
+    <visual>
+      <geometry><mesh filename="package://bot_meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+</robot>
+"""
+GOOD = BAD.replace("package://bot_meshes/", "package://bot_description/")
+_TRIANGLE = b"""solid
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid
+"""
+FILES = {
+    "bot_description/package.xml": b"<package><name>bot_description</name></package>",
+    "bot_description/base.stl": _TRIANGLE,
+    "bot_meshes/package.xml": b"<package><name>bot_meshes</name></package>",
+    "bot_meshes/base.stl": _TRIANGLE,
+}
+
+
+@rule("PKG001", "undeclared-dependency", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    packages = subject.resolver.packages
+    manifest = manifest_of(packages, subject.source.path)
+    if manifest is None:
+        return
+    told = {manifest.package, *manifest.dependencies}
+    for mention in of_package(subject.document.sources, packages):
+        name = mention.package
+        if name in told or comes_with_ros(name):
+            continue
+        told.add(name)
+        if _is_found(subject.resolver, name, mention.span.source.path):
+            yield Finding(
+                Written(mention.span),
+                f"package '{name}' is used, and {manifest.path} does not declare it",
+                f"add <exec_depend>{name}</exec_depend> to package.xml",
+            )
+
+
+def _is_found(resolver: Resolver, name: str, near: str) -> bool:
+    """False for a package that is not there; MSH005 and XAC011 tell that, and it may be a slip."""
+    try:
+        resolver.package(name, near)
+    except PackageNotFound:
+        return False
+    return True

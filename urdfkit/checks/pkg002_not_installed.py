@@ -1,0 +1,73 @@
+"""A description refers to a folder of its own package that the build does not install.
+
+From the source tree everything works. After `colcon build` or `catkin_make install` the folder is
+not under `share/`, and `$(find ...)` and `package://` lead to files that are not there: RViz
+shows the robot without meshes, xacro stops. Install the folder.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.mentions import of_package
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.shipping import Shipping
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "urdf/bot.urdf"
+BAD = """\
+<robot name="bot">
+  <link name="base">
+    <visual>
+      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+</robot>
+"""
+GOOD = BAD.replace("meshes/", "models/")
+_TRIANGLE = b"""solid
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid
+"""
+FILES = {
+    "package.xml": b"<package><name>bot_description</name></package>",
+    "CMakeLists.txt": b"project(bot_description)\n"
+    b"install(DIRECTORY urdf models DESTINATION share/${PROJECT_NAME})\n",
+    "meshes/base.stl": _TRIANGLE,
+    "models/base.stl": _TRIANGLE,
+}
+
+
+@rule("PKG002", "not-installed", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    packages = subject.resolver.packages
+    home = packages.enclosing(subject.source.path)
+    if home is None:
+        return
+    name, folder = home
+    shipping = Shipping(folder, name)
+    told: set[str] = set()
+    for mention in of_package(subject.document.sources, packages):
+        top = mention.relative.partition("/")[0]
+        if mention.package != name or not top or top in told:
+            continue
+        there = os.path.exists(os.path.join(folder, mention.relative))
+        if there and not shipping.installs(mention.relative):
+            told.add(top)
+            yield Finding(
+                Written(mention.span),
+                f"'{mention.relative}' is in the source tree, and "
+                f"{shipping.file} does not install it",
+                shipping.remedy(top),
+            )
