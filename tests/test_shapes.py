@@ -37,7 +37,10 @@ primitives = boxes | rounds
 points = st.tuples(*[st.floats(-5, 5)] * 3)
 
 
-def primitive(kind: str, *numbers: float, origin: Frame = Frame()) -> Primitive:
+AT_ORIGIN = Frame()
+
+
+def primitive(kind: str, *numbers: float, origin: Frame = AT_ORIGIN) -> Primitive:
     if kind == "box":
         return Primitive(kind, (numbers[0], numbers[1], numbers[2]), 0, 0, origin)
     return Primitive(kind, (0, 0, 0), numbers[0], numbers[1] if len(numbers) > 1 else 0, origin)

@@ -38,6 +38,12 @@ ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT02
 #: Silent if no ``<gazebo>`` holds a plugin.
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
 
+#: Silent if all sizes are positive.
+ABOUT_SIZES = frozenset(("GEO001", "GEO012"))
+
+#: Silent if no mesh has a scale.
+ABOUT_SCALES = frozenset(("GEO005", "GEO006"))
+
 
 def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     """The codes of rules that need not be imported for a model."""
@@ -50,7 +56,7 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
         codes.add("NAM006")
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
-    codes |= _about_joints(model)
+    codes |= _about_joints(model) | _about_shapes(model) | _about_colours(model)
     if not any(part.tag == "plugin" for block in model.gazebo for part in block.walk()):
         codes |= ABOUT_PLUGINS
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
@@ -84,6 +90,41 @@ def _about_joints(model: RobotModel) -> set[str]:
     if all(abs(part) < 5 for joint in joints for part in joint.origin.position):
         codes.add("JNT012")  # which begins at 10 m
     return codes | _about_types([joint.kind for joint in joints])
+
+
+def _about_shapes(model: RobotModel) -> set[str]:
+    codes: set[str] = set()
+    if all(bool(link.visuals) == bool(link.collisions) for link in model.links):
+        codes |= {"GEO002", "GEO003"}
+    if any(link.visuals or link.collisions for link in model.links):
+        codes.add("GEO008")
+    shapes = model.shapes
+    if not any("scale" in shape.at.attributes for shape in shapes):
+        codes |= ABOUT_SCALES
+    if not any(shape.half_extents for shape in shapes):
+        codes.add("GEO004")
+    lengths = [(*(shape.size or ()), shape.radius, shape.length) for shape in shapes]
+    if all(value is None or value > 0 for values in lengths for value in values):
+        codes |= ABOUT_SIZES
+    return codes
+
+
+def _about_colours(model: RobotModel) -> set[str]:
+    codes: set[str] = set()
+    materials = [
+        *model.materials,
+        *(b.material for k in model.links for b in k.visuals if b.material),
+    ]
+    colours = [material.rgba.value for material in materials if material.rgba]
+    if all(0 <= part <= 1 for colour in colours for part in colour):
+        codes.add("GEO007")
+    if all(colour[-1] > 0 for colour in colours):
+        codes.add("GEO010")
+    if not colours or not any(block.child("material") for block in model.gazebo):
+        codes.add("GEO009")
+    if not any(material.texture for material in materials):
+        codes.add("GEO011")
+    return codes
 
 
 def _about_types(kinds: list[str]) -> set[str]:

@@ -84,7 +84,9 @@ class Primitive(NamedTuple):
         """In m^3."""
         if self.kind == "box":
             return self.size[0] * self.size[1] * self.size[2]
-        ball = 0.0 if self.kind == "cylinder" else 4 * pi * self.radius**3 / 3
+        ball = (
+            0.0 if self.kind == "cylinder" else 4 * pi * self.radius * self.radius * self.radius / 3
+        )
         return ball + pi * self.radius * self.radius * self.length
 
     def properties(self, mass: float) -> MassProperties:

@@ -14,11 +14,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.model import number
+from urdfkit.rigid import mass_of
 from urdfkit.rules import Finding, Need, Written, rule
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element, Step, Tag
+    from urdfkit.document import Step, Tag
     from urdfkit.model import Link
     from urdfkit.subject import Subject
 
@@ -37,9 +37,6 @@ BAD = """\
 """
 GOOD = BAD.replace('"0.1"', '"${mass * 0.0125}"')
 
-#: Masses this close together may well share a tensor.
-_SAME_MASS = 1.05
-
 
 @rule(
     "XAC014",
@@ -49,29 +46,8 @@ _SAME_MASS = 1.05
     help="compute ixx ... izz in the macro from mass and size (urdfkit explain XAC014)",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    groups: dict[Tag, list[Link]] = {}
-    for link in subject.model.links:
-        tensor = link.inertial.at.child("inertia") if link.inertial else None
-        if tensor is not None and _is_written_out(tensor):
-            groups.setdefault(tensor.tag_at, []).append(link)
-    for tag, links in groups.items():
-        masses = sorted(filter(None, map(_mass, links)))
-        if masses and masses[-1] > masses[0] * _SAME_MASS:
-            yield _finding(links, masses, tag)
-
-
-def _is_written_out(tensor: Element) -> bool:
-    """True for a tensor other than zero whose numbers stand in a macro."""
-    in_macro = tensor.frame is not None and tensor.frame.definition is not None
-    return (
-        in_macro
-        and all(attribute.literal for attribute in tensor.attributes.values())
-        and any(number(attribute.value) for attribute in tensor.attributes.values())
-    )
-
-
-def _mass(link: Link) -> float | None:
-    return link.inertial.mass.value if link.inertial and link.inertial.mass else None
+    for tag, links in subject.masses.shared_by_macro.items():
+        yield _finding(links, sorted(filter(None, map(mass_of, links))), tag)
 
 
 def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:
@@ -84,7 +60,8 @@ def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "
         f"the same inertia tensor ({moments} kg m^2)",
         related=tuple(
-            Related(step.span, f"link '{link.name}' of {_mass(link):g} kg") for link, step in calls
+            Related(step.span, f"link '{link.name}' of {mass_of(link):g} kg")
+            for link, step in calls
         ),
     )
 

@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.massive import link
+from tests.told import fixed, messages, places, told
+from urdfkit.examples import whole_robot
+
+
+def paint(rgba: str) -> str:
+    return f'<material name="paint"><color rgba="{rgba}"/></material>\n'
+
+
+@pytest.mark.parametrize(
+    ("rgba", "wrong", "mended"),
+    [
+        ("255 140 0 1", "255, 140", "1 0.549 0 1"),
+        ("255 140 0 255", "255, 140, 255", "1 0.549 0 1"),
+        ("51 51 51 0.5", "51, 51, 51", "0.2 0.2 0.2 0.5"),
+        ("1.2 0.5 0 1", "1.2", "1 0.5 0 1"),
+        ("-0.1 0 0 1", "-0.1", None),
+        ("300 0 0 1", "300", None),
+    ],
+)
+def test_what_was_meant(rgba: str, wrong: str, mended: str | None) -> None:
+    robot = paint(rgba) + link("a")
+    (found,) = told("GEO007", robot)
+    assert found.message == f"material 'paint': {wrong} is not between 0 and 1"
+    assert places("GEO007", robot) == [(2, rgba)]
+    if mended is None:
+        assert found.fix is None
+        assert found.help == "write red, green, blue and alpha from 0 to 1"
+    else:
+        assert found.help == f'write rgba="{mended}"'
+        assert f'rgba="{mended}"' in fixed("GEO007", robot)
+        assert messages("GEO007", fixed("GEO007", robot)) == []
+
+
+@pytest.mark.parametrize("rgba", ["0 0 0 0", "1 1 1 1", "x 300 0 1", ""])
+def test_what_is_all_right_or_another_rule_s(rgba: str) -> None:
+    assert messages("GEO007", paint(rgba) + link("a")) == []
+
+
+def test_materials_in_visuals() -> None:
+    ball = '<geometry><sphere radius="1"/></geometry>'
+    color = '<color rgba="0 9 0 1"/>'
+    robot = link("a", f"<visual>{ball}<material>{color}</material></visual>")
+    assert messages("GEO007", robot) == ["the material: 9 is not between 0 and 1"]
+
+
+@pytest.mark.skipif(shutil.which("check_urdf") is None, reason="check_urdf is not installed")
+@pytest.mark.parametrize(("rgba", "refused"), [("1 0 0 1", False), ("255 0 0 1", True)])
+def test_urdfdom_refuses_the_colour(rgba: str, refused: bool, tmp_path: Path) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_text(whole_robot(paint(rgba) + link("a")), encoding="utf-8")
+    done = subprocess.run(["check_urdf", file], capture_output=True, text=True, check=False)
+    assert ("malformed color" in done.stdout + done.stderr) is refused
+    assert bool(messages("GEO007", paint(rgba) + link("a"))) is refused

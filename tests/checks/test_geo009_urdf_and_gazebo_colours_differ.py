@@ -1,0 +1,89 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import BALL, link
+from tests.told import messages, places
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+
+
+def robot(rgba: str, material: str, name: str = "paint") -> str:
+    color = f'<material name="{name}"><color rgba="{rgba}"/></material>'
+    visual = f"<visual><geometry>{BALL}</geometry>{color}</visual>"
+    block = f'<gazebo reference="arm">\n<material>{material}</material></gazebo>'
+    return link("arm", visual) + block
+
+
+def told(text: str, *targets: str) -> list[str]:
+    source = Source("robot.urdf", whole_robot(text).encode())
+    report = engine.check(source, select=["GEO009"], targets=targets)
+    return [diagnostic.message for diagnostic in report.diagnostics]
+
+
+def test_red_and_green() -> None:
+    text = robot("0 1 0 1", "Gazebo/Red")
+    assert messages("GEO009", text) == [
+        "link 'arm' is Gazebo/Red (1 0 0) in Gazebo and 'paint' (0 1 0) in the URDF"
+    ]
+    assert places("GEO009", text) == [(4, "<material>")]
+
+
+@pytest.mark.parametrize(
+    ("rgba", "material", "name"),
+    [
+        ("1 0 0 1", "Gazebo/Red", "paint"),
+        ("0.8 0.1 0.1 0.5", "Gazebo/Red", "paint"),  # near it
+        ("0.2 0.3 0.1 1", "Gazebo/Green", "Dark_Green"),  # meant to be the same
+        ("1 0 0 1", "Gazebo/Wood", "paint"),  # a texture
+        ("1 0 0 1", "Gazebo/Pink", "paint"),  # GAZ007
+    ],
+)
+def test_what_is_alike_or_not_known(rgba: str, material: str, name: str) -> None:
+    assert messages("GEO009", robot(rgba, material, name)) == []
+
+
+def test_the_older_form_and_the_last_block_count() -> None:
+    text = robot("0 1 0 1", "Gazebo/Green")
+    last = '<gazebo reference="arm"><material value="Gazebo/Red"/></gazebo>'
+    assert len(messages("GEO009", text + last)) == 1
+    assert messages("GEO009", robot("0 1 0 1", "Gazebo/Red") + last.replace("Red", "Green")) == []
+
+
+def test_a_link_without_a_colour_has_nothing_to_compare() -> None:
+    text = link("arm", f"<visual><geometry>{BALL}</geometry></visual>")
+    block = '<gazebo reference="arm"><material>Gazebo/Red</material></gazebo>'
+    assert messages("GEO009", text + block) == []
+    assert messages("GEO009", text + block.replace("arm", "leg")) == []
+
+
+@pytest.mark.parametrize(
+    ("target", "found"),
+    [("classic-ros1", 1), ("gz-fortress", 0), ("gz-harmonic", 1), ("ros2", 1)],
+)
+def test_fortress_has_no_such_materials(target: str, found: int) -> None:
+    assert len(told(robot("0 1 0 1", "Gazebo/Red"), target)) == found
+
+
+def test_gz_draws_another_grey() -> None:
+    text = robot("0.25 0.25 0.25 1", "Gazebo/Grey")
+    assert len(told(text, "classic-ros2")) == 1
+    assert told(text, "gz-harmonic") == []
+
+
+def test_the_mission_s_model() -> None:
+    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+    found = engine.check(model, select=["GEO009"]).diagnostics
+    assert [(one.message, one.severity, one.span.text) for one in found] == [
+        (f"link '{text} in the URDF", Severity.INFO, "<material>")
+        for text in (
+            "base_link' is Gazebo/Orange (1 0.509 0.0468) in Gazebo and 'white' (1 1 1)",
+            "wheel_1' is Gazebo/Red (1 0 0) in Gazebo and 'black' (0 0 0)",
+            "wheel_3' is Gazebo/Red (1 0 0) in Gazebo and 'black' (0 0 0)",
+            "imu_link' is Gazebo/Orange (1 0.509 0.0468) in Gazebo and 'green' (0 1 0)",
+        )
+    ]
+    assert [one.span.line for one in found] == [278, 281, 287, 396]

@@ -1,0 +1,55 @@
+from __future__ import annotations
+
+from tests.massive import BALL, MESH, inertial, joint, link, part, shape
+from tests.told import messages, places, told
+
+ZERO = (0, 0, 0)
+BASE = link("base", inertial(2, (1, 1, 1)))
+
+
+def test_a_moving_link() -> None:
+    robot = BASE + part("arm", 0.5, ZERO, BALL) + joint("base", "arm", "revolute")
+    (found,) = told("INE005", robot)
+    assert found.message == (
+        "link 'arm' of 0.5 kg has no moment of inertia and is moved by the revolute joint "
+        "'arm_joint'"
+    )
+    assert found.help == "a solid sphere of radius 0.1 m has 0.002 kg m^2 each"
+    assert places("INE005", robot) == [
+        (5, '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>')
+    ]
+
+
+def test_without_a_shape_the_help_is_the_rule_s() -> None:
+    robot = BASE + link("arm", shape("visual", MESH), inertial(0.5, ZERO))
+    (found,) = told("INE005", robot + joint("base", "arm", "revolute"))
+    assert found.help.startswith("compute the tensor from mass and size")
+
+
+def test_a_fixed_link_may_be_a_point() -> None:
+    robot = BASE + link("arm", inertial(0.5, ZERO)) + joint("base", "arm")
+    assert messages("INE005", robot) == []
+
+
+def test_a_point_beside_another_link_turns_with_it() -> None:
+    robot = BASE + link("arm", inertial(0.5, ZERO)) + joint("base", "arm", "revolute")
+    other = link("hand", inertial(0.5, (1, 1, 1))) + joint("arm", "hand")
+    assert messages("INE005", robot + other) == []
+    apart = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand", xyz="0 0 1")
+    assert messages("INE005", robot + apart) == []
+    same = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand")
+    assert len(messages("INE005", robot + same)) == 1
+
+
+def test_no_mass_is_another_rule_s() -> None:
+    robot = BASE + link("arm", inertial(0, ZERO)) + joint("base", "arm", "revolute")
+    assert messages("INE005", robot) == []
+
+
+def test_all_links_of_an_export_are_one_finding() -> None:
+    robot = BASE
+    for above, name, mass in (("base", "a", 1), ("a", "b", 3), ("b", "c", 2)):
+        robot += link(name, inertial(mass, ZERO)) + joint(above, name, "revolute")
+    (found,) = told("INE005", robot)
+    assert found.message.startswith("link 'b' of 3 kg")
+    assert found.message.endswith("(and likewise 'c' and 'a')")

@@ -1,0 +1,75 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import BALL, BOX, MESH, inertial, link, part, shape
+from tests.told import fixed, messages, told
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+
+MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+
+def test_a_guessed_tensor() -> None:
+    robot = part("imu", 0.5, (1e-4, 1e-4, 1e-4), BALL)
+    (found,) = told("INE008", robot)
+    assert found.severity is Severity.INFO
+    assert found.message == (
+        "link 'imu' of 0.5 kg has moments of inertia of 0.0001 kg m^2 each; a solid sphere of "
+        "radius 0.1 m has 0.002 kg m^2 each"
+    )
+    assert found.help == 'write ixx="0.002" iyy="0.002" izz="0.002"'
+    assert found.fix is not None
+    assert not found.fix.safe
+    assert messages("INE008", fixed("INE008", robot)) == []
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        part("solid", 1, (0.004, 0.004, 0.004), BALL),
+        part("shell", 1, (0.00667, 0.00667, 0.00667), BALL),  # 2/3 m r^2
+        part("motor inside", 1, (0.0013, 0.0013, 0.0013), BALL),
+        part("from CAD", 1, (0.0009, 1e-5, 0, 0.0009, 0, 0.0009), BALL),
+        link("mesh", shape("visual", MESH), shape("collision", BALL), inertial(1, (0.01234,) * 3)),
+    ],
+)
+def test_what_can_be_meant(robot: str) -> None:
+    assert messages("INE008", robot) == []
+
+
+def test_a_diameter_for_a_radius_is_told() -> None:
+    (found,) = told("INE008", part("ball", 1, (0.016, 0.016, 0.016), BALL))
+    assert found.help == (
+        "the tensor was computed with twice the size, as of a diameter for a radius: write "
+        'ixx="0.004" iyy="0.004" izz="0.004"'
+    )
+
+
+def test_the_mission_s_model() -> None:
+    found = engine.check(MODEL, select=["INE008"]).diagnostics
+    assert [(one.element.split("/")[1], one.span.line) for one in found] == [
+        ("base_link", 15),
+        ("imu_link", 215),
+        ("camera_link", 245),
+        ("laser_frame", 272),
+    ]
+    base, *cubes = found
+    assert base.message == (
+        "link 'base_link' of 8.2 kg has moments of inertia of 0.1 kg m^2 each; a solid box of "
+        "0.2 x 0.3 x 0.1 m has 0.0683, 0.0342, 0.0888 kg m^2"
+    )
+    assert [call.via[-1].span.line for call in base.calls] == [68]
+    assert base.fix is None
+    for cube in cubes:
+        assert cube.message.endswith(
+            "has moments of inertia of 1e-06 kg m^2 each; a solid box of 0.05 x 0.05 x 0.05 m has "
+            "4.17e-06 kg m^2 each"
+        )
+        assert cube.help == 'write ixx="4.16667e-06" iyy="4.16667e-06" izz="4.16667e-06"'
+        assert cube.fix is not None
+
+
+def test_no_shape_of_more_than_it_shows() -> None:
+    assert messages("INE008", part("box", 12, (0.1, 0.05, 0.13), BOX)) == []

@@ -1,0 +1,64 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
+from tests.told import messages, places, told
+from urdfkit import engine
+
+
+def box(mass: float) -> str:
+    return part("box", mass, (mass / 120, mass / 240, mass * 0.13 / 12), BOX)
+
+
+def test_a_mass_in_grams() -> None:
+    (found,) = told("INE010", box(6000))
+    assert found.message == (
+        "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m^3; parts of robots have "
+        "20 to 12000"
+    )
+    assert found.help == "the mass is probably in g: write 6, and the tensor in kg m^2"
+    assert places("INE010", box(6000)) == [(2, "6000")]
+
+
+def test_a_size_in_millimetres() -> None:
+    (found,) = told("INE010", part("box", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>'))
+    assert found.help == "the size is probably in mm: write it in m"
+
+
+@pytest.mark.parametrize(("mass", "found"), [(0.11, 1), (0.13, 0), (6, 0), (71, 0), (73, 1)])
+def test_the_range(mass: float, found: int) -> None:
+    assert len(messages("INE010", box(mass))) == found
+
+
+def test_both_shapes_must_be_implausible() -> None:
+    small = shape("collision", BALL)
+    large = shape("visual", '<sphere radius="0.5"/>')
+    moments = (0.2, 0.2, 0.2)
+    assert messages("INE010", link("a", small, large, inertial(60, moments))) == []
+    assert len(messages("INE010", link("a", small, inertial(60, moments)))) == 1
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        link("seen only", shape("visual", BOX), inertial(6000, (50, 25, 65))),
+        link("mesh", shape("collision", BOX), shape("visual", MESH), inertial(6000, (50, 25, 65))),
+        part("marker", 1, (1e-6, 1e-6, 1e-6), '<box size="0.004 0.004 0.004"/>'),
+        box(6) + part("dot", 0.01, (1e-8,) * 3, '<sphere radius="0.1"/>') + joint("box", "dot"),
+    ],
+)
+def test_what_is_not_judged(robot: str) -> None:
+    assert messages("INE010", robot) == []
+
+
+def test_a_tensor_out_of_all_bounds_is_told_instead() -> None:
+    robot = part("box", 0.1, (5, 5, 5), BOX)
+    assert messages("INE010", robot) == []
+    assert len(messages("INE006", robot)) == 1
+
+
+def test_the_mission_s_model_has_a_footprint_without_collision() -> None:
+    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+    assert engine.check(model, select=["INE010"]).diagnostics == ()

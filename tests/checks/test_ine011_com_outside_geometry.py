@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import BALL, MESH, inertial, joint, link, part, shape
+from tests.told import messages, places
+
+MOMENTS = (0.004, 0.004, 0.004)
+
+
+def test_an_origin_of_another_link() -> None:
+    robot = part("caster", 1, MOMENTS, BALL, xyz="-0.957 0 0.2")
+    assert messages("INE011", robot) == [
+        (
+            "link 'caster': the centre of mass at -0.957 0 0.2 m is 0.857 m outside the shapes, "
+            "which are 0.2 m long about 0 0 0"
+        )
+    ]
+    assert places("INE011", robot) == [(2, '<origin xyz="-0.957 0 0.2" rpy="0 0 0"/>')]
+
+
+def test_without_an_origin_the_inertial_is_the_place() -> None:
+    far = shape("collision", BALL, xyz="0 0 1")
+    assert places("INE011", link("cart", far, inertial(1, MOMENTS))) == [(2, "<inertial>")]
+
+
+@pytest.mark.parametrize(("x", "found"), [(0.0, 0), (0.25, 0), (0.29, 0), (0.31, 1), (-0.31, 1)])
+def test_by_more_than_their_length(x: float, found: int) -> None:
+    assert len(messages("INE011", part("a", 1, MOMENTS, BALL, xyz=f"{x} 0 0"))) == found
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        link("a", shape("visual", MESH), shape("collision", BALL), inertial(1, MOMENTS, "9 0 0")),
+        link("world") + part("a", 1, MOMENTS, BALL, xyz="9 0 0") + joint("world", "a"),
+        part("base", 100, (0.4,) * 3, BALL)
+        + part("imu", 0.5, MOMENTS, BALL, xyz="9 0 0")
+        + joint("base", "imu"),
+    ],
+)
+def test_what_does_not_matter_or_is_not_measured(robot: str) -> None:
+    assert messages("INE011", robot) == []

@@ -1,0 +1,46 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import inertial, joint, link
+from tests.told import messages, places
+from urdfkit import engine
+from urdfkit.diagnostic import Severity
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+
+BASE = link("base", inertial(3, (0.03, 0.03, 0.05)))
+
+
+def frame(mass: float, moments: tuple[float, ...], kind: str = "fixed") -> str:
+    return BASE + link("sonar", inertial(mass, moments)) + joint("base", "sonar", kind)
+
+
+def test_gazebo_adds_the_tensor() -> None:
+    robot = frame(0, (1, 1, 1))
+    assert messages("INE016", robot) == [
+        "link 'sonar' has a mass of 0 kg and moments of inertia of 1 kg m^2 each"
+    ]
+    assert [line for line, _ in places("INE016", robot)] == [5]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        frame(0, (0, 0, 0)),
+        frame(0.1, (1, 1, 1)),
+        frame(0, (1, 1, 1), "revolute"),  # INE001
+        link("base", inertial(0, (1, 1, 1))),  # nothing to add it to
+    ],
+)
+def test_what_is_all_right_or_another_rule_s(robot: str) -> None:
+    assert messages("INE016", robot) == []
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"), [((), Severity.INFO), (("classic-ros2",), Severity.WARNING)]
+)
+def test_who_suffers(targets: tuple[str, ...], severity: Severity) -> None:
+    source = Source("robot.urdf", whole_robot(frame(0, (1, 1, 1))).encode())
+    (found,) = engine.check(source, select=["INE016"], targets=targets).diagnostics
+    assert found.severity is severity

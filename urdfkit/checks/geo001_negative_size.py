@@ -1,0 +1,38 @@
+"""A size of a shape is negative.
+
+MuJoCo refuses such a robot. Other engines differ: a box inside out that holds things fast, a
+failed assertion, a shape that nothing touches; RViz draws it inside out. Often a formula in the
+xacro subtracts more than there is. Write the size in m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.shapes import shaped, sizes
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><box size="0.1 -0.2 0.3"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("-0.2", "0.2")
+
+
+@rule("GEO001", "negative-size", Severity.ERROR, help="write a positive size in m")
+def check(subject: Subject) -> Iterator[Finding]:
+    for link, body, shape in shaped(subject.model):
+        for attribute, values in sizes(shape):
+            if min(values) < 0:
+                yield Finding(
+                    attribute,
+                    f"link '{link.name}': {attribute.name} of the <{shape.kind}> in its "
+                    f"{body.at.tag} is {min(values):g} m",
+                )

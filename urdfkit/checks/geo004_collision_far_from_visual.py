@@ -1,0 +1,90 @@
+"""A link is touched elsewhere than it is seen.
+
+The bounding boxes of its collisions and of its visuals have less than a third of their volume in
+common. Wheels sink into the floor or hover, grippers close on nothing, and MoveIt avoids a place
+that is free while it drives into what is there. Usually the `<origin>` was written for the visual
+and forgotten for the collision; the two do not share it. A collision that is deliberately larger or
+smaller about the same place is not meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.shapes import Box, Solid, solid
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <visual>
+    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>
+    <geometry><box size="0.2 0.3 0.1"/></geometry>
+  </visual>
+  <collision>
+    <geometry><box size="0.2 0.3 0.1"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace(
+    "<collision>", '<collision>\\n    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
+)
+
+#: Common volume by the volume of both bounding boxes together.
+LEAST_OVERLAP = 1 / 3
+
+#: A box with this part of its volume within the other one is larger or smaller on purpose.
+NESTED = 0.9
+
+#: Shapes with no edge over this, in m, mark a place.
+MARKER = 0.005
+
+
+@rule(
+    "GEO004",
+    "collision-far-from-visual",
+    Severity.WARNING,
+    help="give the collision the <origin> of the visual",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for link in subject.model.links:
+        touched, seen = solid(link.collisions), solid(link.visuals)
+        if touched and seen and (overlap := _overlap(touched.bounds, seen.bounds)) is not None:
+            yield Finding(
+                link.collisions[0].at,
+                f"link '{link.name}': the bounding boxes of collision and visual have only "
+                f"{overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}"
+                f"{_why(touched, seen)}",
+                related=(Related(link.visuals[0].at.span, "the visual"),),
+                confidence=Confidence.INFERRED,
+                weight=1 - overlap,
+            )
+
+
+def _overlap(touched: Box, seen: Box) -> float | None:
+    """The common volume by that of both together; None if that is as it may be."""
+    if max(touched.edges) <= MARKER or max(seen.edges) <= MARKER:
+        return None
+    common = touched.common_volume(seen)
+    overlap = common / (touched.volume + seen.volume - common)
+    nested = common >= NESTED * min(touched.volume, seen.volume)
+    return None if nested or overlap >= LEAST_OVERLAP else overlap
+
+
+def _why(touched: Solid, seen: Solid) -> str:
+    """In what the origins of two equal shapes differ."""
+    if len(touched.parts) != 1 or len(seen.parts) != 1:
+        return ""
+    (one,), (other,) = touched.parts, seen.parts
+    if one._replace(origin=other.origin) != other:
+        return ""
+    shift = [b - a for a, b in zip(one.origin.position, other.origin.position, strict=True)]
+    parts = []
+    if one.origin.rotation != other.origin.rotation:
+        parts.append("turned")
+    if any(shift):
+        parts.append("moved by {:.3g} {:.3g} {:.3g} m".format(*shift))
+    return f"; the visual is the same shape, {' and '.join(parts)}"

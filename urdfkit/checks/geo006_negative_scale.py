@@ -1,0 +1,55 @@
+"""A mesh is mirrored by a negative scale.
+
+The factors turn every triangle inside out. Where a program does not turn them back, the part is
+lit from within, a collision takes outside for inside, and a volume computed from the mesh is
+negative. A mirrored copy of the mesh file is right everywhere. (Two negative factors are a half
+turn, and harmless.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.shapes import shaped
+
+if TYPE_CHECKING:
+    from urdfkit.model import Shape
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="left_arm">
+  <collision>
+    <geometry><mesh filename="package://arm/right_arm.stl" scale="1 -1 1"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("/right_arm", "/left_arm").replace(' scale="1 -1 1"', "")
+
+#: Places that the finding lists beside the first.
+_MAX_RELATED = 20
+
+
+@rule("GEO006", "negative-scale", Severity.WARNING, help="mirror the mesh file itself")
+def check(subject: Subject) -> Iterator[Finding]:
+    mirrored = [
+        (link.name, body.at.tag, shape)
+        for link, body, shape in shaped(subject.model)
+        if shape.kind == "mesh" and shape.scale[0] * shape.scale[1] * shape.scale[2] < 0
+    ]
+    if mirrored:
+        (name, tag, shape), *others = mirrored
+        more = f" ({len(others)} more meshes likewise)" if others else ""
+        yield Finding(
+            shape.at.attributes["scale"],
+            f"link '{name}': the mesh of its {tag} is mirrored by scale {_factors(shape)}{more}",
+            related=tuple(
+                Related(shape.at.attributes["scale"].span, f"link '{name}': its {tag}")
+                for name, tag, shape in others[:_MAX_RELATED]
+            ),
+        )
+
+
+def _factors(shape: Shape) -> str:
+    return "{:g} {:g} {:g}".format(*shape.scale)

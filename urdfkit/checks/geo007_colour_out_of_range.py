@@ -1,0 +1,79 @@
+"""A colour has a component outside 0 to 1.
+
+URDF's colours go from 0 to 1. urdfdom refuses any other with an error, and the part is drawn in
+the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Material
+    from urdfkit.subject import Subject
+
+BAD = """\
+<material name="orange">
+  <color rgba="255 140 0 1"/>
+</material>
+<link name="base">
+  <visual>
+    <geometry><box size="0.1 0.1 0.1"/></geometry>
+    <material name="orange"/>
+  </visual>
+</link>"""
+FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
+
+#: Components up to this were meant as 1 and something.
+_SLIGHTLY = 2.0
+
+
+@rule(
+    "GEO007",
+    "colour-out-of-range",
+    Severity.ERROR,
+    help="write red, green, blue and alpha from 0 to 1",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    model = subject.model
+    in_visuals = (body.material for link in model.links for body in link.visuals)
+    for material in chain(model.materials, in_visuals):
+        if material and material.rgba and not all(0 <= v <= 1 for v in material.rgba.value):
+            yield _finding(material, material.rgba.value)
+
+
+def _finding(material: Material, values: tuple[float, ...]) -> Finding:
+    assert material.rgba is not None
+    name = f"material '{material.name.value}'" if material.name else "the material"
+    wrong = ", ".join(f"{value:g}" for value in values if not 0 <= value <= 1)
+    better = _mended(values)
+    title = f'write rgba="{better}"' if better else ""
+    attribute = material.at.child("color")
+    assert attribute is not None
+    edits = replace_value(attribute.attributes["rgba"], better) if better else None
+    return Finding(
+        material.rgba,
+        f"{name}: {wrong} is not between 0 and 1",
+        title,
+        Fix(title, edits) if edits else None,
+    )
+
+
+def _mended(values: tuple[float, ...]) -> str:
+    """The colour from 0 to 1; empty if the numbers do not tell it."""
+    if min(values) < 0 or max(values) > 255:
+        return ""
+    if max(values) <= _SLIGHTLY:
+        return " ".join(f"{min(value, 1.0):g}" for value in values)
+    *color, alpha = values if len(values) == 4 else (*values, 0)
+    parts = [value / 255 for value in color]
+    if len(values) == 4:
+        parts.append(alpha / 255 if alpha > 1 else alpha)
+    return " ".join(f"{round(part, 3):g}" for part in parts)

@@ -1,0 +1,106 @@
+"""A link has one colour in RViz and another one in Gazebo.
+
+Gazebo draws what `<gazebo reference="...">` names as `<material>`, RViz what stands in the
+`<visual>`. Whoever compares the two windows looks for a difference that is none. Give both the same
+colour. Gazebo Classic needs a material of its own, for it does not read the URDF's colours; from
+Fortress on Gazebo does, and the `<material>` in `<gazebo>` can go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.materials import materials
+from urdfkit.colours import Colours
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.model import Material
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <visual>
+    <geometry><cylinder radius="0.06" length="0.05"/></geometry>
+    <material name="black"><color rgba="0 0 0 1"/></material>
+  </visual>
+</link>
+<gazebo reference="wheel">
+  <material>Gazebo/Red</material>
+</gazebo>"""
+GOOD = BAD.replace("Gazebo/Red", "Gazebo/Black")
+
+#: Red, green or blue differ by more than this between colours that nobody confuses.
+_TOLERANCE = 0.4
+
+
+@rule(
+    "GEO009",
+    "urdf-and-gazebo-colours-differ",
+    Severity.INFO,
+    help="give both the same colour",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    names = [name for name in subject.targets.names if name in GAZEBO]
+    if names == ["gz-fortress"]:
+        return  # which has no material scripts
+    in_gz = bool(names) and not any(name.startswith("classic") for name in names)
+    colours = Colours(subject.model)
+    looks: dict[str, list[Material]] = {}
+    for link, _, material in colours.visuals():
+        looks.setdefault(link.name, []).append(material)
+    for name, element in _gazebo_materials(subject).items():
+        rgb = _color(element, in_gz=in_gz)
+        seen = [look for look in looks.get(name, ()) if look.rgba and not look.texture]
+        if rgb and seen and not any(_alike(element, rgb, look) for look in seen):
+            yield _finding(name, element, rgb, seen[0])
+
+
+def _gazebo_materials(subject: Subject) -> dict[str, Element]:
+    """The element that gives each link its Gazebo material: the last one."""
+    return {
+        block.get("reference") or "": child
+        for block in subject.model.gazebo
+        for child in block.all("material")
+    }
+
+
+def _named(element: Element) -> str:
+    return element.get("value") or element.text.strip()
+
+
+def _color(element: Element, *, in_gz: bool) -> tuple[float, ...] | None:
+    """Red, green and blue that Gazebo draws; None for a texture and an unknown name."""
+    material = materials().get(_named(element))
+    if material is None or material.textured:
+        return None
+    return (material.gz_rgb if in_gz and material.gz_rgb else material.rgba or ())[:3] or None
+
+
+def _alike(element: Element, rgb: tuple[float, ...], look: Material) -> bool:
+    """True if the colours are near one another, or have the same name."""
+    assert look.rgba is not None
+    word = _named(element).rpartition("/")[2].lower()
+    if look.name and word in look.name.value.lower():
+        return True
+    pairs = zip(rgb, look.rgba.value, strict=False)  # which has alpha, too
+    return all(abs(a - b) <= _TOLERANCE for a, b in pairs)
+
+
+def _finding(name: str, element: Element, rgb: tuple[float, ...], look: Material) -> Finding:
+    assert look.rgba is not None
+    called = f"'{look.name.value}' " if look.name else ""
+    return Finding(
+        element,
+        f"link '{name}' is {_named(element)} ({_shown(rgb)}) in Gazebo and "
+        f"{called}({_shown(look.rgba.value[:3])}) in the URDF",
+        related=(Related(look.rgba.span, "the colour in the URDF"),),
+    )
+
+
+def _shown(rgb: tuple[float, ...]) -> str:
+    return " ".join(f"{value:.3g}" for value in rgb)

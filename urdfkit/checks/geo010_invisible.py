@@ -1,0 +1,45 @@
+"""A visual is invisible.
+
+Its colour has an alpha of 0, the fourth number of `rgba`: 0 is glass, 1 is solid. RViz shows
+nothing. Write 1; or, if the link shall not be seen, leave the `<visual>` out, or call the material
+`invisible`, so that readers know.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.colours import Colours
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <visual>
+    <geometry><box size="0.1 0.1 0.1"/></geometry>
+    <material name="grey"><color rgba="0.2 0.2 0.2 0"/></material>
+  </visual>
+</link>"""
+GOOD = BAD.replace('0.2 0"', '0.2 1"')
+
+_MEANT = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNORECASE)
+
+
+@rule("GEO010", "invisible", Severity.INFO, help="write 1 as the fourth number of rgba")
+def check(subject: Subject) -> Iterator[Finding]:
+    told: set[Element | Attribute] = set()
+    for link, _, material in Colours(subject.model).visuals():
+        rgba, name = material.rgba, material.name.value if material.name else ""
+        if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] > 0:
+            continue
+        if rgba.at not in told and not _MEANT.search(name):
+            told.add(rgba.at)
+            called = f" '{name}'" if name else ""
+            message = f"link '{link.name}': the material{called} of a visual has an alpha of 0"
+            yield Finding(rgba, message)

@@ -1,0 +1,49 @@
+"""A texture lies on a box, a cylinder or a sphere.
+
+RViz wraps the picture around the shape in a way of its own. Gazebo does not read `<texture>` and
+draws the plain colour, or grey. For a picture that all programs show in the same place, use a mesh
+with texture coordinates (COLLADA or glTF).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.colours import Colours
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.shapes import SIZES
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="sign">
+  <visual>
+    <geometry><box size="0.3 0.01 0.2"/></geometry>
+    <material name="logo">
+      <texture filename="package://sign_description/textures/logo.png"/>
+    </material>
+  </visual>
+</link>"""
+GOOD = BAD.replace(
+    '<box size="0.3 0.01 0.2"/>', '<mesh filename="package://sign_description/meshes/sign.dae"/>'
+)
+
+
+@rule(
+    "GEO011",
+    "texture-on-primitive",
+    Severity.INFO,
+    help="use a mesh with texture coordinates, and give the material a <color> for the others",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    told: set[Element | Attribute] = set()
+    for link, body, material in Colours(subject.model).visuals():
+        texture, kind = material.texture, body.shape.kind if body.shape else ""
+        if texture and kind in SIZES and texture.at not in told:
+            told.add(texture.at)
+            message = f"link '{link.name}' has a texture on a {kind}, which only RViz shows"
+            yield Finding(texture, message)

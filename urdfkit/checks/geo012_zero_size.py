@@ -1,0 +1,44 @@
+"""A shape has no extent in some direction.
+
+A size of 0 is often written to mean "no shape here". RViz draws nothing, Gazebo and Drake take it
+for a point; MuJoCo refuses the robot, and some collision engines divide by the volume. Leave the
+whole `<visual>` or `<collision>` out: a link without one is allowed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.shapes import shaped, sizes
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="tool">
+  <collision>
+    <geometry><box size="0 0 0"/></geometry>
+  </collision>
+</link>"""
+GOOD = '<link name="tool"/>'
+
+
+@rule(
+    "GEO012",
+    "zero-size",
+    Severity.INFO,
+    help="leave the whole <visual> or <collision> out",
+    by_target={"mujoco": Severity.ERROR},
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for link, body, shape in shaped(subject.model):
+        for attribute, values in sizes(shape):
+            if min(values) == 0:
+                yield Finding(
+                    attribute,
+                    f"link '{link.name}': the <{shape.kind}> in its {body.at.tag} has "
+                    f"{attribute.name} {' '.join(f'{value:g}' for value in values)} m",
+                )

@@ -1,0 +1,56 @@
+"""A mass is negative, or zero on a link that a joint moves.
+
+Nothing that moves weighs nothing. Gazebo leaves out a moving link of zero mass together with all
+that hangs on it, MuJoCo refuses the robot, PyBullet nails the link to the world; a negative mass
+makes Gazebo refuse the robot and lets other engines fall upwards. Write the mass in kg. A frame
+that only marks a place needs no `<inertial>` if its joint is fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="2"/>
+    <inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="0"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="axle" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+</joint>"""
+GOOD = BAD.replace('"0"/>\n    <inertia ixx="0.001"', '"0.5"/>\n    <inertia ixx="0.001"')
+
+
+@rule("INE001", "mass-not-positive", Severity.ERROR, help="write the mass of the link in kg")
+def check(subject: Subject) -> Iterator[Finding]:
+    masses = subject.masses
+    for link in subject.model.links:
+        mass = link.inertial.mass if link.inertial else None
+        if mass is None:
+            continue
+        body = masses.body_of.get(link.name)
+        if mass.value < 0:
+            yield Finding(mass, f"link '{link.name}' has a mass of {mass.value:g} kg")
+        elif mass.value == 0 and masses.total > 0 and body and body.joint and body.mass <= 0:
+            joint = body.joint
+            yield Finding(
+                mass,
+                f"link '{link.name}' has a mass of 0 kg and is moved by "
+                f"the {joint.kind} joint '{joint.name}'",
+            )

@@ -1,0 +1,54 @@
+"""The moments of inertia break the triangle inequality.
+
+For real matter no principal moment exceeds the sum of the other two. MuJoCo and the newer Gazebo
+refuse such a body; engines that accept it gain energy from nothing, and controllers that compute
+with it are wrong. One moment has a slip of a digit, a row was left out, or the tensor belongs to
+another frame. Take it anew from the CAD program, or compute it from the shape.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.inertia_diagnosis import of_impossible, together
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.masses import Masses
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="arm">
+  <inertial>
+    <mass value="2"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/>
+  </inertial>
+</link>"""
+GOOD = BAD.replace('"0.03"', '"0.015"')
+
+
+@rule(
+    "INE003",
+    "triangle-inequality",
+    Severity.ERROR,
+    help="take the tensor about the centre of mass anew, from the CAD program or from the shape",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    masses = subject.masses
+    claimed = masses.claims.get("INE003", ())
+    yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
+
+
+def _finding(weighed: Weighed, masses: Masses) -> Finding:
+    low, middle, high = weighed.moments
+    which = "moments" if weighed.is_diagonal else "principal moments"
+    return Finding(
+        weighed.at,
+        f"link '{weighed.link.name}': of the {which} of inertia, {high:.3g} kg m^2 is more than "
+        f"the sum of the others, {low:.3g} + {middle:.3g}",
+        str(of_impossible(weighed, masses)),
+        weight=(high - low - middle) / high,
+    )

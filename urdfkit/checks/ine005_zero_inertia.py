@@ -1,0 +1,65 @@
+"""A link that a joint moves has a mass, but no moment of inertia at all.
+
+It can be turned without any effort: the equations of motion have no solution about that axis.
+MuJoCo refuses the robot, other engines divide by zero or let the link spin and vanish. A tensor
+full of zeros comes from an export that failed, or from a value with too few decimal places.
+Compute it from mass and size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.inertia_diagnosis import as_solid, together
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.masses import Masses
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="base"/>
+<link name="arm">
+  <inertial>
+    <mass value="0.5"/>
+    <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
+  </inertial>
+</link>
+<joint name="shoulder" type="continuous">
+  <parent link="base"/>
+  <child link="arm"/>
+</joint>"""
+GOOD = BAD.replace('ixx="0"', 'ixx="0.002"').replace(
+    '"0" iyz="0" izz="0"', '"0.002" iyz="0" izz="0.001"'
+)
+
+
+@rule(
+    "INE005",
+    "zero-inertia",
+    Severity.ERROR,
+    help="compute the tensor from mass and size: urdfkit explain XAC014 has the formulas",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from together(_findings(subject.masses))
+
+
+def _findings(masses: Masses) -> Iterator[tuple[Weighed, Finding]]:
+    for body in masses.without_inertia:
+        assert body.joint is not None
+        for link, _ in body.links:
+            weighed = masses.by_name.get(link.name)
+            if weighed is not None:
+                yield (
+                    weighed,
+                    Finding(
+                        weighed.at,
+                        f"link '{link.name}' of {weighed.mass:g} kg has no moment of inertia and "
+                        f"is moved by the {body.joint.kind} joint '{body.joint.name}'",
+                        as_solid(weighed) if weighed.is_measured else "",
+                        weight=weighed.mass,
+                    ),
+                )

@@ -1,0 +1,55 @@
+"""An inertia tensor is a stand-in such as 1, 1, 1.
+
+Whoever wrote it knew no value and meant to come back. A moment of 1 kg m^2 is that of a car wheel:
+with it, an arm's link or a gripper's finger resists turning like one, so motors stall, the robot
+shakes, and nothing that is simulated holds for the real one. Take the tensor from the CAD program,
+or compute it from mass and size; with a box around the mesh it is near enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.inertia_diagnosis import together, values
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="package://arm_description/meshes/arm.stl"/></geometry>
+  </visual>
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+</link>"""
+GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(
+    '="1" iyz="0" izz="1"', '="0.011" iyz="0" izz="0.002"'
+)
+
+
+@rule(
+    "INE009",
+    "placeholder-inertia",
+    Severity.WARNING,
+    help="take the tensor from the CAD program, or compute it for a box around the link",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    claimed = subject.masses.claims.get("INE009", ())
+    yield from together((weighed, _finding(weighed)) for weighed in claimed)
+
+
+def _finding(weighed: Weighed) -> Finding:
+    return Finding(
+        weighed.at,
+        f"link '{weighed.link.name}' of {weighed.mass:g} kg has the stand-in "
+        f"{values(weighed.diagonal)}, as if all of it were {weighed.radius_of_gyration:.3g} m away",
+        confidence=Confidence.INFERRED,
+        weight=weighed.radius_of_gyration,
+    )

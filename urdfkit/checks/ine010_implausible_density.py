@@ -1,0 +1,66 @@
+"""Mass and size of a link make a density that no material of robots has.
+
+Hollow plastic has some 50 kg/m^3, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
+grams, a size in millimetres or a forgotten zero puts a link far outside: it falls, grips and tips
+like nothing real, and motors that hold the robot in the simulation are too weak or too strong.
+Correct the mass or the size; where a collision shape is deliberately much smaller or larger than
+the part, ignore this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.inertia_claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
+from urdfkit.inertia_diagnosis import together
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="wheel">
+  <collision>
+    <geometry><cylinder radius="0.05" length="0.03"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="350"/>
+    <inertia ixx="0.245" ixy="0" ixz="0" iyy="0.245" iyz="0" izz="0.4375"/>
+  </inertial>
+</link>"""
+GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
+
+
+@rule(
+    "INE010",
+    "implausible-density",
+    Severity.WARNING,
+    help="correct the mass in kg, or the size in m",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    claimed = subject.masses.claims.get("INE010", ())
+    yield from together((weighed, _finding(weighed)) for weighed in claimed)
+
+
+def _finding(weighed: Weighed) -> Finding:
+    density = implausible_density(weighed)
+    assert density is not None
+    assert weighed.inertial.mass is not None
+    return Finding(
+        weighed.inertial.mass,
+        f"link '{weighed.link.name}': {weighed.mass:g} kg in a {weighed.solid} make "
+        f"{density:.3g} kg/m^3; parts of robots have {LIGHTEST:g} to {HEAVIEST:g}",
+        _advice(weighed),
+        confidence=Confidence.INFERRED,
+        weight=max(density / HEAVIEST, LIGHTEST / density),
+    )
+
+
+def _advice(weighed: Weighed) -> str:
+    unit = unit_slip(weighed)
+    if unit == "g":
+        return f"the mass is probably in g: write {weighed.mass / 1000:g}, and the tensor in kg m^2"
+    return "the size is probably in mm: write it in m" if unit == "mm" else ""

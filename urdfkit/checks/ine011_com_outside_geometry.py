@@ -1,0 +1,59 @@
+"""The centre of mass lies far outside the shapes of the link.
+
+The mass of a link is where its parts are. With the centre of mass outside, by more than the link is
+long, gravity pulls at a lever that is not there: the robot tips over, arms need torque to hold
+still, and a wheel drives in circles. Most often the `<origin>` of the `<inertial>` was copied from
+the joint or from the visual of another link, or is in millimetres. It is measured from the link's
+own frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.inertia_claims import center_is_outside
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.spatial import Vector
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="caster">
+  <collision>
+    <geometry><sphere radius="0.05"/></geometry>
+  </collision>
+  <inertial>
+    <origin xyz="-0.4 0 0"/>
+    <mass value="0.5"/>
+    <inertia ixx="0.0005" ixy="0" ixz="0" iyy="0.0005" iyz="0" izz="0.0005"/>
+  </inertial>
+</link>"""
+GOOD = BAD.replace("-0.4 0 0", "0 0 0")
+
+
+@rule(
+    "INE011",
+    "com-outside-geometry",
+    Severity.WARNING,
+    help="write the <origin> of the <inertial> in the link's own frame, in m",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for weighed in subject.masses.claims.get("INE011", ()):
+        distance = center_is_outside(weighed)
+        assert distance is not None
+        outline, center = weighed.outline, weighed.inertial.origin.position
+        yield Finding(
+            weighed.inertial.at.child("origin") or weighed.inertial.at,
+            f"link '{weighed.link.name}': the centre of mass at {_point(center)} m is "
+            f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
+            f"about {_point(outline.center)}",
+            confidence=Confidence.INFERRED,
+            weight=distance / max(outline.edges),
+        )
+
+
+def _point(point: Vector) -> str:
+    return " ".join(f"{value:.3g}" for value in point)

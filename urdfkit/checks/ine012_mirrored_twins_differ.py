@@ -1,0 +1,83 @@
+"""Left and right differ in mass or inertia.
+
+Parts that are mirror images weigh the same and resist turning in the same way. One side here has
+clearly more: a decimal point moved, or one side was edited and the other forgotten. The robot pulls
+to one side, and a controller tuned for one hand shakes the other. Compare the two, and give both
+the value that is right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.inertia_diagnosis import values
+from urdfkit.masses import unlike
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="hand"/>
+<link name="left_finger">
+  <inertial>
+    <mass value="0.015"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
+<link name="right_finger">
+  <inertial>
+    <mass value="0.15"/>
+    <inertia ixx="2.4e-6" ixy="0" ixz="0" iyy="2.4e-6" iyz="0" izz="7.5e-7"/>
+  </inertial>
+</link>
+<joint name="left" type="fixed">
+  <origin xyz="0 0.02 0"/>
+  <parent link="hand"/>
+  <child link="left_finger"/>
+</joint>
+<joint name="right" type="fixed">
+  <origin xyz="0 -0.02 0"/>
+  <parent link="hand"/>
+  <child link="right_finger"/>
+</joint>"""
+GOOD = BAD.replace('"0.15"', '"0.015"')
+
+
+@rule(
+    "INE012",
+    "mirrored-twins-differ",
+    Severity.WARNING,
+    help="compare the two, and give both the value that is right",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for left, right in subject.masses.unlike_twins:
+        yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
+
+
+def _of_mass(left: Weighed, right: Weighed) -> Finding:
+    assert left.inertial.mass is not None
+    assert right.inertial.mass is not None
+    ratio = max(left.mass, right.mass) / min(left.mass, right.mass)
+    return Finding(
+        right.inertial.mass,
+        f"link '{right.link.name}' has {right.mass:g} kg, its twin '{left.link.name}' "
+        f"{left.mass:g} kg: {ratio:.3g} times as much"
+        + (" there" if left.mass > right.mass else ""),
+        related=(Related(left.inertial.mass.span, f"'{left.link.name}' has {left.mass:g} kg"),),
+        confidence=Confidence.INFERRED,
+        weight=ratio,
+    )
+
+
+def _of_inertia(left: Weighed, right: Weighed) -> Finding:
+    return Finding(
+        right.at,
+        f"link '{right.link.name}' has principal moments of inertia of {values(right.moments)}"
+        f", its twin '{left.link.name}' of the same mass {values(left.moments)}",
+        related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
+        confidence=Confidence.INFERRED,
+    )

@@ -1,0 +1,69 @@
+"""Links of different mass have the very same inertia tensor.
+
+With the same shape, a link of twice the mass has twice the moments; the tensor was copied along
+with the rest of the link. At most one of the links moves as it should in a simulation. Compute each
+tensor from its own mass and size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.inertia_diagnosis import MAX_RELATED, values
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+    from urdfkit.weighed import Weighed
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="0.7"/>
+    <inertia ixx="0.002" ixy="1e-6" ixz="0" iyy="0.002" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<link name="finger">
+  <inertial>
+    <mass value="0.05"/>
+    <inertia ixx="0.002" ixy="1e-6" ixz="0" iyy="0.002" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="knuckle" type="continuous">
+  <parent link="base"/>
+  <child link="finger"/>
+</joint>"""
+GOOD = BAD.replace(
+    """"0.05"/>
+    <inertia ixx="0.002" ixy="1e-6" ixz="0" iyy="0.002" iyz="0" izz="0.001"/>""",
+    """"0.05"/>
+    <inertia ixx="1.5e-5" ixy="0" ixz="0" iyy="1.5e-5" iyz="0" izz="6e-6"/>""",
+)
+
+
+@rule(
+    "INE013",
+    "same-tensor-on-different-links",
+    Severity.INFO,
+    help="compute each tensor from the mass and size of its own link",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for group in subject.masses.copies:
+        yield _finding(sorted(group, key=lambda weighed: -weighed.mass))
+
+
+def _finding(group: list[Weighed]) -> Finding:
+    heaviest, lightest = group[0], group[-1]
+    count = f"{len(group)} links, " if len(group) > 2 else ""
+    return Finding(
+        lightest.at,
+        f"{count}from '{lightest.link.name}' of {lightest.mass:g} kg to '{heaviest.link.name}' of "
+        f"{heaviest.mass:g} kg have the same inertia tensor ({values(heaviest.diagonal)})",
+        related=tuple(
+            Related(weighed.at.span, f"link '{weighed.link.name}' of {weighed.mass:g} kg")
+            for weighed in group[:-1][:MAX_RELATED]
+        ),
+        confidence=Confidence.INFERRED,
+    )

@@ -1,0 +1,63 @@
+"""A light link between joints carries more than a thousand times its own mass.
+
+Solvers that iterate, as those of Gazebo, Bullet and PhysX (Isaac Sim) do, need as many rounds as
+the masses are apart: the light link cannot take up the force, the joints give way, and the robot
+jitters or bursts. A hand on a heavy arm is no trouble; a gram that holds a kilogram is. Move mass
+from the heavy link to the light one, or merge the two joints into one link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.masses import CARRIED
+from urdfkit.rules import Finding, rule
+from urdfkit.targets import GAZEBO
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="steering">
+  <inertial>
+    <mass value="0.005"/>
+    <inertia ixx="1e-6" ixy="0" ixz="0" iyy="1e-6" iyz="0" izz="1e-6"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="15"/>
+    <inertia ixx="0.35" ixy="0" ixz="0" iyy="0.35" iyz="0" izz="0.675"/>
+  </inertial>
+</link>
+<joint name="steer" type="continuous">
+  <parent link="base"/>
+  <child link="steering"/>
+</joint>
+<joint name="axle" type="continuous">
+  <parent link="steering"/>
+  <child link="wheel"/>
+</joint>"""
+GOOD = BAD.replace('"0.005"', '"1"').replace('"1e-6"', '"0.001"')
+
+
+@rule(
+    "INE014",
+    "extreme-mass-ratio",
+    Severity.INFO,
+    help="move mass from the heavy links to the light one, or make one joint of two",
+    by_target={"isaac": Severity.WARNING, **dict.fromkeys(GAZEBO, Severity.WARNING)},
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for body, load in subject.masses.overloaded:
+        link = body.top
+        mass = link.inertial.mass if link.inertial else None
+        yield Finding(
+            mass or link.at,
+            f"link '{link.name}' has {body.mass:.3g} kg and carries {load:.3g} kg by joints, "
+            f"{load / body.mass:.0f} times as much; up to {CARRIED:.0f} times is calm",
+            weight=load / body.mass,
+        )

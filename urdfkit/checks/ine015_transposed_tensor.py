@@ -1,0 +1,55 @@
+"""The moments of inertia stand at the wrong axes.
+
+They are those of the link's shape, but in another order: a wheel that lies along y has the tensor
+of one along z. URDF turns the tensor with the `<origin>` of the `<inertial>`, not with that of the
+collision or the visual, which are often turned by a quarter. The wheel then spins up faster than it
+should and resists tipping less. Swap the values, or give the `<inertial>` the same `rpy` as the
+shape.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.edits import from_macro
+from urdfkit.inertia_diagnosis import as_solid, replacement, values, written
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="wheel">
+  <collision>
+    <origin rpy="1.5707963267948966 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.6"/>
+    <inertia ixx="0.00158" ixy="0" ixz="0" iyy="0.00158" iyz="0" izz="0.003"/>
+  </inertial>
+</link>"""
+FIXED = GOOD = BAD.replace('iyy="0.00158"', 'iyy="0.003"').replace('izz="0.003"', 'izz="0.00158"')
+
+
+@rule(
+    "INE015",
+    "transposed-tensor",
+    Severity.WARNING,
+    help="swap the values, or give the <inertial> the rpy of the shape",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for weighed in subject.masses.claims.get("INE015", ()):
+        expected = weighed.expected
+        assert expected is not None
+        yield Finding(
+            weighed.at,
+            f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
+            f" about x, y and z; {as_solid(weighed)} as it lies",
+            "" if from_macro(weighed.at) else f"write {written(expected)}, or turn the <inertial>",
+            replacement(weighed, expected),
+            confidence=Confidence.INFERRED,
+        )

@@ -1,0 +1,63 @@
+"""A link without mass has an inertia tensor.
+
+Gazebo adds the tensor of a link that a fixed joint ties to another to that of the whole, mass or
+no mass: a sensor frame of 0 kg with 1, 1, 1 makes a small robot turn like a lorry. Readers that go
+by the mass pass over it. A frame needs no `<inertial>`; a part that weighs something needs a mass.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.inertia_diagnosis import values
+from urdfkit.rules import Finding, rule
+from urdfkit.targets import GAZEBO
+from urdfkit.weighed import NOISE
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="3"/>
+    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.05"/>
+  </inertial>
+</link>
+<link name="sonar">
+  <inertial>
+    <mass value="0"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+</link>
+<joint name="sonar_mount" type="fixed">
+  <parent link="base"/>
+  <child link="sonar"/>
+</joint>"""
+GOOD = BAD.replace('"1"', '"0"')
+
+
+@rule(
+    "INE016",
+    "inertia-on-massless-frame",
+    Severity.INFO,
+    help="leave the <inertial> out, or write the mass of the part",
+    by_target=dict.fromkeys(GAZEBO, Severity.WARNING),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    masses = subject.masses
+    for link in subject.model.links:
+        inertial, body = link.inertial, masses.body_of.get(link.name)
+        if inertial is None or inertial.mass is None or inertial.tensor is None:
+            continue
+        tensor = inertial.tensor.value
+        merged = body is not None and body.top is not link
+        if merged and inertial.mass.value == 0 and max(map(abs, tensor)) > NOISE:
+            moments = values((tensor.ixx, tensor.iyy, tensor.izz))
+            yield Finding(
+                inertial.tensor,
+                f"link '{link.name}' has a mass of 0 kg and moments of inertia of {moments}",
+                weight=max(map(abs, tensor)),
+            )
