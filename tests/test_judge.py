@@ -1,10 +1,20 @@
-"""What a report says of rules that could not look."""
+"""From what rules say to diagnostics: folding, weighing, and rules that could not look."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from typing import Any
+
 import pytest
 
-from urdfkit import Report, Source, check, rules
+from urdfkit import Report, Source, check, judge, rules
+from urdfkit.diagnostic import Confidence, Diagnostic, Related, Severity
+from urdfkit.document import Element
+from urdfkit.resolve import Resolver
+from urdfkit.rules import Finding, Rule, Written
+from urdfkit.source import Span
+from urdfkit.subject import Subject
+from urdfkit.targets import Targets
 
 BROKEN_XACRO = b"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -45,3 +55,187 @@ def test_a_xacro_that_does_not_expand() -> None:
 def test_only_chosen_rules_are_skipped() -> None:
     report = check(Source("r.urdf", b"<robot"), select=["XML001", "TRE006"])
     assert list(skipped(report)) == ["TRE006"]
+
+
+# --- folding and weighing, with rules made by hand
+
+WHEELS = b"""\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="n mass">
+    <link name="${n}"><inertial><mass value="${mass}"/></inertial></link>
+  </xacro:macro>
+  <xacro:macro name="axle" params="n mass">
+    <xacro:wheel n="${n}_left" mass="${mass}"/>
+    <xacro:wheel n="${n}_right" mass="${mass}"/>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:axle n="front" mass="1"/>
+  <xacro:axle n="rear" mass="3"/>
+</robot>
+"""
+
+
+def subject(data: bytes = WHEELS, **options: Any) -> Subject:
+    path = "r.xacro" if b"xacro:" in data else "r.urdf"
+    return Subject(Source(path, data), Resolver(environment={}), **options)
+
+
+def rule(find: Callable[[Subject], Iterator[Finding]], **changes: Any) -> Rule:
+    plain = Rule(
+        "ABC001", "some-defect", Severity.WARNING, frozenset(), find, "", False, __name__, {}
+    )
+    return plain._replace(**changes)
+
+
+def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Subject], Iterator[Finding]]:
+    """A rule that says something of every link."""
+    return lambda one: (make(link.name, link.at) for link in one.model.links)
+
+
+@pytest.fixture
+def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., judge.Verdict]:
+    """The verdict of some rules made by hand, and no others."""
+
+    def run(*made: Rule, one: Subject | None = None) -> judge.Verdict:
+        monkeypatch.setattr(judge, "applicable", lambda *_: made)
+        return judge.judge(one or subject(), [])
+
+    return run
+
+
+def ways(diagnostic: Diagnostic) -> list[list[str]]:
+    return [[step.name for step in call.via] for call in diagnostic.calls]
+
+
+def test_what_one_macro_caused_is_one_diagnostic_with_its_calls(judged) -> None:
+    verdict = judged(rule(of_links(lambda name, at: Finding(at, f"link '{name}'"))))
+    base, wheel = verdict.diagnostics
+    assert (base.message, ways(base), base.element) == ("link 'base'", [[]], "link/base")
+    assert wheel.span.text == '<link name="${n}">'
+    assert [call.message for call in wheel.calls] == [
+        "link 'front_left'",
+        "link 'front_right'",
+        "link 'rear_left'",
+        "link 'rear_right'",
+    ]
+    assert ways(wheel) == [["axle", "wheel"]] * 4
+    assert wheel.message == wheel.calls[0].message
+
+
+def test_the_worst_call_comes_first_and_speaks_for_all(judged) -> None:
+    weights = {"front_left": 1.0, "front_right": 2.0, "rear_left": 5.0}
+    verdict = judged(
+        rule(
+            of_links(
+                lambda name, at: Finding(
+                    at,
+                    f"link '{name}'",
+                    help=f"mend {name}",
+                    related=(Related(at.span, name),),
+                    confidence=Confidence.GUESSED if name == "rear_left" else Confidence.MEASURED,
+                    weight=weights.get(name, 0.0),
+                )
+            )
+        )
+    )
+    wheel = verdict.diagnostics[1]
+    assert [call.message for call in wheel.calls] == [
+        "link 'rear_left'",
+        "link 'front_right'",
+        "link 'front_left'",
+        "link 'rear_right'",
+    ]
+    assert (wheel.message, wheel.help) == ("link 'rear_left'", "mend rear_left")
+    assert wheel.related[0].message == "rear_left"
+    assert wheel.confidence is Confidence.GUESSED
+
+
+def test_two_defects_of_one_plain_place_stay_two(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        root = one.document.root
+        yield from (Finding(root, "first"), Finding(root, "second"))
+
+    assert [d.message for d in judged(rule(find)).diagnostics] == ["first", "second"]
+
+
+def test_two_rules_are_never_folded(judged) -> None:
+    find = of_links(lambda name, at: Finding(at, name))
+    verdict = judged(rule(find), rule(find, code="ABC002", name="other-defect"))
+    assert [(d.code, d.name, len(d.calls)) for d in verdict.diagnostics] == [
+        ("ABC001", "some-defect", 1),
+        ("ABC001", "some-defect", 4),
+        ("ABC002", "other-defect", 1),
+        ("ABC002", "other-defect", 4),
+    ]
+
+
+def test_a_place_that_is_no_element_has_no_path(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        yield Finding(Written(Span(one.source, 0, 6)), "here")
+
+    (found,) = judged(rule(find)).diagnostics
+    assert (found.span.text, found.element, found.calls[0].via) == ("<robot", "", ())
+
+
+def test_the_help_of_the_rule_stands_in(judged) -> None:
+    find = of_links(lambda name, at: Finding(at, name, help="its own" if name == "base" else ""))
+    base, wheel = judged(rule(find, help="of the rule")).diagnostics
+    assert (base.help, wheel.help) == ("its own", "of the rule")
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity", "suffering"),
+    [
+        ((), Severity.WARNING, ()),
+        (("ros2",), Severity.WARNING, ()),
+        (("kdl",), Severity.INFO, ("kdl",)),
+        (("ros2", "kdl", "mujoco", "drake"), Severity.ERROR, ("mujoco", "drake")),
+    ],
+)
+def test_the_worst_severity_of_a_target_wins(judged, targets, severity, suffering) -> None:
+    by_target = {"mujoco": Severity.ERROR, "drake": Severity.ERROR, "kdl": Severity.INFO}
+    weighed = rule(of_links(lambda name, at: Finding(at, name)), by_target=by_target)
+    verdict = judged(weighed, one=subject(targets=Targets(targets)))
+    assert {(d.severity, d.targets) for d in verdict.diagnostics} == {(severity, suffering)}
+    assert verdict.targets == Targets(targets)
+
+
+def test_targets_are_inferred_only_where_they_matter(judged) -> None:
+    silent = rule(lambda _: iter(()), by_target={"kdl": Severity.ERROR})
+    indifferent = rule(of_links(lambda name, at: Finding(at, name)))
+    assert judged(silent, indifferent).targets is None
+
+
+def test_a_part_that_is_not_to_be_had_skips_the_rule(judged) -> None:
+    def of_the_xacro(one: Subject) -> Iterator[Finding]:
+        yield Finding(Written(Span(one.source, 0, 0)), f"{one.xacro}")
+
+    of_all = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
+    verdict = judged(rule(of_the_xacro), of_all, one=subject(b'<robot><link name="a"/></robot>'))
+    assert [(skip.code, skip.path, skip.reason) for skip in verdict.skipped] == [
+        ("ABC001", "r.urdf", "not a xacro")
+    ]
+    assert [d.code for d in verdict.diagnostics] == ["ABC002"]
+    assert verdict.ran == {"ABC002"}
+
+
+def test_a_crash_hides_neither_other_rules_nor_what_was_found_before(judged) -> None:
+    def half(one: Subject) -> Iterator[Finding]:
+        yield Finding(one.document.root, "found before")
+        raise ZeroDivisionError("boom")
+
+    whole = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
+    verdict = judged(rule(half), whole)
+    ((code, path, error, traceback),) = verdict.crashed
+    assert (code, path, error) == ("ABC001", "r.xacro", "ZeroDivisionError: boom")
+    assert "in half" in traceback
+    assert [d.message for d in verdict.diagnostics] == ["found before", "base", "front_left"]
+    assert verdict.ran == {"ABC002"}
+
+
+def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
+    def endless(one: Subject) -> Iterator[Finding]:
+        while True:
+            yield Finding(one.document.root, "again")
+
+    assert len(judged(rule(endless)).diagnostics) == judge.MAX_FINDINGS

@@ -1,0 +1,150 @@
+"""check(): which descriptions are checked, and what becomes of their verdicts."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from urdfkit import Source, check
+from urdfkit.config import Config, Robot
+from urdfkit.diagnostic import Report
+from urdfkit.errors import UnknownRule, UnreadableFile
+from urdfkit.targets import Targets, UnknownTarget
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
+
+
+def write(folder: Path, name: str, body: str) -> Path:
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"{HEAD}\n{body}\n</robot>\n")
+    return path
+
+
+def found(report: Report) -> list[tuple[str, str, int]]:
+    """File, code and line of every finding."""
+    return [(os.path.basename(d.span.source.path), d.code, d.span.line) for d in report.diagnostics]
+
+
+@pytest.fixture
+def robots(tmp_path: Path) -> Path:
+    """Two robots with the same defect in a file that both include, and one each of their own."""
+    write(tmp_path, "shared.xacro", f'<link name="a"/>{LOOP}')
+    include = '<xacro:include filename="shared.xacro"/>'
+    write(tmp_path, "one.xacro", f'{include}\n<xacro:property name="unused_one" value="1"/>')
+    write(tmp_path, "two.xacro", f'{include}\n\n<xacro:property name="unused_two" value="1"/>')
+    return tmp_path
+
+
+SELECT = ["TRE006", "XAC004"]
+
+
+def test_the_defect_of_a_shared_file_is_told_once(robots: Path) -> None:
+    report = check(robots / "two.xacro", robots / "one.xacro", select=SELECT)
+    assert found(report) == [
+        ("one.xacro", "XAC004", 3),
+        ("shared.xacro", "TRE006", 2),
+        ("two.xacro", "XAC004", 4),
+    ]
+    assert report.files == (str(robots / "two.xacro"), str(robots / "one.xacro"))
+
+
+def test_a_folder_is_its_entry_points(robots: Path) -> None:
+    report = check(robots, select=SELECT)
+    assert [os.path.basename(file) for file in report.files] == ["one.xacro", "two.xacro"]
+    assert len(report.diagnostics) == 3
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 8])
+def test_processes_change_nothing_but_the_time(robots: Path, jobs: int) -> None:
+    def told(report: Report) -> object:
+        rows = [
+            (
+                str(d.span),
+                d.span.end,
+                *d[:5],
+                d.help,
+                d.targets,
+                [(c.message, c.element) for c in d.calls],
+            )
+            for d in report.diagnostics
+        ]
+        return rows, report.files, report.skipped, report.rules, report.targets, report.suppressed
+
+    write(robots, "three.xacro", '<link name="${none}"/>')
+    write(robots, "lib.xacro", '<xacro:macro name="m"><link name="x"/></xacro:macro>')
+    (robots / "four.urdf").write_text(f'<robot name="r"><link name="a"/>{LOOP}</robot>')
+    calls: list[tuple[int, int]] = []
+    report = check(robots, jobs=jobs, progress=lambda *n: calls.append(n))
+    assert told(report) == told(check(robots))
+    assert report.diagnostics
+    assert report.skipped
+    assert calls == [(n, 4) for n in range(1, 5)]
+
+
+def test_variants_are_checked_under_their_names_with_all_arguments(tmp_path: Path) -> None:
+    file = write(
+        tmp_path,
+        "r.xacro",
+        '<xacro:arg name="n" default="x"/><xacro:arg name="m" default=""/>'
+        '<link name="$(arg n)"/><link name="$(arg n)$(arg m)"/>',
+    )
+    robots = (Robot(str(file), "same", {}), Robot(str(file), "other", {"m": "_2"}))
+    config = Config(robots=robots, arguments={"n": "y"})
+    (same,) = check(file, select=["NAM001"], config=config).diagnostics
+    assert "'y'" in same.message
+    assert check(file, select=["NAM001"], config=config, arguments={"m": "_3"}).diagnostics == ()
+    assert check(file, select=["NAM001"]).diagnostics[0].message.count("'x'")
+
+
+def test_a_source_needs_no_file() -> None:
+    report = check(Source("nowhere.urdf", f'<robot><link name="a"/>{LOOP}</robot>'.encode()))
+    assert ("nowhere.urdf", "TRE006", 1) in found(report)
+
+
+def test_what_cannot_be_done_is_an_exception(tmp_path: Path) -> None:
+    good = write(tmp_path, "r.urdf", '<link name="a"/>')
+    with pytest.raises(UnreadableFile, match=r"no such file; did you mean 'r\.urdf'"):
+        check(tmp_path / "s.urdf")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro"):
+        check(tmp_path / "empty")
+    with pytest.raises(UnknownRule):
+        check(good, select=["XYZ"])
+    with pytest.raises(UnknownRule):
+        check(good, ignore=["XYZ"])
+    with pytest.raises(UnknownTarget, match="did you mean 'mujoco'"):
+        check(good, targets=["mojoco"])
+
+
+def test_targets_go_before_those_of_the_configuration(tmp_path: Path) -> None:
+    root = '<link name="a"><inertial><mass value="1"/></inertial></link>'
+    file = write(tmp_path, "r.urdf", root)
+    config = Config(targets=("mujoco",))
+    for given, expected in (([], "mujoco"), (["kdl"], "kdl")):
+        report = check(file, targets=given, config=config, select=["TRE007"])
+        assert report.targets == ((str(file), Targets((expected,))),)
+
+
+def test_changed_files_of_several_folders(robots: Path, tmp_path_factory) -> None:
+    other = tmp_path_factory.mktemp("other")
+    write(other, "four.xacro", '<link name="a"/>')
+    changed = [robots / "shared.xacro", robots / "one.xacro", other / "four.xacro"]
+    report = check(*changed, changed=True, select=SELECT)
+    assert sorted(map(os.path.basename, report.files)) == ["four.xacro", "one.xacro", "two.xacro"]
+
+
+def test_a_finding_of_one_argument_set_only_stays(tmp_path: Path) -> None:
+    file = write(
+        tmp_path,
+        "r.xacro",
+        f'<xacro:arg name="bad" default="0"/><link name="a"/>'
+        f'<xacro:if value="$(arg bad)">{LOOP}</xacro:if>',
+    )
+    robots = (Robot(str(file), "good", {"bad": "0"}), Robot(str(file), "bad", {"bad": "1"}))
+    assert found(check(file, select=["TRE006"], config=Config(robots=robots))) == [
+        ("r.xacro", "TRE006", 2)
+    ]
