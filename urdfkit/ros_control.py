@@ -23,6 +23,17 @@ ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 #: Children of ``<ros2_control>`` that have interfaces.
 _PARTS = ("joint", "sensor", "gpio")
 
+#: Children of the PR2's transmissions that ros_control does not have there.
+_PR2_TAGS = (
+    "mechanicalReduction",
+    "motorTorqueConstant",
+    "leftActuator",
+    "rightActuator",
+    "gap_joint",
+    "flexJoint",
+    "rollJoint",
+)
+
 _DIRECTIONS = {"command_interface": "command", "state_interface": "state"}
 
 
@@ -127,7 +138,10 @@ def parameter(element: Element, name: str) -> Element | None:
 
 def is_of_pr2(transmission: Element) -> bool:
     """True for the older form that only the PR2's own controller manager reads."""
-    return transmission.child("type") is None and "pr2" in (transmission.get("type") or "")
+    kind = transmission.get("type")
+    if kind is None or transmission.child("type"):
+        return False
+    return "pr2" in kind or any(child.tag in _PR2_TAGS for child in transmission.children)
 
 
 def reads_transmissions(targets: Targets) -> bool:

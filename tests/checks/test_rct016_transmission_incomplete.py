@@ -1,0 +1,42 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.controls import NEXT, ROBOT, transmission
+from tests.told import messages, places, told
+
+GOOD = ROBOT + transmission("swing")
+TYPE = "<type>transmission_interface/SimpleTransmission</type>"
+ACTUATOR = '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator>'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (TYPE, "", "transmission 't' has no <type>"),
+        (TYPE, "<type/>", "transmission 't' has no <type>"),
+        (
+            f'name="t">{TYPE}',
+            'name="t" type="SimpleTransmission">',
+            "transmission 't' has no <type> (the attribute does not count)",
+        ),
+        ('name="t"', "", "transmission '' has no name"),
+        (ACTUATOR, "", "transmission 't' has no <actuator>"),
+        (
+            TYPE,
+            "</transmission><transmission>",
+            "transmission 't' has no <type> and no <joint> and",
+        ),
+    ],
+)
+def test_what_is_missing(old: str, new: str, message: str) -> None:
+    found = messages("RCT016", GOOD.replace(old, new))
+    assert found[0].startswith(message)
+    assert places("RCT016", GOOD.replace(old, new))[0][0] == NEXT
+
+
+def test_what_is_whole_or_not_read() -> None:
+    assert told("RCT016", GOOD) == []
+    assert told("RCT016", GOOD.replace(TYPE, ""), targets=("ros2",)) == []
+    pr2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
+    assert told("RCT016", ROBOT + pr2) == []

@@ -1,0 +1,70 @@
+"""A transmission lacks its name, its type, a joint or an actuator.
+
+The parser of ROS 1 writes an error into the log and leaves the transmission out, so no controller
+finds the joint: "Could not find resource". The type is an element, `<type>`; an attribute is the
+form of the PR2, which nothing else reads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.ros_control import is_of_pr2, reads_transmissions
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<transmission name="shoulder_transmission" type="transmission_interface/SimpleTransmission">
+  <joint name="shoulder">
+    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+  </joint>
+  <actuator name="shoulder_motor">
+    <mechanicalReduction>50</mechanicalReduction>
+  </actuator>
+</transmission>"""
+GOOD = BAD.replace(
+    ' type="transmission_interface/SimpleTransmission">',
+    ">\n  <type>transmission_interface/SimpleTransmission</type>",
+)
+
+
+@rule(
+    "RCT016",
+    "transmission-incomplete",
+    Severity.ERROR,
+    help="give it a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
+    "<actuator>",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.model.transmissions or not reads_transmissions(subject.targets):
+        return
+    for transmission in subject.model.transmissions:
+        missing = [] if is_of_pr2(transmission) else _missing(transmission)
+        if missing:
+            name = transmission.get("name") or ""
+            yield Finding(transmission, f"transmission '{name}' has no {' and no '.join(missing)}")
+
+
+def _missing(transmission: Element) -> list[str]:
+    kind = transmission.child("type")
+    missing: list[str] = []
+    if not transmission.get("name"):
+        missing.append("name")
+    if kind is None or not kind.text.strip():
+        attribute = " (the attribute does not count)" if "type" in transmission.attributes else ""
+        missing.append(f"<type>{attribute}")
+    missing += [f"<{tag}>" for tag in ("joint", "actuator") if transmission.child(tag) is None]
+    return missing

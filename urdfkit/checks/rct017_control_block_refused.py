@@ -1,0 +1,74 @@
+"""A block of ros2_control holds a tag that it may not hold, or something in it has no name.
+
+The parser of ros2_control stops with an exception, "invalid tag name" or "no attribute name in
+tag", and the controller manager does not start. Correct the tag, or give the name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.catalog.ros_control import grammar
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joints name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joints>
+</ros2_control>"""
+GOOD = BAD.replace("joints", "joint")
+
+#: A tag with a prefix, such as a call that nothing expands, is told elsewhere.
+_PREFIX = ":"
+
+
+@rule(
+    "RCT017",
+    "control-block-refused",
+    Severity.ERROR,
+    help="see the grammar of <ros2_control>: hardware, joint, sensor, gpio, transmission",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    tags = grammar()
+    for block in subject.model.ros2_controls:
+        known = tags["ros2_control"].children
+        for child in block.children:
+            if child.tag not in known and _PREFIX not in child.tag:
+                hint = did_you_mean(child.tag, known)
+                yield Finding(child, f"<ros2_control> may not hold <{child.tag}>{hint}")
+        for element in _named(block):
+            if not element.get("name"):
+                yield Finding(element, f"<{element.tag}> has no name", "give it a name")
+
+
+def _named(block: Element) -> Iterator[Element]:
+    """What needs a name: the block, its parts, and what stands in them."""
+    yield block
+    tags = grammar()
+    for child in block.children:
+        if child.tag in tags and "name" in tags[child.tag].required:
+            yield child
+        for inner in child.children:
+            if inner.tag in ("command_interface", "state_interface", "param"):
+                yield inner
+                yield from inner.all("param")
