@@ -21,10 +21,14 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="arm">
   <visual>
-    <geometry><mesh filename="package://arm/arm.stl" scale="0 0.001 0.001"/></geometry>
+    <geometry><mesh filename="arm.stl" scale="0 0.001 0.001"/></geometry>
   </visual>
 </link>"""
 GOOD = BAD.replace('"0 0.001', '"0.001 0.001')
+FILES = {
+    "arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+    b"endloop\nendfacet\nendsolid\n"
+}
 
 
 @rule("GEO005", "zero-scale", Severity.ERROR, help="write three factors other than 0")

@@ -22,10 +22,14 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="left_arm">
   <collision>
-    <geometry><mesh filename="package://arm/right_arm.stl" scale="1 -1 1"/></geometry>
+    <geometry><mesh filename="right_arm.stl" scale="1 -1 1"/></geometry>
   </collision>
 </link>"""
-GOOD = BAD.replace("/right_arm", "/left_arm").replace(' scale="1 -1 1"', "")
+GOOD = BAD.replace("right_arm.stl", "left_arm.stl").replace(' scale="1 -1 1"', "")
+FILES = {
+    "left_arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\n"
+    b"vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
+}
 
 #: Places that the finding lists beside the first.
 _MAX_RELATED = 20

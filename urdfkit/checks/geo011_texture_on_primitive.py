@@ -29,7 +29,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace(
-    '<box size="0.3 0.01 0.2"/>', '<mesh filename="package://sign_description/meshes/sign.dae"/>'
+    '<texture filename="package://sign_description/textures/logo.png"/>', '<color rgba="0 0 1 1"/>'
 )
 
 

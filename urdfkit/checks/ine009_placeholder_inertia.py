@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="arm">
   <visual>
-    <geometry><mesh filename="package://arm_description/meshes/arm.stl"/></geometry>
+    <geometry><mesh filename="arm.stl"/></geometry>
   </visual>
   <inertial>
     <mass value="1"/>
@@ -32,6 +32,10 @@ BAD = """\
 GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(
     '="1" iyz="0" izz="1"', '="0.011" iyz="0" izz="0.002"'
 )
+FILES = {
+    "arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+    b"endloop\nendfacet\nendsolid\n"
+}
 
 
 @rule(
