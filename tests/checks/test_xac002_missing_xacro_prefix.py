@@ -50,5 +50,6 @@ def test_elements_of_urdf_and_of_gazebo_may_be_called_like_a_macro() -> None:
 
 
 def test_a_plain_urdf_is_another_rule() -> None:
-    report = engine.check(Source("a.urdf", b'<robot name="r"><link name="a"/><include/></robot>'))
+    source = Source("a.urdf", b'<robot name="r"><link name="a"/><include/></robot>')
+    report = engine.check(source, select=["XML", "XAC", "URD"])
     assert [one.code for one in report.diagnostics] == ["URD001"]

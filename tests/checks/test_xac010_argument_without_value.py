@@ -58,3 +58,15 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     assert found.message.startswith("argument 'kind' must be given")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     assert told_of("XAC010", tmp_path / "robot.xacro", kind="ur5e") == []
+
+
+def test_a_default_that_needs_the_argument_itself() -> None:
+    body = '<link name="$(arg a)"/>\n<xacro:arg name="a" default="$(arg a)"/>'
+    assert {one.message for one in told("XAC010", body)} == {
+        "argument 'a' has no value and no default"
+    }
+    body = (
+        '<xacro:arg name="a" default="$(arg b)"/>\n<xacro:arg name="b" default="$(arg a)"/>\n'
+        '<link name="$(arg b)"/>'
+    )
+    assert told("XAC010", body)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from tests.xacros import told_of, write
 from urdfkit import engine
+from urdfkit.diagnostic import Severity
 
 PART = '<xacro:wheel name="${side}_wheel"/><link name="$(arg prefix)axle"/>'
 

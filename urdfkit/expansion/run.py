@@ -118,6 +118,7 @@ class Run:
         self.including: list[Node] = []
         self._location: Located | None = None
         self._declared_nodes: list[Node] = []
+        self._defaulting: set[str] = set()
         self._calls = 0
 
     # ------------------------------------------------------------------ files
@@ -250,9 +251,16 @@ class Run:
         is common, and the rest of the robot can be checked with the default.
         """
         for node in self._declared_nodes:
-            if node.getAttribute("name") == name and node.hasAttribute("default"):
+            if node.getAttribute("name") != name or not node.hasAttribute("default"):
+                continue
+            if name in self._defaulting:
+                break  # its default needs the argument itself
+            self._defaulting.add(name)
+            try:
                 self.ledger.add(describe.used_too_early(name, node, _caller()))
                 return str(load_engine().xacro.eval_text(node.getAttribute("default"), symbols))
+            finally:
+                self._defaulting.discard(name)
         raise MissingArgument(name)
 
     def known_arguments(self) -> dict[str, str]:
