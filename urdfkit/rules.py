@@ -51,7 +51,7 @@ FAMILIES = frozenset(
     "XML XAC URD REF NAM TRE JNT INE GEO MSH SRD COL DYN GAZ RCT LAU PKG CFG".split()
 )
 
-_MODULE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9_]+)$")
+_MODULE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9]+(?:_[a-z0-9]+)*)$")
 
 
 class Need(Enum):

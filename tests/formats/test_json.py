@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,7 @@ FULL = report(
         ),
         related=(Related(span(SOURCE, "</robot>"), "the robot ends here"),),
         help="make it shorter",
+        targets=("ros1",),
         fix=Fix("write 'leg'", (Edit(span(SOURCE, "轮子"), "leg"),), safe=True),
     ),
     skipped=(Skipped("ABC001", "robot.xacro", "b"), Skipped("", "part.xacro", "a")),
@@ -38,6 +40,32 @@ FULL = report(
     tolerated=3,
     targets=(("robot.urdf", Targets(("ros1",), ("ros1: package.xml",))),),
 )
+
+
+_STRUCTURE = frozenset(
+    "$schema title description properties required items $defs oneOf propertyNames".split()
+) | {"additionalProperties"}
+
+
+def fields(schema: Any, path: str) -> Iterator[str]:
+    """Every field with what it may hold, whatever the descriptions say."""
+    if "$ref" in schema:
+        schema = SCHEMA["$defs"][schema["$ref"].rpartition("/")[2]]
+    for choice in schema.get("oneOf", ()):
+        yield from fields(choice, path)
+    bounds = {key: value for key, value in schema.items() if key not in _STRUCTURE}
+    if bounds:
+        yield f"{path}: {json.dumps(bounds, sort_keys=True)}"
+    for name, inner in schema.get("properties", {}).items():
+        yield from fields(inner, f"{path}.{name}")
+    if "items" in schema:
+        yield from fields(schema["items"], f"{path}[]")
+    for name in ("additionalProperties", "propertyNames"):
+        if isinstance(schema.get(name), dict):
+            yield from fields(schema[name], f"{path}.{name}")
+
+
+FIELDS = list(fields(SCHEMA, "report"))
 
 
 def load(text: str) -> Any:
@@ -54,16 +82,42 @@ def test_the_schema_is_a_schema_and_strict() -> None:
     assert all(sorted(part["required"]) == sorted(part["properties"]) for part in objects)
 
 
+def test_version_1_is_frozen() -> None:
+    """A reader of today must read the reports of tomorrow.
+
+    To add, rename or remove a field makes another version: count VERSION up, and write its
+    fields to a new file beside report-v1.txt.
+    """
+    written = (Path(__file__).parent / f"report-v{VERSION}.txt").read_text(encoding="utf-8")
+    assert "\n".join(FIELDS) + "\n" == written
+    assert SCHEMA["properties"]["version"] == {
+        "description": "Of this document format.",
+        "const": VERSION,
+    }
+
+
+def test_the_page_names_every_field() -> None:
+    page = (ROOT / "docs" / "report-format.md").read_text(encoding="utf-8")
+    paths = [line.partition(":")[0].removesuffix("[]") for line in FIELDS]
+    names = {path.rpartition(".")[2] for path in paths if "." in path}
+    assert {name for name in names if f"`{name}`" not in page} == {
+        "additionalProperties",  # in the schema's words: of the counts by code
+        "propertyNames",
+    }
+
+
 def test_every_field() -> None:
     place = {"path": "robot.xacro", "line": 2, "column": 19, "end_line": 2, "end_column": 21}
     assert load(render(FULL)) == {
         "version": VERSION,
+        "urdfkit": urdfkit.__version__,
         "diagnostics": [
             {
                 "code": "ABC123",
                 "name": "some-defect",
                 "severity": "error",
                 "confidence": "guessed",
+                "targets": ["ros1"],
                 "message": "link '轮子': 2 m is over 1 m",
                 **place,
                 "element": "link/轮子",
@@ -123,8 +177,8 @@ def test_the_fields_of_a_diagnostic_are_those_promised_in_that_order() -> None:
     assert (
         list(load(render(FULL))["diagnostics"][0])
         == (
-            "code name severity confidence message path line column end_line end_column element "
-            "calls related help fix"
+            "code name severity confidence targets message path line column end_line end_column "
+            "element calls related help fix"
         ).split()
     )
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from urdfkit import __version__
 from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
 from urdfkit.document import Step
 from urdfkit.source import Span
@@ -21,6 +22,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The whole report."""
     document = {
         "version": VERSION,
+        "urdfkit": __version__,
         "diagnostics": [_diagnostic(diagnostic) for diagnostic in report.diagnostics],
         "skipped": [
             {"code": skip.code, "path": skip.path, "reason": skip.reason}
@@ -41,6 +43,7 @@ def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
         "name": diagnostic.name,
         "severity": diagnostic.severity.value,
         "confidence": diagnostic.confidence.value,
+        "targets": list(diagnostic.targets),
         "message": diagnostic.message,
         **_place(diagnostic.span),
         "element": diagnostic.element,
