@@ -75,10 +75,12 @@ def test_includes_in_a_circle(tmp_path: Path) -> None:
 
 def test_a_part_that_expands_is_silent(tmp_path: Path) -> None:
     joint = '<joint name="j" type="fixed"><parent link="base"/><child link="camera"/></joint>'
-    part = f'<link name="camera"/>{joint}'
-    write(tmp_path, part=part)
-    assert {"REF001", "URD010"} == {
-        one.code for one in engine.check(tmp_path / "part.xacro").diagnostics
-    }
+    write(tmp_path, part=f'<link name="camera"/>{joint}')
+    assert serious(tmp_path / "part.xacro") == {"REF001", "URD010"}
     write(tmp_path, robot='<link name="base"/><xacro:include filename="part.xacro"/>')
-    assert engine.check(tmp_path / "part.xacro").diagnostics == ()
+    assert serious(tmp_path / "part.xacro") == set()
+
+
+def serious(file: Path) -> set[str]:
+    report = engine.check(file)
+    return {one.code for one in report.diagnostics if one.severity is not Severity.INFO}
