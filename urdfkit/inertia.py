@@ -11,7 +11,7 @@ from math import acos, cos, hypot, pi, sqrt
 from typing import NamedTuple
 
 from urdfkit.model import Tensor
-from urdfkit.spatial import Rotation, Vector, rotate
+from urdfkit.spatial import IDENTITY, Rotation, Vector, rotate
 
 ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -125,6 +125,8 @@ def shifted(tensor: Tensor, mass: float, offset: Vector) -> Tensor:
 
 def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
     """A tensor given along the axes of a child frame, along those of the parent."""
+    if rotation is IDENTITY:
+        return tensor
     xx, xy, xz, yy, yz, zz = tensor
     rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     x, y, z = rotation
@@ -157,6 +159,8 @@ def combined(bodies: Iterable[MassProperties]) -> MassProperties:
     mass = sum(body.mass for body in bodies)
     if mass == 0.0:
         return MassProperties(0.0, (0.0, 0.0, 0.0), ZERO)
+    if len(bodies) == 1:
+        return bodies[0]
     x, y, z = (sum(b.mass * b.center[i] for b in bodies) / mass for i in range(3))
     total = ZERO
     for body in bodies:

@@ -34,6 +34,8 @@ class Frame(NamedTuple):
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
     """Rotation about the fixed axes x, y, z in that order, as URDF's ``rpy`` means it."""
+    if roll == pitch == yaw == 0:
+        return IDENTITY  # which most frames have, and nothing need be computed for
     cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
     return (
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
@@ -44,6 +46,8 @@ def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
 
 def rotate(rotation: Rotation, vector: Vector) -> Vector:
     """``rotation @ vector``."""
+    if rotation is IDENTITY:
+        return vector
     x, y, z = vector
     a, b, c = rotation
     return (
@@ -55,6 +59,10 @@ def rotate(rotation: Rotation, vector: Vector) -> Vector:
 
 def multiply(left: Rotation, right: Rotation) -> Rotation:
     """``left @ right``."""
+    if left is IDENTITY:
+        return right
+    if right is IDENTITY:
+        return left
     columns = [rotate(left, column) for column in zip(*right, strict=True)]
     a, b, c = zip(*columns, strict=True)
     return (a, b, c)
@@ -62,5 +70,7 @@ def multiply(left: Rotation, right: Rotation) -> Rotation:
 
 def transposed(rotation: Rotation) -> Rotation:
     """The inverse of a rotation."""
+    if rotation is IDENTITY:
+        return rotation
     a, b, c = rotation
     return ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
