@@ -1,0 +1,74 @@
+"""Two blocks of ros2_control have the same name.
+
+The controller manager keeps its hardware by name: it reports "Hardware name is duplicated" and
+starts without it. The control plugins of Gazebo do not look, and a robot may be split between controller
+managers; nothing else in the file tells the two apart. A macro that is called for two arms must put
+its prefix into the name of the block, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.grammar import is_expression
+from urdfkit.ros_control import Component, components
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="left"/>
+<link name="right"/>
+<joint name="left_wheel" type="continuous">
+  <parent link="base"/>
+  <child link="left"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<joint name="right_wheel" type="continuous">
+  <parent link="base"/>
+  <child link="right"/>
+  <axis xyz="0 1 0"/>
+</joint>
+<ros2_control name="left" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="left_wheel">
+    <command_interface name="velocity"/>
+    <state_interface name="velocity"/>
+  </joint>
+</ros2_control>
+<ros2_control name="left" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="right_wheel">
+    <command_interface name="velocity"/>
+    <state_interface name="velocity"/>
+  </joint>
+</ros2_control>"""
+GOOD = "right".join(BAD.rsplit("left", 1))
+
+
+@rule(
+    "RCT018",
+    "duplicate-component",
+    Severity.WARNING,
+    help="give each <ros2_control> a name of its own",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    first: dict[str, Component] = {}
+    for component in components(subject.model):
+        name = component.name
+        if name in first:
+            yield Finding(
+                component.at.attributes["name"],
+                f"two <ros2_control> have the name '{name}'",
+                related=(Related(first[name].at.span, "first here"),),
+            )
+        elif name and not is_expression(name):  # RCT017, XAC003
+            first[name] = component
