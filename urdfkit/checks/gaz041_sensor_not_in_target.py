@@ -20,7 +20,12 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
-<link name="base"/>
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
 <gazebo reference="base">
   <sensor name="eye" type="ray">
     <update_rate>10</update_rate>
