@@ -94,6 +94,21 @@ def test_volumes(part: Primitive, volume: float) -> None:
     assert Solid((part, part)).volume == pytest.approx(2 * volume)
 
 
+@pytest.mark.parametrize(
+    ("part", "longest"),
+    [
+        (primitive("box", 1, 3, 2), 3),
+        (primitive("cylinder", 2, 3), 4),
+        (primitive("cylinder", 1, 3), 3),
+        (primitive("sphere", 2), 4),
+        (primitive("capsule", 2, 3), 7),
+    ],
+)
+def test_the_longest_extent(part: Primitive, longest: float) -> None:
+    assert part.longest == longest
+    assert max(Solid((part,)).bounds.edges) == longest
+
+
 def test_volumes_and_tensors_as_coal_has_them() -> None:
     coal: Any = pytest.importorskip("coal")
     theirs = {

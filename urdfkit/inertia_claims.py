@@ -6,6 +6,7 @@ here; a link that has one is judged only where its numbers give themselves away.
 
 from __future__ import annotations
 
+from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.inertia import principal_moments, scaled
@@ -110,11 +111,12 @@ def center_is_outside(weighed: Weighed) -> float | None:
     """How far the centre of mass is outside the shapes, in m, if that is more than their size."""
     if not weighed.is_measured or weighed.solid is None or is_ground(weighed.body):
         return None
+    center = weighed.inertial.origin.position
+    # A box around a part is at least its length by the root of 3 long, and holds its middle.
+    if any(2 * dist(center, part.origin.position) <= part.longest for part in weighed.solid.parts):
+        return None
     outline = weighed.outline
-    nearest = [
-        max(low - x, 0.0, x - high)
-        for x, low, high in zip(weighed.inertial.origin.position, *outline, strict=True)
-    ]
+    nearest = [max(low - x, 0.0, x - high) for x, low, high in zip(center, *outline, strict=True)]
     distance = max(nearest)
     return distance if distance > max(outline.edges) else None
 

@@ -89,6 +89,14 @@ class Primitive(NamedTuple):
         )
         return ball + pi * self.radius * self.radius * self.length
 
+    @property
+    def longest(self) -> float:
+        """Its longest extent along its own axes, in m."""
+        if self.kind == "box":
+            return max(self.size)
+        ends = 2 * self.radius if self.kind == "capsule" else 0.0
+        return max(2 * self.radius, self.length + ends)
+
     def properties(self, mass: float) -> MassProperties:
         """Of the solid with uniform density, in the frame of the link."""
         tensor = inertia.rotated(self._tensor(mass), self.origin.rotation)

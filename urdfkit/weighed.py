@@ -103,7 +103,9 @@ class Weighed:
     @cached_property
     def solid(self) -> Solid | None:
         """Its collisions, else its visuals; None unless all of them are primitives."""
-        return solid(self.link.collisions or self.link.visuals)
+        if self.link.collisions and self.link.visuals:
+            return solid(self.link.collisions)
+        return self.solids[0] if self.solids else None
 
     @cached_property
     def is_measured(self) -> bool:
@@ -193,7 +195,7 @@ class Weighed:
         """
         if not self.is_measured or not self.link.collisions:
             return None
-        if min(max(one.bounds.edges) for one in self.solids) <= MARKER:
+        if any(all(part.longest <= MARKER for part in one.parts) for one in self.solids):
             return None
         volumes = [one.volume for one in self.solids]
         return self.mass / max(volumes), self.mass / min(volumes)

@@ -52,7 +52,10 @@ MARKER = 0.005
 def check(subject: Subject) -> Iterator[Finding]:
     for link in subject.model.links:
         touched, seen = solid(link.collisions), solid(link.visuals)
-        if touched and seen and (overlap := _overlap(touched.bounds, seen.bounds)) is not None:
+        if touched is None or seen is None or touched.parts == seen.parts:
+            continue
+        overlap = _overlap(touched.bounds, seen.bounds)
+        if overlap is not None:
             yield Finding(
                 link.collisions[0].at,
                 f"link '{link.name}': the bounding boxes of collision and visual have only "
