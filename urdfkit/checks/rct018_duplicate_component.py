@@ -1,9 +1,8 @@
 """Two blocks of ros2_control have the same name.
 
 The controller manager keeps its hardware by name: it reports "Hardware name is duplicated" and
-starts without it. The control plugins of Gazebo do not look, and a robot may be split between controller
-managers; nothing else in the file tells the two apart. A macro that is called for two arms must put
-its prefix into the name of the block, too.
+starts without it. Only the control plugins of Gazebo do not look. A macro that is called for two
+arms must put its prefix into the name of the block, too.
 """
 
 from __future__ import annotations
