@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import subprocess
 import sys
@@ -10,6 +11,36 @@ import pytest
 
 import urdfkit
 from tests.conftest import MODELS, ROOT
+
+#: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
+#: CHANGELOG.md, and think twice before adding one.
+NAMES = """
+Call Confidence Diagnostic Edit Fix Related Report RobotModel Rule Severity Source Span
+UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule load
+""".split()
+
+SIGNATURES = {
+    "all_rules": [],
+    "check": (
+        "files arguments packages select ignore targets trust rules config changed jobs progress"
+    ).split(),
+    "expand": "file arguments packages trust".split(),
+    "find_rule": ["word"],
+    "load": "file arguments packages trust".split(),
+}
+
+
+def test_the_public_names_are_these() -> None:
+    assert sorted(NAMES) == urdfkit.__all__
+
+
+@pytest.mark.parametrize("name", SIGNATURES)
+def test_the_parameters_are_these(name: str) -> None:
+    parameters = inspect.signature(getattr(urdfkit, name)).parameters.values()
+    assert [parameter.name for parameter in parameters] == SIGNATURES[name]
+    assert [p.name for p in parameters if p.kind is p.POSITIONAL_OR_KEYWORD] == (
+        [p for p in SIGNATURES[name] if p in ("file", "word")]
+    )
 
 
 def test_every_public_name_is_there_and_nothing_else_is_promised() -> None:

@@ -1,10 +1,12 @@
 """Check robot models in URDF and xacro, with every finding at its true place.
 
-::
-
-    report = urdfkit.check("robot.urdf.xacro", arguments={"prefix": "left_"})
-    for diagnostic in report.diagnostics:
-        print(diagnostic.span, diagnostic.code, diagnostic.message)
+>>> import urdfkit
+>>> report = urdfkit.check("models/gazebo_pkg/urdf/waking_robot_new.xacro", select=["MSH"])
+>>> for diagnostic in report.diagnostics:
+...     print(diagnostic.span, diagnostic.severity.value, diagnostic.code)
+models/gazebo_pkg/urdf/waking_robot_new.xacro:266:25 error MSH001
+>>> urdfkit.load("models/good/gripper.urdf").degrees_of_freedom
+1
 
 Every name below is imported when it is first used: ``import urdfkit`` alone costs nothing.
 """
@@ -16,22 +18,24 @@ __version__ = "0.1.0"
 __all__ = [
     "Call",
     "Confidence",
-    "Crashed",
     "Diagnostic",
     "Edit",
     "Fix",
     "Related",
     "Report",
+    "RobotModel",
     "Rule",
     "Severity",
-    "Skipped",
     "Source",
     "Span",
-    "Step",
+    "UnreadableRobot",
     "UrdfkitError",
+    "Xacro",
     "all_rules",
     "check",
+    "expand",
     "find_rule",
+    "load",
 ]
 
 TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 8 ms
@@ -40,26 +44,28 @@ if TYPE_CHECKING:
     from urdfkit.diagnostic import (
         Call,
         Confidence,
-        Crashed,
         Diagnostic,
         Edit,
         Fix,
         Related,
         Report,
         Severity,
-        Skipped,
     )
-    from urdfkit.document import Step
     from urdfkit.engine import check
-    from urdfkit.errors import UrdfkitError
+    from urdfkit.errors import UnreadableRobot, UrdfkitError
+    from urdfkit.expansion import Xacro
+    from urdfkit.loading import expand, load
+    from urdfkit.model import RobotModel
     from urdfkit.rules import Rule, all_rules, find_rule
     from urdfkit.source import Source, Span
 
 _HOMES = {
-    "diagnostic": "Call Confidence Crashed Diagnostic Edit Fix Related Report Severity Skipped",
-    "document": "Step",
+    "diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
     "engine": "check",
-    "errors": "UrdfkitError",
+    "errors": "UnreadableRobot UrdfkitError",
+    "expansion": "Xacro",
+    "loading": "expand load",
+    "model": "RobotModel",
     "rules": "Rule all_rules find_rule",
     "source": "Source Span",
 }

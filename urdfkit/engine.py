@@ -67,6 +67,14 @@ def check(
 ) -> Report:
     """Check descriptions of robots.
 
+    >>> report = check("models/good/gripper.urdf")
+    >>> report.ok, len(report.crashed), report.exit_code()
+    (True, 0, 0)
+    >>> text = b'<robot name="r"><link name="a"/><link name="a"/></robot>'
+    >>> report = check(Source("r.urdf", text), select=["NAM"])
+    >>> [(found.code, found.span.column) for found in report.diagnostics]
+    [('NAM001', 45)]
+
     Args:
         files: URDF, xacro or launch files, Sources, or folders, whose entry points are checked.
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.

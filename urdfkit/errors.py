@@ -31,11 +31,11 @@ class RuleError(UrdfkitError):
     """A rule of another package cannot be used; the message names its module and the reason."""
 
 
-class ExpansionFailed(UrdfkitError):
-    """xacro could not expand the file.
+class UnreadableRobot(UrdfkitError):
+    """A file is no XML, or a xacro that does not expand.
 
     Attributes:
-        problems: every reason, each with its place (a tuple of ``urdfkit.reading.Problem``).
+        problems: every reason, each with its place (``urdfkit.reading.Problem``).
     """
 
     def __init__(self, message: str, problems: tuple[object, ...] = ()) -> None:

@@ -28,10 +28,15 @@ _BYTE_ORDER_MARKS = (
 
 
 class Source:
-    """One text file: where it is, its text as UTF-8 bytes, and its lines.
+    r"""One text file: where it is, its text as UTF-8 bytes, and its lines.
 
     A file in another encoding is converted once, here, so that every offset in the
     program counts bytes of ``data``.
+
+    >>> source = Source("r.urdf", b'<robot>\n  <link name="arm"/>\n</robot>')
+    >>> start = source.data.index(b"arm")
+    >>> print(Span(source, start, start + 3))
+    r.urdf:2:15
 
     Attributes:
         path: as the user or the file that includes it spelt it.

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.errors import ExpansionFailed
+from urdfkit.errors import UnreadableRobot
 from urdfkit.gazebo import NEW, OLD, Conversion, SimulatedLink
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
@@ -43,7 +43,7 @@ def command(
     source = Source.read(files[0])
     subject = Subject(source, resolver, options.arguments(values), trust=trust)
     if subject.reading.document is None:
-        raise ExpansionFailed(f"{files[0]} cannot be read; 'urdfkit check' tells why")
+        raise UnreadableRobot(f"{files[0]} cannot be read; 'urdfkit check' tells why")
     conversion = Conversion(subject.tree, OLD if old else NEW)
     if form == "json":
         text = json.dumps(as_json(conversion), ensure_ascii=False, indent=2)

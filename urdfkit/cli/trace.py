@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.document import Attribute, Element, Step
-from urdfkit.errors import ExpansionFailed
+from urdfkit.errors import UnreadableRobot
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def command(
         traced=True,
     )
     if xacro.document is None:
-        raise ExpansionFailed(
+        raise UnreadableRobot(
             f"{file} does not expand: {xacro.first_error}; 'urdfkit check' tells where"
         )
     found = find(xacro.document, address)

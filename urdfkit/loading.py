@@ -1,0 +1,93 @@
+"""load() and expand(): one description, without any rule."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UnreadableRobot
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+if TYPE_CHECKING:
+    from urdfkit.expansion import Xacro
+    from urdfkit.model import RobotModel
+    from urdfkit.reading import Problem
+
+
+def load(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> RobotModel:
+    """The robot in a URDF or xacro file; every value knows its place in the file.
+
+    >>> robot = load("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
+    >>> robot.name, len(robot.links), robot.degrees_of_freedom
+    ('mobile_base', 5, 2)
+    >>> wheel = robot.joints_by_name["left_wheel_joint"]
+    >>> print(wheel.limit.effort.value, "N m, written at", wheel.limit.effort.span)
+    5.0 N m, written at models/good/mobile_base/urdf/mobile_base.urdf.xacro:52:22
+
+    Lengths are in m, angles in rad, masses in kg. Values that cannot be read are None;
+    ``urdfkit.check`` says why.
+
+    Args:
+        file: URDF or xacro; which of the two is decided by content.
+        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it is no XML, or does not expand; with every reason.
+    """
+    source = file if isinstance(file, Source) else Source.read(file)
+    subject = Subject(source, Resolver(packages), arguments, trust=trust)
+    if subject.reading.document is None:
+        raise _unreadable(source, subject.reading.problems)
+    return subject.model
+
+
+def expand(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> Xacro:
+    """A xacro file expanded as the ``xacro`` command does, without ROS.
+
+    >>> xacro = expand("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
+    >>> xacro.text().count("<link")
+    5
+    >>> [macro.name for macro in xacro.macros]
+    ['box_inertial', 'cylinder_inertial', 'sphere_inertial', 'shape', 'driven_wheel']
+
+    Args:
+        file: the xacro file.
+        arguments: as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it does not expand; with every reason.
+    """
+    from urdfkit.expansion import expand as expand_source
+
+    source = file if isinstance(file, Source) else Source.read(file)
+    xacro = expand_source(source, Resolver(packages), arguments, trust=trust)
+    if xacro.document is None:
+        raise _unreadable(source, xacro.problems)
+    return xacro
+
+
+def _unreadable(source: Source, problems: Iterable[Problem]) -> UnreadableRobot:
+    reasons = tuple(dict.fromkeys(f"{p.span}: {p.message}" for p in problems))
+    text = "; ".join(reasons) or f"{source.path}: no robot"
+    return UnreadableRobot(text, tuple(problems))
