@@ -7,15 +7,18 @@ import io
 import json
 import shutil
 import sys
+import warnings
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
 from xml.parsers.expat import ExpatError
 
-import xacro
-
 from tests.conftest import CORPUS
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # of Python 3.10, about names in xacro
+    import xacro
 
 #: What expansions read; the rest of the corpus (meshes, textures) need not be installed.
 SUFFIXES = (".xacro", ".urdf", ".xml", ".gazebo", ".trans", ".yaml", ".yml", ".srdf")

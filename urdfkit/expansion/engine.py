@@ -10,6 +10,7 @@ messages. The copy is private because xacro keeps its state in module globals an
 from __future__ import annotations
 
 import sys
+import warnings
 from _thread import allocate_lock
 from collections.abc import Callable
 from functools import lru_cache
@@ -67,7 +68,9 @@ def _private_copy() -> Any:
     sys.modules[command_line.__name__] = command_line
     sys.modules[_PRIVATE_NAME] = module
     stock_writexml = minidom.Element.writexml
-    private.loader.exec_module(module)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of Python 3.10, about names in xacro
+        private.loader.exec_module(module)
     Node.writexml = minidom.Element.writexml
     minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
     missing = [name for name in _REQUIRED if not hasattr(module, name)]

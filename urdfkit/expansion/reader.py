@@ -26,6 +26,7 @@ class Reader:
         source: the checked file.
         resolver: knows which files may be read, and where those of an installed package are.
         budget: that searches are charged to.
+        near: path of the checked file, from the working directory.
         trust: True to read any file.
 
     Attributes:
@@ -33,10 +34,12 @@ class Reader:
         data_files: the YAML files.
     """
 
-    def __init__(self, source: Source, resolver: Resolver, budget: Budget, *, trust: bool) -> None:
+    def __init__(
+        self, source: Source, resolver: Resolver, budget: Budget, *, near: str, trust: bool
+    ) -> None:
         self.sources: dict[str, Source] = {source.path: source}
         self.data_files: list[str] = []
-        self._near = source.path
+        self._near = near
         self._resolver = resolver
         self._budget = budget
         self._trust = trust

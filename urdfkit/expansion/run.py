@@ -105,7 +105,7 @@ class Run:
         self.budget = Budget(deadline)
         self.fence = Fence(self.budget)
         self.ledger = ledger
-        self.reader = Reader(source, resolver, self.budget, trust=trust)
+        self.reader = Reader(source, resolver, self.budget, near=self._from_root(source.path), trust=trust)
         self.tracer = Tracer(self) if traced else None
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
@@ -149,7 +149,7 @@ class Run:
     def _included(self, filename: str) -> Source:
         xacro = load_engine().xacro
         try:
-            return self.reader.xacro(os.path.join(self.root_dir, filename))
+            return self.reader.xacro(self._from_root(filename))
         except OSError as error:
             xacro.filestack.pop()
             text = f"{error.strerror}: {error.filename}"
@@ -229,7 +229,11 @@ class Run:
             raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
 
     def _find_package(self, name: str) -> str:
-        return self.resolver.package(name, load_engine().xacro.filestack[-1] or self.source.path)
+        near = load_engine().xacro.filestack[-1] or self.source.path
+        return self.resolver.package(name, self._from_root(near))
+
+    def _from_root(self, path: str) -> str:
+        return os.path.join(self.root_dir, path)
 
     def argument(self, name: str, symbols: Any) -> str:
         """The value of an argument.
