@@ -38,6 +38,9 @@ ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT02
 #: Silent if no ``<gazebo>`` holds a plugin.
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
 
+#: Silent if no ``<gazebo>`` holds a sensor.
+ABOUT_SENSORS = frozenset(f"GAZ{number:03}" for number in range(40, 57))
+
 #: Silent if all sizes are positive.
 ABOUT_SIZES = frozenset(("GEO001", "GEO012"))
 
@@ -57,8 +60,11 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
     codes |= _about_joints(model) | _about_shapes(model) | _about_colours(model)
-    if not any(part.tag == "plugin" for block in model.gazebo for part in block.walk()):
+    simulated = {part.tag for block in model.gazebo for part in block.walk()}
+    if "plugin" not in simulated:
         codes |= ABOUT_PLUGINS
+    if "sensor" not in simulated:
+        codes |= ABOUT_SENSORS
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     if len(model.joints) < 1000:
