@@ -123,6 +123,8 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
 
 def find(subject: Subject) -> Srdf | None:
     """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none."""
+    if subject.is_part:  # the SRDF is of the whole
+        return None
     paths = srdf_files(subject.source.path, subject.resolver)
     fitting = [srdf for path in paths if (srdf := read(path, subject)) is not None]
     same = [srdf for srdf in fitting if srdf.root.get("name") == subject.model.name]

@@ -1,0 +1,70 @@
+"""What urdfkit finds in the real robots beside the checkout, as ``tests/corpus_findings.json``.
+
+The file is the memory of what the rules say about robots that people use: a change of a rule
+shows there as a diff to be read. Run ``python -m tests.update_corpus_findings`` after a change
+that is meant, look at the diff, and commit it with the change.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from tests.conftest import CORPUS, manifest, model_id
+from urdfkit import engine
+from urdfkit.diagnostic import Report
+
+FILE = Path(__file__).with_name("corpus_findings.json")
+
+#: Variables that lead to packages of this machine.
+SEARCH_PATHS = (
+    "AMENT_PREFIX_PATH",
+    "ROS_PACKAGE_PATH",
+    "ROS_DISTRO",
+    "GAZEBO_MODEL_PATH",
+    "GZ_SIM_RESOURCE_PATH",
+    "IGN_GAZEBO_RESOURCE_PATH",
+)
+
+Entry = tuple[Path, dict[str, Any]]
+
+
+def arguments_of(model: dict[str, Any]) -> dict[str, str]:
+    """The xacro arguments of a manifest entry."""
+    return dict(argument.split(":=", 1) for argument in model["xacro_args"])
+
+
+def report_on(entry: Entry) -> Report:
+    """All rules on one model."""
+    folder, model = entry
+    return engine.check(folder / model["path"], arguments=arguments_of(model))
+
+
+def counts(report: Report) -> dict[str, int]:
+    """How often each code was found."""
+    return dict(sorted(Counter(one.code for one in report.diagnostics).items()))
+
+
+def read() -> dict[str, dict[str, int]]:
+    """The findings as they were last written."""
+    findings: dict[str, dict[str, int]] = json.loads(FILE.read_text(encoding="utf-8"))
+    return findings
+
+
+def main() -> None:
+    for variable in SEARCH_PATHS:
+        os.environ.pop(variable, None)
+    if not CORPUS.is_dir():
+        raise SystemExit("the corpus of real robots is not beside this checkout")
+    findings = {str(model_id(entry)): counts(report_on(entry)) for entry in manifest()}
+    lines = (f"{json.dumps(name)}: {json.dumps(found)}" for name, found in sorted(findings.items()))
+    FILE.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+    total = sum(map(Counter, findings.values()), Counter[str]())
+    print(f"{len(findings)} models: " + ", ".join(f"{c} {n}" for c, n in sorted(total.items())))
+
+
+if __name__ == "__main__":
+    main()
