@@ -184,7 +184,7 @@ def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.Monkey
         assert first(packages, name, near) is None
 
 
-def test_a_folder_of_that_name_is_the_last_resort(tmp_path: Path) -> None:
+def test_a_folder_of_that_name_is_uncertain(tmp_path: Path) -> None:
     near = add_file(tmp_path / "icub" / "robots" / "v2" / "model.urdf")
     beside = add_file(tmp_path / "icub" / "meshes_pack" / "arm.stl").parent
     packages = finder()
@@ -195,7 +195,10 @@ def test_a_folder_of_that_name_is_the_last_resort(tmp_path: Path) -> None:
         Candidate(str(beside), certain=False)
     ]
     real = add_package(tmp_path / "x" / "icub_pack", "icub")
-    assert first(finder(), "icub", near) == str(real)
+    assert list(finder().candidates("icub", str(near))) == [
+        Candidate(str(tmp_path / "icub"), certain=False),
+        Candidate(str(real)),
+    ]
 
 
 @pytest.mark.parametrize("name", ["", ".", "..", "a/b", "a\\b", "\0"])

@@ -171,6 +171,21 @@ def test_the_folder_with_the_file_among_folders_of_that_name(tmp_path: Path) -> 
     assert resolver().package("robot", str(near)) == missing.folder
 
 
+def test_a_build_may_install_the_folder_around_the_file_as_the_package(tmp_path: Path) -> None:
+    manual = add_package(tmp_path / "robot_manual", "robot")
+    kept = add_file(manual / "meshes" / "kept.stl")
+    add_file(manual / "meshes" / "both.stl")
+    near = str(add_file(tmp_path / "robot" / "urdf" / "x.urdf"))
+    made = add_file(tmp_path / "robot" / "meshes" / "made.stl")
+    add_file(tmp_path / "robot" / "meshes" / "both.stl")
+    find = resolver().locate
+    assert find("package://robot/meshes/made.stl", near).path == str(made)
+    assert find("package://robot/meshes/kept.stl", near).path == str(kept)
+    assert find("package://robot/meshes/both.stl", near).folder == str(manual)
+    assert find("package://robot/meshes/none.stl", near).folder == str(manual)
+    assert resolver().package("robot", near) == str(manual)
+
+
 def test_what_cmake_installs_elsewhere(arm: Path) -> None:
     moved = add_file(arm / "description" / "urdf" / "parts" / "a.xacro")
     kept = add_file(arm / "urdf" / "kept.xacro")

@@ -79,7 +79,7 @@ class Packages:
         self._scans: dict[Level, _Scan] = {}
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
-        """The folders that may be a package, the best first.
+        """The folders that may be a package, the best first of those that are certain.
 
         Args:
             name: of the package.
@@ -93,6 +93,8 @@ class Packages:
         yield from (Candidate(at) for at in _upwards(start) if self.name_of(at) == name)
         for folder in self._in_environment(name):
             yield Candidate(folder, trusted=True)
+        # A build may install this folder under its name, whatever package.xml lies elsewhere.
+        yield from (Candidate(at, certain=False) for at in self._named(name, start))
         for level in self.levels(near):
             found = self._scan(level).find(name)
             if found:
@@ -217,13 +219,20 @@ class Packages:
             if found:
                 yield found
 
+    def _named(self, name: str, start: str) -> list[str]:
+        """The folders of that name around a file, the innermost first."""
+        return [
+            folder
+            for folder in _upwards(start)
+            if name and os.path.basename(folder) == name and folder not in self._too_wide
+        ]
+
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
-        """Folders of that name above a file, then beside those above it."""
+        """Folders of that name beside those above a file."""
         if name in ("", ".", "..") or "/" in name or "\\" in name:
             return
         start = os.path.dirname(os.path.abspath(near))
         above = [folder for folder in _upwards(start) if folder not in self._too_wide]
-        yield from (folder for folder in above if os.path.basename(folder) == name)
         for folder in above:
             beside = os.path.join(folder, name)
             if beside not in above and os.path.isdir(beside):

@@ -226,13 +226,14 @@ class Resolver:
         return Located(reference, "relative", None, None, text, None, tuple(tried))
 
     def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
-        """The folder of a package.
+        """The folder of a package: one with its ``package.xml``, else one that is called so.
 
-        Among folders that are only called like the package, one that has the wanted file.
+        Where some are only called so, the first that has the wanted file.
         """
         key = (name, os.path.dirname(os.path.abspath(near)))
         if key not in self._candidates:
-            self._candidates[key] = tuple(_until_certain(self.packages.candidates(name, near)))
+            found = _until_certain(self.packages.candidates(name, near))
+            self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
         candidates = self._candidates[key]
         if relative is not None and not all(candidate.certain for candidate in candidates):
             for candidate in candidates:

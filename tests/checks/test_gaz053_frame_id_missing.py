@@ -22,3 +22,11 @@ def test_it_matters_in_gz_sim_only(targets, severities):
 @pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
 def test_any_name_of_the_frame_will_do(tag):
     assert findings("GAZ053", "imu", f"<{tag}>base</{tag}>", targets=("gz-harmonic",)) == []
+
+
+def test_a_model_is_told_once():
+    beside = '<sensor name="first" type="imu"/>'
+    (found,) = findings("GAZ053", "imu", beside=beside, targets=("gz-harmonic",))
+    assert found.message == (
+        "sensor 'first' names no frame for its measurements (and 1 more likewise)"
+    )
