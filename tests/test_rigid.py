@@ -46,6 +46,13 @@ def test_mass_and_centre_are_those_of_all_links() -> None:
     assert properties.tensor.izz == pytest.approx(1 + 3 + 2 / 9 + 4 / 9)
 
 
+def test_what_is_fixed_to_the_world_is_ground() -> None:
+    robot = link("world") + link("rail") + link("cart")
+    robot += joint("world", "rail") + joint("rail", "cart", "prismatic")
+    assert [body.is_ground for body in rigid_bodies(subject(robot).tree)] == [True, False]
+    assert not any(body.is_ground for body in rigid_bodies(subject(ROBOT).tree))
+
+
 def test_a_link_without_a_number_weighs_nothing() -> None:
     (plain, bad) = subject(link("a") + link("b", inertial(float("nan"), (1, 1, 1)))).model.links
     assert (mass_of(plain), mass_of(bad)) == (0, 0)

@@ -15,7 +15,6 @@ from urdfkit.weighed import Weighed
 
 if TYPE_CHECKING:
     from urdfkit.masses import Masses
-    from urdfkit.rigid import RigidBody
 
 #: Times the largest possible moment that is taken for impossible: the matter of a link may reach
 #: somewhat farther than its collision shape.
@@ -62,7 +61,7 @@ def _judge(weighed: Weighed, masses: Masses) -> str:
         return "INE002"
     if weighed.breaks_triangle:
         return "INE003"
-    if weighed.is_noise or not weighed.is_measured or is_ground(weighed.body):
+    if weighed.is_noise or not weighed.is_measured or weighed.body.is_ground:
         return ""
     implausible = implausible_density(weighed) is not None
     if implausible and unit_slip(weighed):
@@ -78,11 +77,6 @@ def _judge(weighed: Weighed, masses: Masses) -> str:
     if weighed.is_at_wrong_axes and masses.matters(weighed.body, high):
         return "INE015"
     return ""
-
-
-def is_ground(body: RigidBody) -> bool:
-    """True for what is fixed to the world: its inertia has no effect."""
-    return body.joint is None and body.top.name == "world"
 
 
 def implausible_density(weighed: Weighed) -> float | None:
@@ -109,7 +103,7 @@ def unit_slip(weighed: Weighed) -> str:
 
 def center_is_outside(weighed: Weighed) -> float | None:
     """How far the centre of mass is outside the shapes, in m, if that is more than their size."""
-    if not weighed.is_measured or weighed.solid is None or is_ground(weighed.body):
+    if not weighed.is_measured or weighed.solid is None or weighed.body.is_ground:
         return None
     center = weighed.inertial.origin.position
     # A box around a part is at least its length by the root of 3 long, and holds its middle.
@@ -126,7 +120,7 @@ def _is_unlike_shape(weighed: Weighed) -> bool:
 
     Beside a mesh the collision is a rough likeness; then only a round tensor is doubted.
     """
-    if weighed.is_noise or is_ground(weighed.body) or not weighed.differs:
+    if weighed.is_noise or weighed.body.is_ground or not weighed.differs:
         return False
     return weighed.is_measured or weighed.is_round
 

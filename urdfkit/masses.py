@@ -218,10 +218,16 @@ class Masses:
     @cached_property
     def copies(self) -> list[list[Weighed]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
-        told = {w.link.name for code in self.claims if code != "INE008" for w in self.claims[code]}
-        told.update(w.link.name for pair in self.unlike_twins for w in pair)
-        told.update(link.name for links in self.shared_by_macro.values() for link in links)
-        free = (w for w in self.weighed if w.link.name not in told and not w.is_noise)
+        told = {w.tensor for code in self.claims if code != "INE008" for w in self.claims[code]}
+        told.update(w.tensor for pair in self.unlike_twins for w in pair)
+        by_macro = {link.name for links in self.shared_by_macro.values() for link in links}
+        free = (
+            w
+            for w in self.weighed
+            if w.tensor not in told
+            and w.link.name not in by_macro
+            and not (w.is_noise or w.body.is_ground)
+        )
         return [
             group
             for group in by_tensor(free)

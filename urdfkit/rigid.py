@@ -31,6 +31,11 @@ class RigidBody(NamedTuple):
         return self.links[0][0]
 
     @property
+    def is_ground(self) -> bool:
+        """True for what is fixed to the world: its mass and inertia have no effect."""
+        return self.joint is None and self.top.name == "world"
+
+    @property
     def mass(self) -> float:
         """In kg; what has no mass counts as nothing."""
         return sum(mass_of(link) for link, _ in self.links)

@@ -32,6 +32,15 @@ def test_how_different(mass: float, found: int) -> None:
     [
         # INE006 tells it
         part("a", 0.1, (1, 1, 1), BALL) + part("b", 0.5, (1, 1, 1), BALL),
+        # INE006 tells it of two, and the others have it too
+        part("a", 0.1, (1, 1, 1), BALL)
+        + link("b", inertial(1, (1, 1, 1)))
+        + link("c", inertial(2, (1, 1, 1))),
+        # one is fixed to the world
+        link("world")
+        + link("a", inertial(1, TENSOR))
+        + link("b", inertial(2, TENSOR))
+        + joint("world", "a"),
         # INE009
         link("a", shape("visual", MESH), inertial(1, (1, 1, 1)))
         + link("b", shape("visual", MESH), inertial(2, (1, 1, 1))),
