@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.config import Config
+from urdfkit.config import Config, Robot
 from urdfkit.discovery import affected, discover
 from urdfkit.errors import UnreadableFile
 from urdfkit.resolve import Resolver
@@ -65,6 +65,82 @@ def test_a_changed_file_leads_to_the_robots_it_is_part_of(package, changed, expe
 def test_several_changed_files_lead_to_each_robot_once(package):
     files = [str(package / name) for name in ("urdf/arm.xacro", "urdf/parts/rod.xacro")]
     assert names(affected(files, Config(), Resolver())) == ["arm.xacro"]
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    """A repository of three packages: a robot, the parts it is made of, and settings for it."""
+    (tmp_path / ".git").mkdir()
+    for name in ("robot", "parts", "settings", "other"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    write(
+        tmp_path, "parts/urdf/rod.xacro", '<xacro:macro name="rod"><link name="r"/></xacro:macro>'
+    )
+    write(tmp_path, "parts/urdf/sim.gazebo", '<gazebo reference="r"/>')
+    write(
+        tmp_path,
+        "robot/urdf/robot.xacro",
+        include("$(find parts)/urdf/rod.xacro")
+        + include("$(find parts)/urdf/sim.gazebo")
+        + '<xacro:rod/><link name="l"><visual><geometry>'
+        '<mesh filename="package://parts/meshes/rod.stl"/></geometry></visual></link>',
+    )
+    write(tmp_path, "other/urdf/other.urdf", '<link name="o"/>')
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("changed", "expected"),
+    [
+        ("parts/urdf/rod.xacro", ["robot.xacro"]),  # of another package
+        ("parts/urdf/sim.gazebo", ["robot.xacro"]),  # whatever its suffix
+        ("parts/meshes/rod.stl", ["robot.xacro"]),  # named by the robot
+        ("parts/meshes/new.stl", []),
+        ("robot/config/new.yaml", ["robot.xacro"]),  # of the same package
+        ("settings/config/limits.yaml", []),  # of a package without robots
+        ("notes/new.yaml", []),  # of none
+        ("gone/with/its/folder.xacro", []),
+        (".github/workflows/ci.yml", []),
+        ("robot/.vscode/settings.yaml", []),
+        ("other/urdf/other.urdf", ["other.urdf"]),
+    ],
+)
+def test_robots_are_found_all_over_the_repository(repository, changed, expected):
+    found = affected([str(repository / changed)], Config(), Resolver())
+    assert names(found) == expected
+    assert found.libraries == ()
+
+
+def test_nothing_to_check_is_no_mistake(repository):
+    report = check(repository / "settings" / "x.yaml", changed=True)
+    assert (report.files, report.diagnostics, report.exit_code()) == ((), (), 0)
+
+
+def test_a_library_that_nobody_includes_is_told(repository):
+    path = write(repository, "parts/urdf/new.xacro", '<xacro:macro name="new"/>')
+    found = affected([path], Config(), Resolver())
+    assert found.robots == ()
+    assert found.libraries == (path,)
+
+
+def test_a_configuration_of_one_package_does_not_hide_the_others(repository):
+    robot = str(repository / "robot" / "urdf" / "robot.xacro")
+    variants = tuple(Robot(robot, name, {}) for name in ("a", "b"))
+    config = Config(str(repository / "robot" / "urdfkit.toml"), robots=variants)
+    changed = [robot, str(repository / "other" / "urdf" / "other.urdf")]
+    found = affected(changed, config, Resolver())
+    assert [(Path(r.file).name, r.name) for r in found.robots] == [
+        ("other.urdf", ""),
+        ("robot.xacro", "a"),
+        ("robot.xacro", "b"),
+    ]
+
+
+def test_an_included_file_that_is_gone_leads_to_its_robot(repository):
+    (repository / "parts" / "urdf" / "rod.xacro").unlink()
+    found = affected([str(repository / "parts" / "urdf" / "rod.xacro")], Config(), Resolver())
+    assert names(found) == ["robot.xacro"]
 
 
 def test_an_expression_in_a_name_stands_for_the_files_it_may_mean(tmp_path):

@@ -21,13 +21,17 @@ from urdfkit.source import Source
 MAX_FILES = 20_000
 
 SUFFIXES = (".urdf", ".xacro")
+#: Of files that descriptions include.
+_INCLUDED = (*SUFFIXES, ".gazebo", ".trans", ".xml")
 _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
-_CONTENT = re.compile(rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w")
+_CONTENT = re.compile(
+    rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
+)
 
 
 class Found(NamedTuple):
@@ -48,42 +52,64 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
     Raises:
         UnreadableFile: the folder cannot be read, or holds no description.
     """
-    inside = os.path.join(os.path.abspath(folder), "")
-    configured = tuple(robot for robot in config.robots if robot.file.startswith(inside))
+    configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
     if configured:
         return Found(configured, ())
-    graph = IncludeGraph(_descriptions(folder, config), resolver)
-    robots, libraries = [], []
-    for path in graph.roots():
-        if graph.is_library(path):
-            libraries.append(path)
-        else:
-            robots.append(Robot(path, "", {}))
-    if not robots and not libraries:
+    found = IncludeGraph(_descriptions(folder, config), resolver).entry_points()
+    if not found.robots and not found.libraries:
         raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
-    return Found(tuple(robots), tuple(libraries))
+    return found
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
-    """The entry points whose include closure holds some changed files, each once.
+    """The entry points that some changed files are part of, each once.
 
-    A file that is no description (a mesh, a YAML file, a launch file) stands for every robot of
-    its package: which of them use it is known only after expansion.
+    A description is part of the robots whose includes lead to it, wherever in the repository
+    they are. Any other file (a mesh, a YAML file, a launch file) stands for every robot of its
+    package, and for those elsewhere that name it: which of them use it is known only after
+    expansion. Hidden files, such as the settings of a CI server, are part of no robot.
     """
-    changed = [os.path.abspath(file) for file in files]
-    folders = {_package_folder(file, resolver) for file in changed}
-    robots: dict[tuple[str, str], Robot] = {}
-    libraries: dict[str, None] = {}
-    for folder in sorted(folders):
-        found = discover(folder, config, resolver)
+    changed: dict[str, list[str]] = {}
+    for file in map(os.path.abspath, files):
+        folder = _repository(file, resolver)
+        if f"{os.sep}." not in file[len(folder.rstrip(os.sep)) :]:
+            changed.setdefault(folder, []).append(file)
+    robots: list[Robot] = []
+    libraries: list[str] = []
+    for folder, here in sorted(changed.items()):
         graph = IncludeGraph(_descriptions(folder, config), resolver)
-        here = {file for file in changed if _package_folder(file, resolver) == folder}
-        for robot in found.robots:
-            closure = graph.closure(os.path.realpath(robot.file))
-            if any(os.path.realpath(f) in closure or not f.endswith(SUFFIXES) for f in here):
-                robots.setdefault((robot.file, robot.name), robot)
-        libraries.update(dict.fromkeys(path for path in found.libraries if path in here))
-    return Found(tuple(robots.values()), tuple(libraries))
+        found = graph.entry_points()
+        known = [robot for robot in config.robots if _is_within(robot.file, folder)]
+        # A configuration names the robots below itself; it knows nothing of others beside it.
+        others = [r for r in found.robots if not (known and _is_within(r.file, config.folder))]
+        robots += sorted(
+            (
+                robot
+                for robot in (*known, *others)
+                if any(graph.concerns(robot.file, file) for file in here)
+            ),
+            key=lambda robot: robot[:2],
+        )
+        libraries += [path for path in found.libraries if path in here]
+    return Found(tuple(robots), tuple(libraries))
+
+
+def _repository(file: str, resolver: Resolver) -> str:
+    """The folder in which a file is shared: its repository, else its package, else its own."""
+    folder = os.path.dirname(file)
+    while not os.path.isdir(folder):  # the file is gone, with its folder
+        folder = os.path.dirname(folder)
+    above = own = folder
+    while not os.path.exists(os.path.join(above, ".git")):
+        above, below = os.path.dirname(above), above
+        if above == below:
+            package = resolver.packages.enclosing(os.path.join(own, "x"))
+            return package[1] if package else own
+    return above
+
+
+def _is_within(path: str, folder: str) -> bool:
+    return path.startswith(os.path.join(os.path.abspath(folder), ""))
 
 
 def _package_folder(file: str, resolver: Resolver) -> str:
@@ -92,7 +118,7 @@ def _package_folder(file: str, resolver: Resolver) -> str:
 
 
 def _descriptions(folder: str, config: Config) -> Iterator[str]:
-    """The URDF and xacro files below a folder, sorted."""
+    """The files below a folder that may be descriptions or parts of them, sorted."""
     if not os.path.isdir(folder):
         raise UnreadableFile(f"{folder}: no such folder")
     count = 0
@@ -102,7 +128,7 @@ def _descriptions(folder: str, config: Config) -> Iterator[str]:
         )
         for name in sorted(files):
             path = os.path.join(parent, name)
-            if _is_description(name) and not matches(config.relative(path), config.exclude):
+            if name.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude):
                 count += 1
                 if count > MAX_FILES:
                     raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
@@ -172,10 +198,31 @@ class IncludeGraph:
         except PackageNotFound:
             return f"$(find {name})"
 
-    def roots(self) -> list[str]:
-        """The files that no other file includes, as they were named."""
+    def entry_points(self) -> Found:
+        """The descriptions that no other file includes, and the libraries among them."""
         included = {target for targets in self.includes.values() for target in targets}
-        return [self._names[path] for path in self._sources if path not in included]
+        roots = [
+            name
+            for path, name in self._names.items()
+            if path not in included and _is_description(name)
+        ]
+        libraries = tuple(filter(self.is_library, roots))
+        robots = tuple(Robot(path, "", {}) for path in roots if path not in libraries)
+        return Found(robots, libraries)
+
+    def concerns(self, root: str, file: str) -> bool:
+        """True if a changed file may be part of a robot."""
+        closure = self.closure(os.path.realpath(root))
+        if os.path.realpath(file) in closure:
+            return True
+        if file.endswith(SUFFIXES):
+            return False
+        packages = self.resolver.packages
+        package = packages.enclosing(file)
+        if package is not None and package == packages.enclosing(root):
+            return True
+        name = os.path.basename(file).encode("utf-8", "surrogateescape")
+        return any(name in self._sources[path].data for path in closure if path in self._sources)
 
     def closure(self, path: str) -> set[str]:
         """A file and everything that it includes, directly or not."""
