@@ -1,7 +1,8 @@
 """An end effector and the group that carries it do not fit together.
 
 The links of the end effector's group must not be in the parent group, and the parent link must be
-in it. MoveIt otherwise takes the hand for a part of the arm, or finds nothing to attach it to.
+in it. MoveIt loads the robot all the same, but takes the hand for a part of the arm, attaches it
+to another group that has the parent link, or to none.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ FILES = {
 @rule(
     "SRD006",
     "end-effector-parts",
-    Severity.ERROR,
+    Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="let the groups share no link, and let the parent link be one of the parent group",
 )
