@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.srdfs import findings
+from urdfkit.diagnostic import Severity
 
 BAD = [
     (
@@ -34,6 +35,7 @@ GOOD = [
 def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
     (finding,) = findings(tmp_path, text, "SRD006")
     assert finding.message == message
+    assert finding.severity is Severity.WARNING  # MoveIt loads the robot
     assert finding.span.source.path == str(tmp_path / "r.srdf")
     assert finding.span.line == 2
     assert word is None or finding.span.text == word

@@ -3,12 +3,14 @@
 from pathlib import Path
 
 from tests.srdfs import findings
+from urdfkit.diagnostic import Severity
 
 
 def test_both_names_are_told(tmp_path: Path) -> None:
     (finding,) = findings(tmp_path, "", "SRD011", name="other")
     assert finding.message == "the SRDF is of robot 'other', the description of 'r'"
     assert (finding.span.line, finding.span.text) == (1, "other")
+    assert finding.severity is Severity.WARNING  # MoveIt logs it and goes on
 
 
 def test_of_several_files_the_one_with_the_name_counts(tmp_path: Path) -> None:

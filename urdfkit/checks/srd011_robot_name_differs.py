@@ -1,7 +1,7 @@
 """The SRDF is of a robot with another name.
 
-MoveIt compares the names and refuses: "Semantic description is not specified for the same robot as
-the URDF". Give both the same name.
+MoveIt compares the names and logs an error, "Semantic description is not specified for the same
+robot as the URDF", but plans all the same. Give both the same name.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FILES = {"example.srdf": b'<robot name="other"/>'}
 @rule(
     "SRD011",
     "robot-name-differs",
-    Severity.ERROR,
+    Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="give the SRDF the name of the robot",
 )
