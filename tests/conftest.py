@@ -8,6 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import settings
+
+# How long an example takes is the machine's affair.
+settings.register_profile("urdfkit", deadline=None)
+settings.load_profile("urdfkit")
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"

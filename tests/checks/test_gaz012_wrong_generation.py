@@ -39,7 +39,9 @@ def test_the_successor_of_the_successor(target: str) -> None:
 
 def test_gz_sim_in_classic() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
-    assert [help for _, _, help in heard(text, "classic-ros1")] == ["nothing is known to take its place there"]
+    assert [help for _, _, help in heard(text, "classic-ros1")] == [
+        "nothing is known to take its place there"
+    ]
     assert heard(text, "gz-harmonic") == []
 
 

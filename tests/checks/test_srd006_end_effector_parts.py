@@ -9,15 +9,19 @@ from urdfkit.diagnostic import Severity
 
 BAD = [
     (
-        '<group name="a"><link name="arm"/><link name="hand"/></group><group name="h">'
-        '<link name="hand"/></group>'
-        '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>',
+        (
+            '<group name="a"><link name="arm"/><link name="hand"/></group><group name="h">'
+            '<link name="hand"/></group>'
+            '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+        ),
         "end effector 'e' and group 'a' share 'hand'",
         None,
     ),
     (
-        '<group name="h"><link name="hand"/></group>'
-        '<end_effector name="e" group="h" parent_link="hand"/>',
+        (
+            '<group name="h"><link name="hand"/></group>'
+            '<end_effector name="e" group="h" parent_link="hand"/>'
+        ),
         "end effector 'e' hangs on 'hand', its own link",
         None,
     ),

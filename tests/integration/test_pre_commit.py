@@ -50,7 +50,12 @@ class Repository:
 
     def run(self, *words: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            words, cwd=self.folder, env=self.environment, capture_output=True, text=True
+            words,
+            cwd=self.folder,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            check=False,
         )
 
     def commit(self) -> subprocess.CompletedProcess[str]:
