@@ -43,7 +43,7 @@ REAL = sorted(
     for path in CORPUS.rglob("*")
     if path.suffix in (".urdf", ".xacro") and path.stat().st_size < SMALL
 )[::40]
-FILES = [path for path in OURS if path.suffix != ".launch"] + REAL
+FILES = OURS + REAL
 
 PIECES = [
     b"<", b">", b"/", b'"', b"'", b"&", b"=", b"--", b"]]>", b"<!--", b"-->", b"<![CDATA[", b"<?",
@@ -61,7 +61,7 @@ NUMBERS = [
 ENCODINGS = ["utf-8-sig", "utf-16", "utf-16-le", "utf-32", "latin-1", "cp1252", "gbk", "cp037"]
 
 bounded = settings(
-    max_examples=120,
+    max_examples=200,
     derandomize=True,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],

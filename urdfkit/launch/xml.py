@@ -15,6 +15,8 @@ from urdfkit.resolve import Resolver
 from urdfkit.source import Source, Span
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
+#: What launch refuses to read.
+_BROKEN = ("XML001", "XML002", "XML006", "XAC013")
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -45,13 +47,18 @@ class _File:
 
     def read(self) -> None:
         document, problems = read_xml(self.source)
-        if document is None or document.root.tag != "launch":
-            at = problems[0].span if problems else Span(self.source, 0, 0)
-            reason = problems[0].message if problems else "the root element is not <launch>"
-            problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
-            self.collector.problems.append(problem)
-            return
-        self._children(document.root)
+        is_launch = document is not None and document.root.tag == "launch"
+        broken = [problem for problem in problems if problem.code in _BROKEN]
+        if broken:
+            self._unreadable(broken[0].span, broken[0].message)
+        elif not is_launch:
+            self._unreadable(Span(self.source, 0, 0), "the root element is not <launch>")
+        if document is not None and is_launch:
+            self._children(document.root)
+
+    def _unreadable(self, at: Span, reason: str) -> None:
+        problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
+        self.collector.problems.append(problem)
 
     def _children(self, parent: Element) -> None:
         for element in parent.children:
