@@ -52,6 +52,13 @@ def test_the_defect_of_a_shared_file_is_told_once(robots: Path) -> None:
     assert report.files == (str(robots / "two.xacro"), str(robots / "one.xacro"))
 
 
+def test_a_shared_file_is_known_by_whatever_name(robots: Path) -> None:
+    include = '<xacro:include filename="../shared.xacro"/>'
+    other = write(robots, "inner/other.xacro", include)
+    report = check(robots / "one.xacro", other, select=["TRE006"])
+    assert found(report) == [("shared.xacro", "TRE006", 2)]
+
+
 def test_a_folder_is_its_entry_points(robots: Path) -> None:
     report = check(robots, select=SELECT)
     assert [os.path.basename(file) for file in report.files] == ["one.xacro", "two.xacro"]

@@ -303,11 +303,15 @@ def _without_arguments(verdict: Verdict, job: Job) -> Verdict:
 
 def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
     once: dict[tuple[object, ...], Diagnostic] = {}
+    files_of: dict[str, str] = {}
     for verdict in verdicts:
         for diagnostic in verdict.diagnostics:
-            # Two robots of one run may include the same file; its defect is told once.
-            key = (diagnostic.code, diagnostic.span.source.path, *diagnostic.span[1:])
-            once.setdefault((*key, diagnostic.message), diagnostic)
+            # Two robots of one run may include the same file, each in its own words; its defect
+            # is told once.
+            path = diagnostic.span.source.path
+            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
+            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
+            once.setdefault(key, diagnostic)
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),

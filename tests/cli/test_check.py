@@ -150,7 +150,7 @@ def test_standard_input(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_standard_input_has_a_bound(check: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("urdfkit.cli.checking.MAX_BYTES", 2**20)
+    monkeypatch.setattr("urdfkit.cli.stdin.MAX_BYTES", 2**20)
     stdin(monkeypatch, b" " * (2**20 + 1))
     assert check("-") == (2, "", "error: standard input: larger than 1 MiB\n")
 

@@ -217,6 +217,21 @@ def test_closed_standard_streams() -> None:
     assert (done.returncode, done.stdout) == (2, b"")
 
 
+@UNIX
+def test_expand_with_standard_input() -> None:
+    text = b'<robot name="r"><link name="a"/></robot>'
+    done = run("expand", "-", stdin=text)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b'<link name="a"/>' in done.stdout
+    line = f'"{sys.executable}" -m urdfkit expand - <&-'
+    done = subprocess.run(["sh", "-c", line], check=False, cwd=ROOT, capture_output=True)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(b"error: standard input is closed")
+    done = run("expand", "-")
+    assert done.returncode == 2
+    assert b"Traceback" not in done.stderr
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full here")
 def test_a_full_disk() -> None:
     with open("/dev/full", "wb") as full:

@@ -261,6 +261,8 @@ def test_paths_are_relative_where_that_is_shorter(
     ]
     assert texts[0].startswith(os.path.join("a", "robot.urdf") + ":2:15: ")
     assert texts[1].startswith("/x.urdf:2:15: ")
+    here = render(report(diagnostic(span(Source("./robot.urdf", PLAIN.data), "arm"))))
+    assert here.startswith("robot.urdf:2:15: ")
 
 
 def test_skipped_rules_are_counted_by_reason() -> None:

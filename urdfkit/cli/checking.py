@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from urdfkit import atomic, formats
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.engine import check
-from urdfkit.errors import UnreadableFile
-from urdfkit.source import MAX_BYTES, Source
+
+if TYPE_CHECKING:
+    from urdfkit.cli.progress import Progress
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -22,23 +23,29 @@ def run_check(values: Mapping[str, Any]) -> int:
         values: of the options and files, by key.
     """
     outputs = options.outputs(values)
-    stdin = values["stdin_filename"] or "<stdin>"
+    stdin_name = values["stdin_filename"] or "<stdin>"
     files = options.files(values)
     rules = options.add_rules(values)
     config = options.config(values, os.curdir if files[0] == "-" else files[0])
-    report = check(
-        *(_read_stdin(stdin) if file == "-" else file for file in files),
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        select=options.words(values, "select"),
-        ignore=options.words(values, "ignore"),
-        targets=options.words(values, "target"),
-        trust=values["trust"],
-        rules=rules,
-        config=config,
-        changed=values["changed"],
-        jobs=options.jobs(values),
-    )
+    progress = _progress(files)
+    try:
+        report = check(
+            *(stdin.read(stdin_name) if file == "-" else file for file in files),
+            arguments=options.arguments(values),
+            packages=options.packages(values),
+            select=options.words(values, "select"),
+            ignore=options.words(values, "ignore"),
+            targets=options.words(values, "target"),
+            trust=values["trust"],
+            rules=rules,
+            config=config,
+            changed=values["changed"],
+            jobs=options.jobs(values),
+            progress=progress,
+        )
+    finally:
+        if progress is not None:
+            progress.wipe()
     if values["baseline"] or values["write_baseline"]:
         report = _with_baseline(report, values)
     _show_crashes(report)
@@ -69,13 +76,13 @@ def _with_baseline(report: Report, values: Mapping[str, Any]) -> Report:
     return report._replace(diagnostics=tuple(new), tolerated=tolerated)
 
 
-def _read_stdin(name: str) -> Source:
-    if sys.stdin is None:
-        raise UnreadableFile("standard input is closed; name a file instead of '-'")
-    data = sys.stdin.buffer.read(MAX_BYTES + 1)
-    if len(data) > MAX_BYTES:
-        raise UnreadableFile(f"standard input: larger than {MAX_BYTES // 2**20} MiB")
-    return Source(name, data)
+def _progress(files: Sequence[str]) -> Progress | None:
+    """Where a single file is checked there is no way to tell how far it is."""
+    if len(files) == 1 and not os.path.isdir(files[0]):
+        return None
+    from urdfkit.cli.progress import on_terminal
+
+    return on_terminal()
 
 
 def _show_crashes(report: Report) -> None:

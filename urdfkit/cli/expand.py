@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from urdfkit import atomic
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import get
 from urdfkit.source import Source
@@ -81,7 +81,7 @@ def command(
 
 def _read(file: str, root_dir: str) -> Source:
     if file == "-":
-        return Source("<stdin>", sys.stdin.buffer.read())
+        return stdin.read("<stdin>")
     source = Source.read(os.path.join(root_dir, file))
     source.path = file  # the banner names the file as it was typed
     return source

@@ -192,7 +192,7 @@ class _Page:
 
 def _shorter(path: str) -> str:
     if not os.path.isabs(path):
-        return path
+        return path.removeprefix("./")
     try:
         relative = os.path.relpath(path)
     except (OSError, ValueError):  # the current folder is gone; another drive

@@ -1,0 +1,127 @@
+"""The progress line: late, on terminals only, and gone in the end."""
+
+from __future__ import annotations
+
+import io
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS, ROOT
+from urdfkit.cli import progress
+from urdfkit.cli.progress import Progress, on_terminal
+
+UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows")
+
+
+class Clock:
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 100.0
+        monkeypatch.setattr(progress.time, "monotonic", lambda: self.now)
+
+
+def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock, stream = Clock(monkeypatch), io.StringIO()
+    bar = Progress(stream)
+    clock.now += 0.9
+    bar(1, 4)
+    bar.wipe()
+    assert stream.getvalue() == ""
+    clock.now += 0.2
+    bar(2, 4)
+    bar(4, 4)
+    bar.wipe()
+    bar.wipe()
+    assert stream.getvalue() == (f"\r[{'#' * 15}{' ' * 15}] 2 of 4\r[{'#' * 30}] 4 of 4\r\x1b[K")
+
+
+def test_a_terminal_that_is_gone_does_not_stop_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+
+    class Gone(io.StringIO):
+        def write(self, text: str) -> int:
+            raise OSError(5, "Input/output error")
+
+    bar = Progress(Gone())
+    clock.now += 2
+    bar(1, 2)
+    bar.wipe()
+
+
+@pytest.mark.parametrize(
+    ("is_terminal", "term", "shown"),
+    [(True, "xterm", True), (True, "dumb", False), (False, "xterm", False)],
+)
+def test_where_it_is_shown(
+    is_terminal: bool, term: str, shown: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TERM", term)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: is_terminal, raising=False)
+    assert (on_terminal() is not None) is shown
+
+
+def test_without_standard_error_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", None)
+    assert on_terminal() is None
+
+
+PROGRAM = """
+import sys
+from urdfkit.cli import main, progress
+progress.DELAY = 0.0
+sys.exit(main(["check", *sys.argv[1:]]))
+"""
+
+
+def on_a_terminal(*words: str | Path) -> tuple[str, str]:
+    """Standard output, and what a terminal as standard error is sent."""
+    import pty  # not on Windows
+
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *map(str, words)],
+        cwd=ROOT,
+        env={**os.environ, "TERM": "xterm"},
+        stdout=subprocess.PIPE,
+        stderr=theirs,
+        text=True,
+    )
+    out, _ = process.communicate(timeout=60)
+    os.close(theirs)
+    time.sleep(0.05)
+    os.set_blocking(ours, False)
+    try:
+        told = os.read(ours, 10_000).decode()
+    except OSError:  # nothing was written
+        told = ""
+    os.close(ours)
+    return out, told
+
+
+@UNIX
+def test_a_folder_on_a_terminal() -> None:
+    out, told = on_a_terminal(MODELS / "good", "--exit-zero")
+    assert told.startswith("\r[")
+    assert "] 3 of 3" in told
+    assert told.endswith("\r\x1b[K")
+    assert "\x1b" not in out
+    assert "[#" not in out
+
+
+@UNIX
+def test_one_file_has_none() -> None:
+    assert on_a_terminal(MODELS / "good" / "gripper.urdf")[1] == ""
+
+
+def test_on_a_pipe_there_is_none() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, str(MODELS / "good")],
+        check=False,
+        cwd=ROOT,
+        capture_output=True,
+    )
+    assert done.stderr == b""
