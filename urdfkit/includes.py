@@ -32,13 +32,16 @@ def includer(path: str, packages: Packages) -> str | None:
 
     Includes are compared by file name: their folders may be expressions. Of several files the one
     nearest by folder counts: packages hold variants of a robot side by side. An ``<include>``
-    that lacks its prefix counts as what it was meant to be.
+    that lacks its prefix counts as what it was meant to be, and so does the default of an
+    argument, by which husky and jackal are extended.
     """
     package = packages.enclosing(path)
     path = os.path.abspath(path)
     folder = package[1] if package else os.path.dirname(path)
     name = re.escape(os.path.basename(path).encode())
-    pattern = re.compile(rb"""<(?:xacro:)?include\b[^>]*[/"'\s]""" + name + rb"""[)"'\s]""")
+    pattern = re.compile(
+        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^>]*[/"'\s]""" + name + rb"""[)"'\s]"""
+    )
     found: list[str] = []
     entries = searched = 0
     for parent, folders, files in os.walk(folder):

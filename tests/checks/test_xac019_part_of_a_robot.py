@@ -84,3 +84,15 @@ def test_a_part_that_expands_is_silent(tmp_path: Path) -> None:
 def serious(file: Path) -> set[str]:
     report = engine.check(file)
     return {one.code for one in report.diagnostics if one.severity is not Severity.INFO}
+
+
+def test_a_file_to_extend_a_robot_by_an_argument(tmp_path: Path) -> None:
+    (tmp_path / "empty.urdf").write_text("<robot/>")
+    assert serious(tmp_path / "empty.urdf") == {"TRE001", "URD010"}
+    write(
+        tmp_path,
+        robot='<link name="base"/><xacro:arg name="extras" default="$(optenv EXTRAS empty.urdf)"/>'
+        '<xacro:include filename="$(arg extras)"/>',
+    )
+    assert serious(tmp_path / "empty.urdf") == set()
+    assert serious(tmp_path / "robot.xacro") == set()
