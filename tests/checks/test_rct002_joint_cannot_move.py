@@ -22,3 +22,12 @@ def test_a_fixed_joint_in_a_transmission() -> None:
 def test_joints_that_move_or_are_unknown(name: str) -> None:
     assert told("RCT002", ROBOT + control(driven(name))) == []
     assert told("RCT002", ROBOT + transmission(name)) == []
+
+
+def test_a_vendor_s_interface_may_drive_nothing() -> None:
+    joint = (
+        '<transmission name="model"><type>franka_hw/FrankaModelInterface</type>'
+        '<joint name="weld"><hardwareInterface>franka_hw/FrankaModelInterface'
+        "</hardwareInterface></joint></transmission>"
+    )
+    assert told("RCT002", ROBOT + joint) == []

@@ -68,3 +68,14 @@ def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:
     found = told("URD012", robot)
     assert found
     assert [one.fix for one in found] == [None] * len(found)
+
+
+def test_elements_of_one_tag_in_the_same_wrong_place_are_one_finding() -> None:
+    body = f"<collision><geometry><sphere radius='1'/></geometry>{MATERIAL}</collision>"
+    robot = "".join(f'<link name="{name}">{body}</link>' for name in "abcdefg")
+    (found,) = told("URD012", robot)
+    assert found.message == (
+        "link 'a': readers pass over the <material> in <collision>; it belongs in <robot> or "
+        "<visual> (and 6 more like it)"
+    )
+    assert [related.message for related in found.related] == [f"link '{name}'" for name in "bcdef"]

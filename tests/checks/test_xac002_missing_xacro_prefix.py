@@ -49,6 +49,10 @@ def test_elements_of_urdf_and_of_gazebo_may_be_called_like_a_macro() -> None:
     assert told("XAC002", body) == []
 
 
+def test_a_macro_may_be_called_robot() -> None:
+    assert told("XAC002", '<xacro:macro name="robot" params=""/><link name="a"/><robot/>') == []
+
+
 def test_a_plain_urdf_is_another_rule() -> None:
     source = Source("a.urdf", b'<robot name="r"><link name="a"/><include/></robot>')
     report = engine.check(source, select=["XML", "XAC", "URD"])

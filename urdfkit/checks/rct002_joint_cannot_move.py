@@ -2,7 +2,8 @@
 
 Nothing can move it. From ROS 2 Jazzy on the controller manager stops with an exception; in Gazebo
 the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then drives no
-joint at all. Give the joint the type that it has in reality, or leave it out.
+joint at all. Give the joint the type that it has in reality, or leave it out. A transmission with a
+vendor's interface may stand for a model and drive nothing; it is not told.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.catalog import ros_control
 from urdfkit.diagnostic import Severity
 from urdfkit.ros_control import components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
@@ -60,4 +62,12 @@ def _driven(subject: Subject) -> Iterator[tuple[Element, str]]:
             yield joint.at, component.called
     if subject.model.transmissions and reads_transmissions(subject.targets):
         for element, transmission in driven_joints(subject.model):
-            yield element, f"transmission '{transmission.get('name') or ''}'"
+            if not _is_of_a_vendor(element):
+                yield element, f"transmission '{transmission.get('name') or ''}'"
+
+
+def _is_of_a_vendor(joint: Element) -> bool:
+    """True if a transmission gives a joint interfaces, and ROS has none of them."""
+    known = {name.rpartition("/")[2] for name in ros_control.words("transmission", "interfaces")}
+    named = {element.text.strip().rpartition("/")[2] for element in joint.all("hardwareInterface")}
+    return bool(named) and named.isdisjoint(known)

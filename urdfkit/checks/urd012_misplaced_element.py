@@ -7,10 +7,10 @@ to where it belongs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
+from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
 from urdfkit.edits import move_after
 from urdfkit.grammar import owner
@@ -44,19 +44,38 @@ GOOD = """\
 </link>"""
 FIXED = GOOD
 
+#: Elements of one tag in the same wrong place that are shown.
+_SHOWN = 5
+
 
 @rule("URD012", "misplaced-element", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
+    alike: dict[tuple[str, str], list[Element]] = {}
     for element, *_ in subject.deviations.get("URD012", ()):
         assert element.parent is not None
-        places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
-        yield Finding(
-            element,
-            f"{owner(element.parent)}: readers pass over the <{element.tag}> in "
-            f"<{element.parent.tag}>; it belongs in {places}",
-            f"move it into {places}",
-            _moved(element, element.parent),
-        )
+        fix = _moved(element, element.parent)
+        if fix is None:
+            alike.setdefault((element.tag, element.parent.tag), []).append(element)
+        else:
+            yield _finding(element, element.parent, fix=fix)
+    for first, *others in alike.values():
+        assert first.parent is not None
+        yield _finding(first, first.parent, others)
+
+
+def _finding(
+    element: Element, parent: Element, others: Sequence[Element] = (), fix: Fix | None = None
+) -> Finding:
+    """One finding for an element and others of its tag in the same wrong place."""
+    places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
+    message = (
+        f"{owner(parent)}: readers pass over the <{element.tag}> in <{parent.tag}>; it belongs in "
+        f"{places}"
+    )
+    if others:
+        message += f" (and {len(others)} more like it)"
+    related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
+    return Finding(element, message, f"move it into {places}", fix, related)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:

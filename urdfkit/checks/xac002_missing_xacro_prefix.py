@@ -37,7 +37,8 @@ GOOD = BAD.replace("<arm", "<xacro:arm")
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    macros = {macro.name for macro in subject.xacro.macros}
+    # A <robot> is a robot, whatever macros are called.
+    macros = {macro.name for macro in subject.xacro.macros} - {"robot"}
     stack = [(subject.document.root, schema.ROBOT)]
     while stack:
         element, grammar = stack.pop()
