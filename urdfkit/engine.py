@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
+    from urdfkit.reading import Problem
     from urdfkit.targets import Targets
 
 
@@ -293,12 +294,17 @@ def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
 
 def _without_arguments(verdict: Verdict, job: Job) -> Verdict:
     """A file that was found, not named, and cannot be expanded for want of arguments is skipped."""
-    wanting = [d for d in verdict.diagnostics if d.code == "XAC010"]
-    if not wanting:
+    names = missing_arguments(verdict.diagnostics)
+    if not names:
         return verdict
-    names = ", ".join(dict.fromkeys(d.message.split("'")[1] for d in wanting))
-    reason = f"needs arguments ({names}): give them in the configuration, as [[robot]]"
+    needed = ", ".join(names)
+    reason = f"needs arguments ({needed}): give them in the configuration, as [[robot]]"
     return verdict._replace(diagnostics=(), skipped=(Skipped("", job.source.path, reason),))
+
+
+def missing_arguments(found: Iterable[Diagnostic | Problem]) -> list[str]:
+    """The arguments without which a xacro does not expand, by what was found in it."""
+    return list(dict.fromkeys(one.message.split("'")[1] for one in found if one.code == "XAC010"))
 
 
 def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:

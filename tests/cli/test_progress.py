@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS, ROOT
-from urdfkit.cli import progress
 from urdfkit.cli.progress import Progress, on_terminal
 
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows")
@@ -21,7 +20,7 @@ UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows
 class Clock:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.now = 100.0
-        monkeypatch.setattr(progress.time, "monotonic", lambda: self.now)
+        monkeypatch.setattr(time, "monotonic", lambda: self.now)
 
 
 def test_it_appears_after_a_second_and_is_wiped(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
@@ -144,7 +145,7 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
 def test_a_baseline_hides_no_crash(project: Project, monkeypatch) -> None:
     from urdfkit import rules
 
-    def crash(_: object) -> None:
+    def crash(_: object) -> NoReturn:
         raise ValueError("boom")
 
     rule = rules.get("TRE006")._replace(check=crash)

@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import os
 import platform
+import shutil
 import sys
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, version
+from typing import Any
 
 import click
 
 from urdfkit import __version__
 from urdfkit.cli import options, output
+from urdfkit.config import Config, ConfigError
+from urdfkit.discovery import discover
 from urdfkit.engine import check
 from urdfkit.resolve import Resolver
+from urdfkit.rule_packages import installed
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.targets import Targets, infer, parse
 
 #: What is looked for, and what it is for.
 _PACKAGES = {
     "xacro": "expansion",
     "click": "command line",
-    "lxml": "errors of broken XML",
     "PyYAML": "load_yaml in xacro",
     "yourdfpy": "pictures",
     "trimesh": "mesh contents",
@@ -29,22 +34,39 @@ _PACKAGES = {
     "pin": "dynamics",
     "coal": "collisions",
 }
+_PROGRAMS = {"git": "comparing a robot with an earlier revision"}
 
 
 @click.command("doctor")
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-def command(words: tuple[str, ...], package: tuple[str, ...]) -> int:
-    """Tell what urdfkit has to work with: programs, packages, configuration, targets.
+@click.option("--target", multiple=True, metavar="NAMES", help="As of urdfkit check.")
+@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
+@click.option("--isolated", is_flag=True, help="Take no configuration.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+def command(words: tuple[str, ...], **values: Any) -> int:
+    """Tell what urdfkit has to work with: programs, environment, configuration.
 
-    With FILE also how its packages are found, which target is chosen and why, and which rules
-    do not run on it and why.
+    With FILE, a description or a folder, also what a check of it works with: the packages
+    around it, the programs that severities are weighed for and why, and the rules that do not
+    run and why.
 
-    Exit codes: 0 done, 2 FILE cannot be read.
+    Exit codes: 0 done, 2 FILE or the configuration cannot be read.
     """
+    values[options.FILES] = words
+    near = options.files(values)[0] if words else os.curdir
     lines = [*_installed(), "", *_environment()]
+    try:
+        config = options.config(values, near)
+        lines.append(f"configuration: {_path(config.path) if config else 'none'}")
+    except ConfigError as error:
+        if words:
+            raise
+        config = None
+        lines.append(f"configuration: {error}")
     if words:
-        lines += ["", *_file({options.FILES: words, "package": package})]
+        tell = _folder if os.path.isdir(near) else _file
+        lines += ["", *tell(near, values, config or Config())]
     output.write("\n".join(lines) + "\n")
     return 0
 
@@ -56,33 +78,70 @@ def _installed() -> Iterator[str]:
             yield f"  {name:<12}{version(name):<10}{purpose}"
         except PackageNotFoundError:
             yield f"  {name:<12}{'missing':<10}{purpose}: pip install 'urdfkit[all]'"
+    for name, purpose in _PROGRAMS.items():
+        yield f"  {name:<12}{'found' if shutil.which(name) else 'missing':<10}{purpose}"
+    for name, module in sorted(installed().items()):
+        yield f"  rules of others: {name} ({module}); run with --rules {name}"
 
 
 def _environment() -> Iterator[str]:
-    from urdfkit.config import nearest
-
-    yield f"configuration: {nearest(os.curdir) or 'none'}"
-    for name in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "ROS_DISTRO"):
+    for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "GZ_SIM_RESOURCE_PATH"):
         yield f"{name}: {os.environ.get(name) or 'not set'}"
 
 
-def _file(values: dict[str, tuple[str, ...]]) -> Iterator[str]:
-    path = options.files(values)[0]
-    packages, arguments = options.packages(values), options.arguments(values)
+def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
+    """The entry points of a folder, and what is none."""
+    resolver = Resolver({**config.packages, **options.packages(values)})
+    found = discover(path, config, resolver)
+    configured = " (named by the configuration)" if config.robots else ""
+    yield f"{path}: {len(found.robots)} robots{configured}"
+    for robot in found.robots:
+        words = [f"{name}:={value}" for name, value in robot.arguments.items()]
+        yield "  " + " ".join([_path(robot.file), *words])
+    for library in found.libraries:
+        yield f"  {_path(library)}: makes no link itself, and no file includes it"
+
+
+def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
+    """What a check of a description works with."""
+    packages = {**config.packages, **options.packages(values)}
+    arguments = {**config.arguments, **options.arguments(values)}
+    names = options.words(values, "target") or config.targets
     resolver = Resolver(packages)
-    subject = Subject(Source.read(path), resolver, arguments)
-    kind = "plain XML" if subject.reading.xacro is None else "xacro"
-    yield f"{path}: {kind}"
-    workspace = resolver.packages.workspace(path)
-    known = resolver.packages.known(path)
-    inside = {name: at for name, at in known.items() if at.startswith(workspace)}
-    yield f"  workspace: {workspace}"
-    yield from (f"  package {name}: {folder}" for name, folder in sorted(inside.items()))
-    if len(known) > len(inside):
-        yield f"  and {len(known) - len(inside)} packages in the folders around it"
+    given = parse(names) if names else None
+    trust = values["trust"] or config.trust
+    subject = Subject(Source.read(path), resolver, arguments, trust=trust, targets=given)
+    yield f"{path}: {'plain XML' if subject.reading.xacro is None else 'xacro'}"
+    yield from _packages(path, resolver)
     if subject.reading.document is not None:
-        yield f"  targets: {', '.join(subject.targets.names) or 'none'}"
-        yield from (f"    {reason}" for reason in subject.targets.evidence)
-    report = check(path, arguments=arguments, packages=packages)
+        yield from _targets(subject, given)
+    report = check(
+        path, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
+    )
     yield f"  rules: {len(report.rules)} had something to look at"
     yield from (f"  {skip.code or 'file'} skipped: {skip.reason}" for skip in report.skipped)
+
+
+def _packages(path: str, resolver: Resolver) -> Iterator[str]:
+    workspace = resolver.packages.workspace(path)
+    known = {**resolver.packages.known(path), **resolver.packages.explicit}
+    inside = {name: at for name, at in known.items() if at.startswith(workspace)}
+    yield f"  workspace: {_path(workspace)}"
+    yield from (f"  package {name}: {_path(folder)}" for name, folder in sorted(inside.items()))
+    if len(known) > len(inside):
+        yield f"  and {len(known) - len(inside)} packages around it"
+
+
+def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:
+    if given is not None:
+        yield f"  targets: {', '.join(given.names)} (given)"
+        return
+    inferred = infer(subject)
+    yield f"  targets: {', '.join(inferred.names) or 'none; name them with --target'}"
+    yield from (f"    {reason}" for reason in inferred.evidence)
+
+
+def _path(path: str) -> str:
+    """From the current folder, where it lies in it."""
+    relative = os.path.relpath(path)
+    return path if relative.startswith(os.pardir) else relative

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable, Iterator
 
 import click
 
 from urdfkit import atomic
 from urdfkit.cli import output
-from urdfkit.config import Config, Robot
+from urdfkit.config import Config, nearest
 from urdfkit.discovery import Found, discover
+from urdfkit.engine import missing_arguments
 from urdfkit.errors import UnwritableFile
-from urdfkit.expansion import Xacro, expand
-from urdfkit.reading import is_xacro
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.subject import Subject
+from urdfkit.targets import TARGETS
 
 _FILE = "urdfkit.toml"
 
@@ -25,58 +27,88 @@ _FILE = "urdfkit.toml"
 def command(folder: str, only_print: bool) -> int:
     """Write a first urdfkit.toml for the robots in FOLDER.
 
-    It names every robot that is found, with the arguments that it needs. An urdfkit.toml that
-    exists is left alone.
+    It names every robot that is found, with the arguments that it needs, and the programs that
+    the robots give away. A configuration that exists is left alone.
 
-    Exit codes: 0 written, 2 there is no robot, or the file exists.
+    Exit codes: 0 written, 2 there is no robot, or a configuration.
     """
     found = discover(folder, Config(), Resolver())
     text = render(found, folder)
-    path = os.path.join(folder, _FILE)
     if only_print:
         output.write(text)
         return 0
-    if os.path.exists(path):
-        raise UnwritableFile(f"{path}: exists already; --print shows what would be written")
-    atomic.write(path, text.encode())
-    output.write(f"{path}: {len(found.robots)} robots; now run: urdfkit check {folder}\n")
+    existing = nearest(folder)
+    if existing and os.path.dirname(existing) == os.path.abspath(folder):
+        path = os.path.join(folder, os.path.basename(existing))
+        raise UnwritableFile(f"{path}: configures it already; --print shows what would be written")
+    path = os.path.join(folder, _FILE)
+    atomic.write(path, output.encode(text))
+    count = len(found.robots)
+    output.write(f"{path}: {count} {'robot' if count == 1 else 'robots'}\n")
     return 0
 
 
 def render(found: Found, folder: str) -> str:
     """The text of a configuration."""
+    resolver = Resolver()
+    robots = [_Robot(robot.file, folder, resolver) for robot in found.robots]
     lines = [
-        "# Settings of urdfkit; see 'urdfkit check --help'.",
-        '# targets = ["ros2", "gz-harmonic"]  # inferred from each model if not given',
-        '# ignore = ["GEO002"]',
+        "# Settings of urdfkit. It takes no notice of lines that begin with '#'.",
+        "",
+        "# The programs that will read the robots; without them, what each robot gives away.",
+        f"# targets = {_listed(name for robot in robots for name in robot.targets)}",
+        "",
+        "# Rules that are left out: codes, or the beginning of codes.",
+        '# ignore = ["URD001"]',
         "",
     ]
-    resolver = Resolver()
-    for robot in found.robots:
-        lines += _robot(robot, folder, resolver)
-    return "\n".join(lines)
+    for robot in robots:
+        lines += [*robot.lines(), ""]
+    for library in found.libraries:
+        file = os.path.relpath(library, folder).replace(os.sep, "/")
+        lines.append(f"# {file}: no robot, and no file includes it")
+    return "\n".join(lines).rstrip() + "\n"
 
 
-def _robot(robot: Robot, folder: str, resolver: Resolver) -> list[str]:
-    file = os.path.relpath(robot.file, folder).replace(os.sep, "/")
-    lines = ["[[robot]]", f"file = {_quoted(file)}"]
-    source = Source.read(robot.file)
-    if is_xacro(source):
-        lines += _arguments(expand(source, resolver))
-    return [*lines, ""]
+class _Robot:
+    """A description, and what a configuration has to say about it."""
+
+    def __init__(self, file: str, folder: str, resolver: Resolver) -> None:
+        self.file = os.path.relpath(file, folder).replace(os.sep, "/")
+        subject = Subject(Source.read(file), resolver)
+        self._xacro = subject.reading.xacro
+        is_readable = subject.reading.document is not None
+        self.targets = subject.targets.names if is_readable else ()
+
+    def lines(self) -> Iterator[str]:
+        """Its table, with the arguments that it needs; the others as comments."""
+        yield "[[robot]]"
+        yield f"file = {_quoted(self.file)}"
+        if self._xacro is None:
+            return
+        needed = missing_arguments(self._xacro.problems)
+        for name in needed:
+            yield f'arguments.{_key(name)} = ""  # it must be given: write the value'
+        for argument in dict.fromkeys(a.name for a in self._xacro.arguments):
+            if argument not in needed:
+                yield f"# arguments.{_key(argument)} = {_quoted(self._default(argument))}"
+
+    def _default(self, name: str) -> str:
+        assert self._xacro is not None
+        found = next(a for a in self._xacro.arguments if a.name == name)
+        return found.attributes.get("default", "")
 
 
-def _arguments(xacro: Xacro) -> list[str]:
-    """The arguments of a xacro: those it needs to be filled in, the others as comments."""
-    needed = dict.fromkeys(
-        problem.message.split("'")[1] for problem in xacro.problems if problem.code == "XAC010"
-    )
-    lines = [f'arguments.{name} = ""  # TODO: it has no usable default' for name in needed]
-    for argument in xacro.arguments:
-        if argument.name not in needed:
-            default = argument.attributes.get("default", "")
-            lines.append(f"# arguments.{argument.name} = {_quoted(default)}")
-    return list(dict.fromkeys(lines))
+def _listed(names: Iterable[str]) -> str:
+    chosen = set(names)
+    known = [_quoted(name) for name in TARGETS if name in chosen]
+    return f"[{', '.join(known)}]" if known else '["ros2", "gz-harmonic"]'
+
+
+def _key(name: str) -> str:
+    """A name as TOML writes it on the left of '='."""
+    is_bare = name.isascii() and name.replace("-", "").replace("_", "").isalnum()
+    return name if is_bare else _quoted(name)
 
 
 def _quoted(text: str) -> str:

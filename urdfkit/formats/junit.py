@@ -6,30 +6,28 @@ that crashed is an error of the test case.
 
 from __future__ import annotations
 
-from typing import Any
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The whole report, a test suite for every file."""
-    from lxml import etree
-
-    root = etree.Element("testsuites", name="urdfkit")
+    root = Element("testsuites", name="urdfkit")
     paths = dict.fromkeys(report.files)
     paths.update(dict.fromkeys(d.span.source.path for d in report.diagnostics))
     paths.update(dict.fromkeys(skip.path for skip in report.skipped))
     for path in paths:
         _suite(root, path, report)
     _count(root)
-    text: str = etree.tostring(root, pretty_print=True, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}'
+    ElementTree.indent(root)
+    text = ElementTree.tostring(root, encoding="unicode")
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
 
 
-def _suite(root: Any, path: str, report: Report) -> None:
-    from lxml import etree
-
-    suite = etree.SubElement(root, "testsuite", name=_text(path))
+def _suite(root: Element, path: str, report: Report) -> None:
+    suite = SubElement(root, "testsuite", name=_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
     for diagnostic in report.diagnostics:
         if diagnostic.span.source.path == path:
@@ -39,45 +37,39 @@ def _suite(root: Any, path: str, report: Report) -> None:
     for skip in report.skipped:
         if skip.path == path:
             case = _new_case(suite, path, skip.code or "check")
-            etree.SubElement(case, "skipped", message=_text(skip.reason))
+            SubElement(case, "skipped", message=_text(skip.reason))
     for crash in report.crashed:
         if crash.path == path:
             case = _new_case(suite, path, crash.code)
-            etree.SubElement(case, "error", message=_text(crash.error)).text = _text(
-                crash.traceback
-            )
+            SubElement(case, "error", message=_text(crash.error)).text = _text(crash.traceback)
     if not len(suite):
         _new_case(suite, path, "check")
 
 
-def _new_case(suite: Any, path: str, name: str) -> Any:
-    from lxml import etree
-
-    return etree.SubElement(suite, "testcase", classname=_text(path), name=_text(name))
+def _new_case(suite: Element, path: str, name: str) -> Element:
+    return SubElement(suite, "testcase", classname=_text(path), name=_text(name))
 
 
-def _case(suite: Any, path: str, name: str, diagnostics: list[Diagnostic]) -> None:
-    from lxml import etree
-
+def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -> None:
     case = _new_case(suite, path, name)
     case.set("file", _text(path))
     case.set("line", str(diagnostics[0].span.line))
     failures = [d for d in diagnostics if d.severity is not Severity.INFO]
     if failures:
-        failure = etree.SubElement(
+        failure = SubElement(
             case, "failure", type=failures[0].severity.value, message=_text(failures[0].message)
         )
         failure.text = _text("\n".join(map(_line, failures)))
     infos = [d for d in diagnostics if d.severity is Severity.INFO]
     if infos:
-        etree.SubElement(case, "system-out").text = _text("\n".join(map(_line, infos)))
+        SubElement(case, "system-out").text = _text("\n".join(map(_line, infos)))
 
 
 def _line(diagnostic: Diagnostic) -> str:
     return f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
 
 
-def _count(root: Any) -> None:
+def _count(root: Element) -> None:
     for element in (root, *root):
         cases = list(element.iter("testcase"))
         element.set("tests", str(len(cases)))

@@ -1,0 +1,128 @@
+"""``urdfkit doctor``: what a check works with, and why."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+
+import urdfkit
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+
+
+class Doctor:
+    def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
+        self.capsys = capsys
+
+    def __call__(self, *words: str, code: int = 0) -> str:
+        """What it prints; on standard error if it fails."""
+        assert main(["doctor", *words]) == code
+        captured = self.capsys.readouterr()
+        assert (captured.err if code == 0 else captured.out) == ""
+        return captured.out or captured.err
+
+
+@pytest.fixture
+def doctor(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Doctor:
+    monkeypatch.chdir(tmp_path)
+    for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH"):
+        monkeypatch.delenv(name, raising=False)
+    return Doctor(capsys)
+
+
+def test_what_is_installed_and_set(doctor: Doctor, monkeypatch) -> None:
+    monkeypatch.setenv("ROS_DISTRO", "jazzy")
+    out = doctor()
+    first = out.partition("\n")[0]
+    assert first.startswith(f"urdfkit {urdfkit.__version__}, Python {sys.version.split()[0]}, ")
+    rows = {line.split()[0]: line.split()[1] for line in out.split("\n\n")[0].splitlines()[1:]}
+    assert rows["xacro"].startswith("2.1")
+    assert rows["git"] == ("found" if shutil.which("git") else "missing")
+    assert {"click", "PyYAML", "trimesh", "pin", "coal"} <= set(rows)
+    assert "ROS_DISTRO: jazzy\n" in out
+    assert "AMENT_PREFIX_PATH: not set\n" in out
+    assert out.endswith("configuration: none\n")
+
+
+def test_what_is_missing_is_told_with_the_remedy(doctor: Doctor, monkeypatch) -> None:
+    from importlib.metadata import PackageNotFoundError
+
+    def missing(name: str) -> str:
+        raise PackageNotFoundError(name)
+
+    monkeypatch.setattr("urdfkit.cli.doctor.version", missing)
+    assert "  pin         missing   dynamics: pip install 'urdfkit[all]'\n" in doctor()
+
+
+def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> None:
+    (tmp_path / "urdfkit.toml").write_text("")
+    (tmp_path / "other.toml").write_text("")
+    assert doctor().endswith("configuration: urdfkit.toml\n")
+    assert doctor("--config", "other.toml").endswith("configuration: other.toml\n")
+    assert doctor("--isolated").endswith("configuration: none\n")
+    (tmp_path / "urdfkit.toml").write_text("selct = []")
+    assert "there is no setting 'selct'; did you mean 'select'?" in doctor()
+    (tmp_path / "r.urdf").write_text("<robot/>")
+    assert "no setting 'selct'" in doctor("r.urdf", code=2)
+
+
+def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
+    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
+    file = "gazebo_pkg/urdf/waking_robot_new.xacro"
+    out = doctor(file)
+    assert f"\n{file}: xacro\n" in out
+    assert "  workspace: gazebo_pkg\n  package gazebo_pkg: gazebo_pkg\n" in out
+    assert "  targets: ros1, classic-ros1\n    ros1: package.xml\n    classic-ros1: plugin " in out
+    assert "  targets: mujoco (given)\n" in doctor(file, "--target", "mujoco")
+    (tmp_path / "urdfkit.toml").write_text('targets = ["drake"]')
+    assert "  targets: drake (given)\n" in doctor(file)
+    assert "did you mean 'mujoco'" in doctor(file, "--target", "mojoco", code=2)
+
+
+def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    out = doctor("r.urdf", "--package", "my_parts=parts")
+    assert "\nr.urdf: plain XML\n" in out
+    assert "  package my_parts: parts\n" in out
+    assert "  targets: none; name them with --target\n" in out
+    (tmp_path / "urdfkit.toml").write_text('[packages]\nmy_parts = "parts"')
+    assert "  package my_parts: parts\n" in doctor("r.urdf")
+
+
+def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text("<robot")
+    out = doctor("r.urdf")
+    assert "  TRE006 skipped: the description cannot be read\n" in out
+    assert "targets:" not in out
+    (tmp_path / "s.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    out = doctor("s.urdf")
+    assert "skipped" not in out
+    assert int(out.rpartition("  rules: ")[2].split()[0]) > 0
+
+
+def test_a_folder_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
+    (tmp_path / "a.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    (tmp_path / "lib.xacro").write_text(
+        f'{HEAD}<xacro:macro name="m"><link/></xacro:macro></robot>'
+    )
+    assert doctor(".").endswith(
+        "\n.: 1 robots\n  a.urdf\n  lib.xacro: makes no link itself, and no file includes it\n"
+    )
+    (tmp_path / "urdfkit.toml").write_text(
+        '[[robot]]\nfile = "lib.xacro"\nvariants = { l = { side = "l" }, r = { side = "r" } }'
+    )
+    assert doctor(".").endswith(
+        "\n.: 2 robots (named by the configuration)\n  lib.xacro side:=l\n  lib.xacro side:=r\n"
+    )
+
+
+def test_what_cannot_be_read(doctor: Doctor) -> None:
+    assert doctor("none.urdf", code=2).startswith("error: none.urdf: there is no such file")

@@ -1,0 +1,130 @@
+"""``urdfkit init``: a first configuration that can be used as it is."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+from urdfkit.config import load
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+ARM = f"""{HEAD}
+  <xacro:arg name="scale" default="1.0"/>
+  <xacro:arg name="label" default='say "hi"'/>
+  <link name="$(arg side)_base"/>
+</robot>
+"""
+LIBRARY = f'{HEAD}<xacro:macro name="rod"><link name="rod"/></xacro:macro></robot>'
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf" / "arm.xacro").write_text(ARM)
+    (tmp_path / "urdf" / "base.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    (tmp_path / "urdf" / "rod.xacro").write_text(LIBRARY)
+    return tmp_path
+
+
+def test_every_robot_with_the_arguments_it_needs(project: Path, capsys) -> None:
+    assert main(["init"]) == 0
+    assert capsys.readouterr().out == "./urdfkit.toml: 2 robots\n"
+    assert (
+        (project / "urdfkit.toml").read_text()
+        == """\
+# Settings of urdfkit. It takes no notice of lines that begin with '#'.
+
+# The programs that will read the robots; without them, what each robot gives away.
+# targets = ["ros2", "gz-harmonic"]
+
+# Rules that are left out: codes, or the beginning of codes.
+# ignore = ["URD001"]
+
+[[robot]]
+file = "urdf/arm.xacro"
+arguments.side = ""  # it must be given: write the value
+# arguments.scale = "1.0"
+# arguments.label = "say \\"hi\\""
+
+[[robot]]
+file = "urdf/base.urdf"
+
+# urdf/rod.xacro: no robot, and no file includes it
+"""
+    )
+
+
+def test_what_is_written_is_a_configuration(project: Path, capsys) -> None:
+    main(["init"])
+    text = (project / "urdfkit.toml").read_text()
+    (project / "urdfkit.toml").write_text(text.replace('side = ""', 'side = "left"'))
+    config = load("urdfkit.toml")
+    assert [(Path(r.file).name, r.arguments) for r in config.robots] == [
+        ("arm.xacro", {"side": "left"}),
+        ("base.urdf", {}),
+    ]
+    capsys.readouterr()
+    assert main(["check", ".", "--select", "XAC010,XML"]) == 0
+    assert capsys.readouterr().out == "no findings in 2 files\n"
+    every = "\n".join(
+        line.removeprefix("# ") if " = " in line else line for line in text.split("\n")
+    )
+    (project / "urdfkit.toml").write_text(every)
+    config = load("urdfkit.toml")
+    assert config.robots[0].arguments == {"side": "", "scale": "1.0", "label": 'say "hi"'}
+    assert config.targets == ("ros2", "gz-harmonic")
+
+
+def test_the_targets_that_the_robots_give_away(project: Path, capsys) -> None:
+    shutil.copytree(MODELS / "gazebo_pkg", project / "gazebo_pkg")
+    assert main(["init", "gazebo_pkg", "--print"]) == 0
+    out = capsys.readouterr().out
+    assert '# targets = ["ros1", "classic-ros1"]\n' in out
+    assert 'file = "urdf/waking_robot_new.xacro"\n' in out
+    assert not (project / "gazebo_pkg" / "urdfkit.toml").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("urdfkit.toml", "# mine"), ("pyproject.toml", "[tool.urdfkit]\n")]
+)
+def test_a_configuration_that_exists_is_left_alone(
+    name: str, text: str, project: Path, capsys
+) -> None:
+    (project / name).write_text(text)
+    assert main(["init"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err == (
+        f"error: ./{name}: configures it already; --print shows what would be written\n"
+    )
+    assert (project / name).read_text() == text
+    assert main(["init", "--print"]) == 0
+    assert main(["init", "urdf"]) == 0, "another folder has none"
+
+
+def test_another_tools_pyproject_is_no_configuration(project: Path) -> None:
+    (project / "pyproject.toml").write_text("[tool.ruff]\n")
+    assert main(["init"]) == 0
+
+
+def test_a_folder_without_robots(project: Path, capsys) -> None:
+    (project / "empty").mkdir()
+    assert main(["init", "empty"]) == 2
+    assert "no .urdf and no .xacro" in capsys.readouterr().err
+    assert main(["init", "none"]) == 2
+    assert not (project / "empty" / "urdfkit.toml").exists()
+
+
+def test_odd_names_are_written_as_toml_wants_them(tmp_path: Path) -> None:
+    file = tmp_path / 'a "b" \\ é.xacro'
+    file.write_text(ARM.replace("scale", "größe.x"))
+    assert main(["init", str(tmp_path)]) == 0
+    text = (tmp_path / "urdfkit.toml").read_text()
+    assert '# arguments."größe.x" = "1.0"\n' in text
+    (robot,) = load(str(tmp_path / "urdfkit.toml")).robots
+    assert robot.file == str(file)
