@@ -239,3 +239,9 @@ def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
             yield Finding(one.document.root, "again")
 
     assert len(judged(rule(endless)).diagnostics) == judge.MAX_FINDINGS
+
+
+def test_a_message_is_bounded_whatever_names_are_in_it() -> None:
+    robot = f'<robot name="r"><link name="a"/><joint name="{"j" * 5000}" type="fixed"/></robot>'
+    found = check(Source("r.urdf", robot.encode())).diagnostics
+    assert max(len(one.message) for one in found) == judge.MAX_MESSAGE + len("...")

@@ -24,6 +24,8 @@ _OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH GAZ RCT SRD PKG".s
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
+#: Characters of a message: names in it may be as long as a file.
+MAX_MESSAGE = 2000
 
 
 class Verdict(NamedTuple):
@@ -86,7 +88,7 @@ class _Run:
         findings: list[Finding] = []
         try:
             for finding in rule.check(self.subject):
-                findings.append(finding)
+                findings.append(_bounded(finding))
                 if len(findings) >= MAX_FINDINGS:
                     break
             self.ran.add(rule.code)
@@ -191,6 +193,12 @@ def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
         for code in chosen
         if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
+
+
+def _bounded(finding: Finding) -> Finding:
+    if len(finding.message) <= MAX_MESSAGE:
+        return finding
+    return finding._replace(message=f"{finding.message[:MAX_MESSAGE]}...")
 
 
 def _crash(rule: Rule, path: str, error: Exception) -> Crashed:
