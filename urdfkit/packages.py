@@ -89,6 +89,8 @@ class Packages:
             if os.path.isdir(self.explicit[name]):
                 yield Candidate(self.explicit[name])
             return
+        if name in ("", ".", "..") or "/" in name or "\\" in name:
+            return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
         start = os.path.dirname(os.path.abspath(near))
         yield from (Candidate(at) for at in _upwards(start) if self.name_of(at) == name)
         for folder in self._in_environment(name):
@@ -229,8 +231,6 @@ class Packages:
 
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
         """Folders of that name beside those above a file."""
-        if name in ("", ".", "..") or "/" in name or "\\" in name:
-            return
         start = os.path.dirname(os.path.abspath(near))
         above = [folder for folder in _upwards(start) if folder not in self._too_wide]
         for folder in above:

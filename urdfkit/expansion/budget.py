@@ -12,6 +12,8 @@ MAX_SECONDS = 30.0
 MAX_UNITS = 30_000_000
 #: What an element counts for, as it needs that much more memory than a character.
 ELEMENT_SIZE = 100
+#: What a call counts for, or one turn of a comprehension, as it takes that much longer.
+STEP_SIZE = 10
 
 
 class Budget:

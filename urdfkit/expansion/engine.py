@@ -15,6 +15,7 @@ from _thread import allocate_lock
 from collections.abc import Callable
 from functools import lru_cache
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from keyword import iskeyword
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 from xml.dom import minidom
@@ -181,6 +182,8 @@ class Engine:
             return bool(stock_call(node, macros, symbols))
 
         def is_valid_name(name: str) -> bool:
+            if name.isascii():  # the same, without Python's parser
+                return name.isidentifier() and not iskeyword(name)
             return len(name) <= MAX_NAME and bool(stock_name(name))
 
         def remove_previous_comments(node: Node) -> None:

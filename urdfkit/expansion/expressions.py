@@ -11,7 +11,7 @@ from __future__ import annotations
 import ast
 import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import CodeType
 from typing import Any
@@ -146,7 +146,7 @@ class Scope(dict[str, Any]):
 
 
 def evaluate(text: str, names: Any, fence: Fence) -> Any:
-    """The value of an expression.
+    """The value of an expression; of an iterator the list.
 
     Args:
         text: of it.
@@ -156,4 +156,5 @@ def evaluate(text: str, names: Any, fence: Fence) -> Any:
     Raises:
         Exception: whatever goes wrong in it.
     """
-    return eval(compile_expression(text), Scope(fence.guards, names))
+    value = eval(compile_expression(text), Scope(fence.guards, names))
+    return fence.keep(list(value)) if isinstance(value, Iterator) else value

@@ -15,10 +15,13 @@ from functools import partial
 from types import BuiltinFunctionType, MethodDescriptorType
 from typing import Any
 
-from urdfkit.expansion.budget import Budget
+from urdfkit.expansion.budget import STEP_SIZE, Budget
 
 #: Characters and items of one value, counted as often as they are shared.
 MAX_LENGTH = 1_000_000
+#: Levels of one value. Python hashes, and lets go of, some nested values by recursion in C,
+#: where the end is a crash; the same of iterators over iterators.
+MAX_DEPTH = 100
 #: Bits of an integer.
 MAX_BITS = 20_000
 #: Items that are hashed at once: with equal hashes every one is compared with all others.
@@ -26,6 +29,7 @@ MAX_HASHED = 10_000
 
 #: Types whose methods read or make data, within the bounds of ``call``.
 _DATA = (str, int, float, complex, list, tuple, set, frozenset, range, type)
+_SCALARS = frozenset({int, float, bool, type(None)})
 _HASHING = (dict, set, frozenset)
 #: Methods of _DATA that make much of little, or whose argument is a language of its own.
 _REFUSED = frozenset(
@@ -52,28 +56,45 @@ def extent(value: Any) -> int:
     """How large a value is: characters and items, counted as often as they are shared.
 
     Raises:
-        TooLarge: it is larger than MAX_LENGTH.
+        TooLarge: it is larger than MAX_LENGTH, or nested more than MAX_DEPTH deep.
+        UnsafeExpression: it holds an iterator; of these a chain could be made.
     """
     total = 0
-    stack = [value]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, (str, bytes)):
-            total += len(item)
-        elif isinstance(item, range):
-            total += abs(item.stop - item.start) // abs(item.step)
-        elif isinstance(item, dict):
-            total += 2 * len(item)
-            stack.extend(dict.keys(item))
-            stack.extend(dict.values(item))
-            if is_name_space(item):
-                stack.append(vars(item)["parent"])
-        elif isinstance(item, (list, tuple, set, frozenset)):
-            total += len(item)
-            # Not by its own iterator: xacro's lists of YAML wrap every item.
-            stack.extend(list.__iter__(item) if isinstance(item, list) else item)
-        _check_length(total)
-    return total
+    level = [value]
+    for _ in range(MAX_DEPTH):
+        inner: list[Any] = []
+        for item in level:
+            if isinstance(item, (str, bytes)):
+                total += len(item)
+            elif isinstance(item, range):
+                total += abs(item.stop - item.start) // abs(item.step)
+            elif isinstance(item, (dict, list, tuple, set, frozenset, slice)):
+                total += _add_parts(item, inner)
+            elif isinstance(item, Iterator) and item is not value:
+                raise UnsafeExpression("an iterator inside of another value is not allowed")
+            _check_length(total)
+        if not inner:
+            return total
+        level = inner
+    raise TooLarge(f"a value of more than {MAX_DEPTH} levels")
+
+
+def _add_parts(item: Any, parts: list[Any]) -> int:
+    """Add the parts of a value that have an extent of their own; the number of all."""
+    if isinstance(item, dict):
+        parts += dict.keys(item)
+        parts += dict.values(item)
+        if is_name_space(item):
+            parts.append(vars(item)["parent"])
+        return 2 * len(item)
+    if isinstance(item, slice):
+        parts += (item.start, item.stop, item.step)
+        return 3
+    # Not by its own iterator: xacro's lists of YAML wrap every item.
+    items = list(list.__iter__(item) if isinstance(item, list) else item)
+    if not _SCALARS.issuperset(map(type, items)):
+        parts += items
+    return len(items)
 
 
 def is_name_space(table: Any) -> bool:
@@ -106,6 +127,8 @@ class Fence:
         self._bounded: dict[Any, Callable[..., Any]] = {
             map: self._map,
             filter: self._filter,
+            zip: _zip,
+            enumerate: lambda values, *start: enumerate(_sized(values), *start),
             sum: self._sum,
             int: _int,
             round: _round,
@@ -126,17 +149,20 @@ class Fence:
 
     def steps(self, values: Iterable[Any]) -> Iterator[Any]:
         """The values, each of which is charged for when its turn comes."""
+        return self._charged(_sized(values))
+
+    def _charged(self, values: Iterable[Any]) -> Iterator[Any]:
         for value in values:
-            self._budget.charge(1)
+            self._budget.charge(STEP_SIZE)
             yield value
 
     def attribute(self, value: Any, name: str) -> Any:
         """An attribute of a value: only data has any."""
         if is_name_space(value):
-            if name not in vars(value) and not hasattr(type(value), name):
+            if name not in vars(value) and not any(name in vars(k) for k in type(value).__mro__):
                 return getattr(value, name)
         elif isinstance(value, dict):
-            if name in _OF_TABLES or not hasattr(dict, name):
+            if name in _OF_TABLES or name not in vars(dict):
                 return getattr(value, name)
         else:
             found = getattr(value, name)
@@ -158,6 +184,7 @@ class Fence:
             arguments = _hashed(*arguments)
         if isinstance(function, (type, BuiltinFunctionType)):
             function = self._bounded.get(function, function)
+        self._budget.charge(STEP_SIZE)
         return self.keep(function(*arguments, **keywords))
 
     def add(self, left: Any, right: Any) -> Any:
@@ -188,13 +215,12 @@ class Fence:
         return self.keep(left % right)
 
     def _map(self, function: Any, /, *values: Any) -> Iterator[Any]:
-        for arguments in zip(*values):  # noqa: B905 - as map does
-            yield self.call(function, *arguments)
+        sized = [_sized(one) for one in values]
+        return (self.call(function, *arguments) for arguments in zip(*sized))  # noqa: B905
 
     def _filter(self, function: Any, values: Any, /) -> Iterator[Any]:
-        for value in self.steps(values):
-            if value if function is None else self.call(function, value):
-                yield value
+        test = bool if function is None else partial(self.call, function)
+        return (value for value in self.steps(values) if test(value))
 
     def _sum(self, values: Any, /, start: Any = 0) -> Any:
         if not isinstance(start, (list, tuple)):
@@ -235,8 +261,12 @@ def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[A
 
 
 def _sized(values: Any) -> Any:
-    """The values of a generator as a list; anything else as it is."""
+    """The values of an iterator as a list; anything else as it is."""
     return list(values) if isinstance(values, Iterator) else values
+
+
+def _zip(*values: Any, strict: bool = False) -> Iterator[Any]:
+    return zip(*map(_sized, values), strict=strict)
 
 
 def _hashed(*arguments: Any) -> tuple[Any, ...]:

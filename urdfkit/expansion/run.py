@@ -105,7 +105,9 @@ class Run:
         self.budget = Budget(deadline)
         self.fence = Fence(self.budget)
         self.ledger = ledger
-        self.reader = Reader(source, resolver, self.budget, near=self._from_root(source.path), trust=trust)
+        self.reader = Reader(
+            source, resolver, self.budget, near=self._from_root(source.path), trust=trust
+        )
         self.tracer = Tracer(self) if traced else None
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
@@ -216,7 +218,7 @@ class Run:
             self.root_dir,
             os.environ,
             None if self.trust else self.fence,
-            xacro._global_symbols,
+            {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
         )
         try:
             return substitute(content, context)

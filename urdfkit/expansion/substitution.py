@@ -136,7 +136,7 @@ class _EvalNames(dict[str, Any]):
         try:
             return _convert(self.context.argument(name))
         except MissingArgument:
-            if hasattr(builtins, name):
+            if self.context.fence is not None and hasattr(builtins, name):
                 raise UnsafeExpression(f"{name} is not allowed in expressions") from None
             raise KeyError(name) from None
 
