@@ -13,6 +13,8 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
+from importlib.metadata import entry_points
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -22,8 +24,19 @@ README = ROOT / "README.md"
 PAGES = [README, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
+
+
+def _is_installed() -> bool:
+    return any(point.name == "urdfkit" for point in entry_points(group="pytest11"))
+
+
+_HERE = f'PYTHONPATH="{ROOT}" PYTHONSAFEPATH=1 "{sys.executable}" -m'
+_WITHOUT_TIMES = r'sed "s/^=* *\(.* passed\) in .*/\1/"'
+#: A checkout that is not installed has to name the plugin.
+_PLUGIN = "" if _is_installed() else "-p urdfkit.pytest_plugin"
 _PRELUDE = (
-    f'urdfkit() {{ PYTHONPATH="{ROOT}" PYTHONSAFEPATH=1 "{sys.executable}" -m urdfkit "$@"; }}; '
+    f'urdfkit() {{ {_HERE} urdfkit "$@"; }}; '
+    f'pytest() {{ {_HERE} pytest {_PLUGIN} -p no:cacheprovider "$@" | {_WITHOUT_TIMES}; }}; '
 )
 
 
@@ -33,10 +46,17 @@ def with_output(page: str) -> str:
 
 
 def _run_block(block: str) -> str:
-    """One shell runs all commands of a block: a folder that is entered stays."""
+    """One shell runs all commands of a block: a folder that is entered stays.
+
+    Where it says /tmp, it is a folder of its own: several blocks may be run at a time.
+    """
     commands = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
-    shown = "; ".join(f"printf '$ %s\\n' {shlex.quote(one)}; {one}" for one in commands)
-    return _run(shown)
+    with tempfile.TemporaryDirectory() as scratch:
+        lines = [
+            f"printf '$ %s\\n' {shlex.quote(one)}; {one.replace('/tmp/', f'{scratch}/')}"
+            for one in commands
+        ]
+        return _run("; ".join(lines)).replace(f"{scratch}/", "/tmp/")
 
 
 def _run(command: str) -> str:
