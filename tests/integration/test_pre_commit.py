@@ -1,7 +1,7 @@
-"""The hook under the real pre-commit program, on a git repository made of robots.
+"""The hook under the real pre-commit program, on git repositories made of robots.
 
-pre-commit clones this repository at its last commit and installs it, so what is tested is what
-is committed.
+pre-commit clones a git repository and installs it. It is given a copy of this checkout as it is,
+so that what is tested is what is here, committed or not.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import CORPUS, MODELS, ROOT, needs_corpus
 
 pytestmark = pytest.mark.skipif(
     shutil.which("pre-commit") is None or shutil.which("git") is None,
@@ -34,7 +34,7 @@ ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 
 
 class Repository:
-    """A git repository whose commits pass the hook."""
+    """A git repository."""
 
     def __init__(self, folder: Path, home: Path) -> None:
         self.folder = folder
@@ -47,45 +47,68 @@ class Repository:
             "GIT_COMMITTER_NAME": "a",
             "GIT_COMMITTER_EMAIL": "a@example.org",
         }
+        self.run("git", "init", "-q")
 
     def run(self, *words: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
             words,
+            check=False,
             cwd=self.folder,
             env=self.environment,
             capture_output=True,
             text=True,
-            check=False,
         )
 
     def commit(self) -> subprocess.CompletedProcess[str]:
         self.run("git", "add", "-A")
         return self.run("git", "commit", "-m", "change")
 
+    def use(self, hooks: Repository, options: str = "") -> None:
+        """Let the hook run at every commit."""
+        head = hooks.run("git", "rev-parse", "HEAD").stdout.strip()
+        hook = f"{{id: urdfkit-check, args: [{options}]}}"
+        (self.folder / ".pre-commit-config.yaml").write_text(
+            f"repos:\n- {{repo: {hooks.folder}, rev: {head}, hooks: [{hook}]}}\n"
+        )
+        installed = self.run("pre-commit", "install", "--install-hooks")
+        assert installed.returncode == 0, installed.stdout + installed.stderr
+
 
 @pytest.fixture(scope="module")
-def repository(tmp_path_factory: pytest.TempPathFactory) -> Repository:
-    folder = tmp_path_factory.mktemp("robots")
-    repository = Repository(folder, tmp_path_factory.mktemp("home"))
-    repository.run("git", "init", "-q")
-    head = subprocess.check_output(["git", "-C", str(ROOT), "rev-parse", "HEAD"], text=True)
-    (folder / ".pre-commit-config.yaml").write_text(
-        f"repos:\n- repo: {ROOT}\n  rev: {head.strip()}\n  hooks:\n  - id: urdfkit-check\n"
+def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where pre-commit keeps what it installs."""
+    return tmp_path_factory.mktemp("home")
+
+
+@pytest.fixture(scope="module")
+def hooks(tmp_path_factory: pytest.TempPathFactory, home: Path) -> Repository:
+    """This checkout, in a repository of its own."""
+    folder = tmp_path_factory.mktemp("hooks")
+    for name in ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", ".gitignore"):
+        shutil.copy(ROOT / name, folder)
+    shutil.copytree(
+        ROOT / "urdfkit", folder / "urdfkit", ignore=shutil.ignore_patterns("__pycache__")
     )
-    shutil.copytree(MODELS / "good", folder / "good")
-    (folder / "two").mkdir()
-    (folder / "two" / "macros.xacro").write_text(MACROS)
-    (folder / "two" / "robot.xacro").write_text(ROBOT)
-    installed = repository.run("pre-commit", "install", "--install-hooks")
-    assert installed.returncode == 0, installed.stdout + installed.stderr
+    repository = Repository(folder, home)
+    assert repository.commit().returncode == 0
     return repository
 
 
-def test_commits_pass_are_refused_and_pass_again_once_mended(repository):
+@pytest.fixture
+def repository(tmp_path: Path, hooks: Repository, home: Path) -> Repository:
+    repository = Repository(tmp_path, home)
+    shutil.copytree(MODELS / "good", tmp_path / "good")
+    (tmp_path / "two").mkdir()
+    (tmp_path / "two" / "macros.xacro").write_text(MACROS)
+    (tmp_path / "two" / "robot.xacro").write_text(ROBOT)
+    repository.use(hooks)
     clean = repository.commit()
     assert clean.returncode == 0, clean.stdout + clean.stderr
     assert "urdfkit check" in clean.stderr
+    return repository
 
+
+def test_commits_pass_are_refused_and_pass_again_once_mended(repository: Repository) -> None:
     macros = repository.folder / "two" / "macros.xacro"
     macros.write_text(MACROS.replace("${name}", "${nam}"))
     refused = repository.commit()
@@ -99,8 +122,63 @@ def test_commits_pass_are_refused_and_pass_again_once_mended(repository):
     assert mended.returncode == 0, mended.stdout + mended.stderr
 
 
-def test_other_files_do_not_start_the_hook(repository):
+def test_other_files_do_not_start_the_hook(repository: Repository) -> None:
     (repository.folder / "notes.txt").write_text("nothing")
     done = repository.commit()
     assert done.returncode == 0
     assert "(no files to check)Skipped" in done.stderr
+
+
+def test_files_of_no_robot_pass(repository: Repository) -> None:
+    for name in (".github/workflows/ci.yml", "site/settings.yaml"):
+        path = repository.folder / name
+        path.parent.mkdir(parents=True)
+        path.write_text("a: 1\n")
+    done = repository.commit()
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "urdfkit check............................................................Passed" in (
+        done.stderr
+    )
+
+
+def test_the_configuration_of_the_project_counts(repository: Repository) -> None:
+    macros = repository.folder / "two" / "macros.xacro"
+    macros.write_text(MACROS.replace("<link", "<lnik"))
+    (repository.folder / "urdfkit.toml").write_text("")
+    refused = repository.commit()
+    assert refused.returncode == 1
+    assert "URD001" in refused.stderr
+    (repository.folder / "urdfkit.toml").write_text(
+        '[[per-file-ignores]]\nfiles = ["two"]\ncodes = ["URD", "TRE"]\nreason = "a test"\n'
+    )
+    passed = repository.commit()
+    assert passed.returncode == 0, passed.stdout + passed.stderr
+
+
+@needs_corpus
+def test_real_robots(tmp_path: Path, hooks: Repository, home: Path) -> None:
+    """A file that five robots include is broken, and mended."""
+    repository = Repository(tmp_path, home)
+    for name in ("linorobot2", "urdf_tutorial"):
+        shutil.copytree(CORPUS / name, tmp_path / name)
+    repository.use(hooks, "--fail-on, error")
+    clean = repository.commit()
+    assert clean.returncode == 0, clean.stdout + clean.stderr
+
+    part = tmp_path / "linorobot2/linorobot2_description/urdf/mech/base.urdf.xacro"
+    text = part.read_text()
+    assert '<mass value="${mass}"/>' in text
+    part.write_text(text.replace('<mass value="${mass}"/>', '<mass value="${mas}"/>'))
+    refused = repository.commit()
+    assert refused.returncode == 1
+    place = part.relative_to(tmp_path).as_posix()
+    told = " ".join(refused.stderr.split())
+    line = 1 + text[: text.index('<mass value="${mass}"/>')].count("\n")
+    assert f"{place}:{line}:22: error XAC001" in told
+    assert "1 error in 5 files" in told
+    assert "urdf_tutorial" not in refused.stderr
+
+    part.write_text(text)
+    (tmp_path / "urdf_tutorial" / "urdf" / "notes.yaml").write_text("a: 1\n")
+    mended = repository.commit()
+    assert mended.returncode == 0, mended.stdout + mended.stderr
