@@ -223,7 +223,8 @@ def get(code: str) -> Rule:
         KeyError: there is none.
         RuleError: the module of another package holds no such rule.
     """
-    codes()
+    if not _modules:
+        codes()
     module = _modules[code]
     if code in _foreign:
         return _foreign_rule(code, module)
