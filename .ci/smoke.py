@@ -54,6 +54,15 @@ def main() -> None:
     assert run("urdfkit", "expand", mission) == run("xacro", mission)
     assert "MSH001" in run("urdfkit", "explain", "MSH001")
     assert run("urdfkit", "rules").count("MSH") >= 12
+
+    example = models.parent / "examples" / "own_rule"
+    assert "ACM001  warning  fix  joint-too-fast" in run("urdfkit", "rules")
+    assert run("urdfkit", "explain", "joint-too-fast").startswith("ACM001 ")
+    arm = example / "robots" / "arm.urdf"
+    assert "ACM001" not in run("urdfkit", "check", "--isolated", "--exit-zero", arm)
+    assert "ACM001" in run("urdfkit", "check", "--isolated", "--rules", "acme", arm, code=1)
+    run("urdfkit", "check", arm, code=2)  # names a module, and was not named itself
+
     print(f"urdfkit {version} from the wheel: {len(codes)} kinds of findings in {mission.name}")
 
 
