@@ -42,6 +42,8 @@ class Mention(NamedTuple):
 
 def mentions(source: Source) -> Iterator[Mention]:
     """The packages in a text, in its order, outside of comments."""
+    if b"$(find" not in source.data and b"package://" not in source.data:
+        return
     for match in _MENTION.finditer(source.data):
         found = match.group(1) or match.group(3)
         if found:

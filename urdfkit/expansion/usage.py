@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from urdfkit.source import Source
@@ -12,10 +12,15 @@ _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _EXPRESSION = re.compile(rb"\$\{([^}]*)\}")
 _COMMAND = re.compile(rb"\$\(([^)]*)\)")
 _WORD = re.compile(rb"[A-Za-z_]\w*")
-_FORWARDED = re.compile(rb"(?<!\w)(\w+)\s*:?=\s*\^")
+_FORWARDED = re.compile(rb"=\s*\^")
+_NAME_BEFORE = re.compile(rb"(\w+)\s*:?\Z")
 _INSERTED = re.compile(rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)""")
 _CALL = re.compile(rb"<xacro:([\w.]+)")
 _INCLUDE = re.compile(rb"<xacro:include\b")
+
+
+#: Bytes before a forwarding that are searched for its name.
+_NEAR = 200
 
 
 class Usage(NamedTuple):
@@ -44,7 +49,7 @@ def usage(sources: Iterable[Source]) -> Usage:
         expressions += _COMMAND.findall(data, 0, data.rfind(b")") + 1)
         for expression in expressions:
             names.update(_WORD.findall(expression))
-        names.update(_FORWARDED.findall(data))
+        names.update(_forwarded(data))
         names.update(_INSERTED.findall(data))
         calls.update(tag.rpartition(b".")[2] for tag in _CALL.findall(data))
         includes.update((source.path, match.start()) for match in _INCLUDE.finditer(data))
@@ -53,3 +58,11 @@ def usage(sources: Iterable[Source]) -> Usage:
         frozenset(call.decode() for call in calls),
         frozenset(includes),
     )
+
+
+def _forwarded(data: bytes) -> Iterator[bytes]:
+    """The names in ``name:=^``; from the sign backwards, for words are everywhere."""
+    for sign in _FORWARDED.finditer(data):
+        name = _NAME_BEFORE.search(data, max(0, sign.start() - _NEAR), sign.start())
+        if name:
+            yield name.group(1)
