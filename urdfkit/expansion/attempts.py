@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 from xml.parsers.expat import ExpatError
 
@@ -9,6 +10,7 @@ from urdfkit.expansion import describe
 from urdfkit.expansion.budget import deadline
 from urdfkit.expansion.engine import load_engine
 from urdfkit.expansion.ledger import ANY, Ledger
+from urdfkit.expansion.reader import Reader
 from urdfkit.expansion.run import Run
 from urdfkit.reading import Problem, syntax_problems, unbound_prefixes
 from urdfkit.source import Span
@@ -38,6 +40,8 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
         The last run; its ledger has the problems of all.
     """
     ledger = Ledger()
+    near = os.path.join(options["root_dir"], source.path)
+    reader = Reader(source, resolver, near=near, trust=options["trust"])
     without: set[tuple[str, int]] = set()
     lost: set[str] = set()
     until = deadline()
@@ -49,6 +53,7 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
             arguments,
             without=frozenset(without),
             ledger=ledger,
+            reader=reader,
             deadline=until,
             **options,
         )

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.errors import PackageNotFound
 from urdfkit.expansion.dom import Node
-from urdfkit.expansion.errors import EscapesRoots, MissingArgument, root_cause
+from urdfkit.expansion.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.expansion.fence import TooLarge, UnsafeExpression
 from urdfkit.expansion.notes import notes_of
+from urdfkit.expansion.spot import Located, Spot, spot
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
 from urdfkit.expansion.wording import macro_of, words
@@ -21,7 +22,7 @@ from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.expansion.run import Located, Run
+    from urdfkit.expansion.run import Run
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
 _UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
@@ -49,26 +50,38 @@ def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
     return None, {}
 
 
-def problem(run: Run, error: Exception, located: Located, frame: FrameType) -> Problem:
+def problem(
+    run: Run, error: Exception, located: Located, used: Located, frame: FrameType
+) -> Problem:
     """An expression that failed, at its place.
 
-    Inside a property the place is the property's definition, and its uses are related.
+    Args:
+        run: the expansion.
+        error: what is wrong.
+        located: the expression. Inside a property the place is the property's definition, and
+            its uses are related.
+        used: the expression that needs it, which xacro is evaluating.
+        frame: of the function that does.
     """
     if wanting := _argument_of_missing_file(run, root_cause(error)):
         return wanting
     node, local = node_in(frame)
+    if node is None:
+        return _made(run, error, located, Spot(Span(run.source, 0, 0), None))
     if located.resolving:
         table, key = located.resolving[-1]
         definer = notes_of(table).definers.get(key)
         if definer is not None:
-            used = _span(node, local, located) if node is not None else None
-            notes = related(used or definer.tag_at.span, f"needed here for '{key}'")
-            made = _made(run, error, located, _span(definer, {}, located))
-            return made._replace(frame=definer.frame, related=notes)
-    if node is None:
-        return _made(run, error, located, Span(run.source, 0, 0))
-    made = _made(run, error, located, _span(node, local, located))
-    return made._replace(frame=node.frame, related=_definitions(local, located))
+            notes = related(spot(node, local, used).span, f"needed here for '{key}'")
+            made = _made(run, error, located, spot(definer, {}, located))
+            return made._replace(related=notes)
+    made = _made(run, error, located, spot(node, local, located))
+    notes = _in_yaml(root_cause(error)) or _definitions(local, located)
+    return made._replace(related=notes)
+
+
+def _in_yaml(cause: BaseException) -> tuple[Related, ...]:
+    return related(cause.span, cause.reason) if isinstance(cause, BrokenYaml) else ()
 
 
 def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]:
@@ -87,40 +100,12 @@ def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]
     return tuple(found)
 
 
-def _span(node: Node, local: dict[str, Any], located: Located) -> Span:
-    """The expression in the attribute, the text or the macro parameter that holds it."""
-    spans = node.tag_at.attribute_spans()
-    values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
-    for name, value in values.items():
-        if value == located.text and name in spans:
-            return _inside(spans[name], located)
-    macro = getattr(local.get("m"), "body", None)
-    if isinstance(macro, Node):
-        params = macro.tag_at.attribute_spans().get("params")
-        if params is not None and located.text in params.text:
-            start = params.start + params.text.encode().find(located.text.encode())
-            return Span(params.source, start, start + len(located.text.encode()))
-    inner = node.tag_at.inner_span
-    start = inner.source.data.find(located.token.encode(), inner.start, inner.end)
-    if start >= 0:
-        return Span(inner.source, start, start + len(located.token.encode()))
-    return node.tag_at.span
-
-
-def _inside(span: Span, located: Located) -> Span:
-    """The expression in an attribute's value; the whole value if it is written with entities."""
-    if span.text != located.text:
-        return span
-    start = span.start + len(located.text[: located.offset].encode())
-    return Span(span.source, start, start + len(located.token.encode()))
-
-
-def _made(run: Run, error: Exception, located: Located, at: Span) -> Problem:
+def _made(run: Run, error: Exception, located: Located, at: Spot) -> Problem:
     code, message, help = classify(run, error)
     token = located.token if located.token.startswith("$") else ""
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
         message += f" in {token}"
-    return Problem(code, at, message, help)
+    return Problem(code, at.span, message, help, at.frame)
 
 
 def _argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:

@@ -135,10 +135,13 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     return copy
 
 
-def _clone_text(text: minidom.Text) -> minidom.Text:
-    copy = minidom.Text()
+def _clone_text(text: Any) -> Any:
+    copy: Any = minidom.Text()
     copy.data = text.data
     copy.ownerDocument = text.ownerDocument
+    ends = getattr(text, "ends", None)
+    if ends is not None:
+        copy.ends = ends
     return copy
 
 
@@ -281,6 +284,18 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         at = self._parser.CurrentByteIndex
         node.tag_at = node.tag_at.ended(at, empty=not node.childNodes)
 
+    def character_data_handler_cdata(self, data: str) -> None:
+        super().character_data_handler_cdata(data)
+        text = self.curNode.childNodes[-1]
+        if "$" in data or hasattr(text, "ends"):
+            text.ends = self._parser.CurrentByteIndex  # of what comes behind it
+
+    def comment_handler(self, data: str) -> None:
+        super().comment_handler(data)
+        if "$" in data:
+            comment = self.curNode.childNodes[-1]
+            comment.ends = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
+
     def entity_decl_handler(self, *declaration: Any) -> None:
         at = self._parser.CurrentByteIndex
         self.problems.append(entity_problem(self._source, at, declaration[0]))
@@ -290,6 +305,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         # Source has settled the encoding; what the declaration says no longer counts.
         parser = expat.ParserCreate("utf-8", namespace_separator=" ")
         parser.namespace_prefixes = True
+        parser.buffer_size = 1 << 20  # the builder joins pieces of a text one by one
         return parser
 
 

@@ -207,7 +207,7 @@ class Engine:
             return self._run.load_yaml(filename)
 
         def glob(pattern: str) -> list[str]:
-            return list(self._run.reader.glob(pattern))
+            return list(self._run.reader.glob(pattern, self._run.budget))
 
         xacro.parse = parse
         xacro.load_yaml = load_yaml

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.source import Span
+
 
 class MissingArgument(Exception):
     """A ``$(arg name)`` without a value and without a default; the text is the name."""
@@ -9,6 +14,20 @@ class MissingArgument(Exception):
 
 class EscapesRoots(Exception):
     """A file outside the workspace and the packages, or none; the text is for users."""
+
+
+class BrokenYaml(Exception):
+    """A YAML file that is none; the text is the parser's.
+
+    Attributes:
+        span: where.
+        reason: in short.
+    """
+
+    def __init__(self, text: str, span: Span, reason: str) -> None:
+        super().__init__(text)
+        self.span = span
+        self.reason = reason
 
 
 def root_cause(error: BaseException) -> BaseException:

@@ -12,6 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.expressions import evaluate
+from urdfkit.expansion.spot import Located
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
@@ -110,7 +111,7 @@ class Evaluation:
                 self.run.locate(text, offset, token)
                 if self._depth > 1:
                     raise
-                self.run.report(error, text, sys._getframe(2))
+                self.run.report(error, Located(text, offset, token), sys._getframe(2))
         if any(value is POISON for value in values):
             raise Tainted
         fence = self.run.fence

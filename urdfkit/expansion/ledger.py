@@ -79,7 +79,7 @@ class Ledger:
                 self._problems[key] = problem
         elif len(known.related) < MAX_RELATED:
             uses = problem.related
-            if known.span != problem.span:
+            if _place(known.span) != _place(problem.span):
                 uses = (Related(problem.span, "needed here"),)
             together = tuple(dict.fromkeys((*known.related, *uses)))
             self._problems[key] = known._replace(related=together)

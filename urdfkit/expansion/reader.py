@@ -1,11 +1,11 @@
-"""The files of one expansion: xacro and YAML files, within the workspace and within bounds."""
+"""The files of all attempts at one expansion, within the workspace and within bounds."""
 
 from __future__ import annotations
 
 import fnmatch
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
@@ -20,12 +20,11 @@ _WILDCARD = re.compile(r"[*?[]")
 
 
 class Reader:
-    """Reads files for one expansion; every xacro file once.
+    """Reads files; every xacro file once.
 
     Args:
         source: the checked file.
         resolver: knows which files may be read, and where those of an installed package are.
-        budget: that searches are charged to.
         near: path of the checked file, from the working directory.
         trust: True to read any file.
 
@@ -34,14 +33,11 @@ class Reader:
         data_files: the YAML files.
     """
 
-    def __init__(
-        self, source: Source, resolver: Resolver, budget: Budget, *, near: str, trust: bool
-    ) -> None:
+    def __init__(self, source: Source, resolver: Resolver, *, near: str, trust: bool) -> None:
         self.sources: dict[str, Source] = {source.path: source}
         self.data_files: list[str] = []
         self._near = near
         self._resolver = resolver
-        self._budget = budget
         self._trust = trust
 
     def xacro(self, path: str) -> Source:
@@ -58,15 +54,17 @@ class Reader:
             self.sources[path] = Source(path, self._read(path, MAX_BYTES))
         return self.sources[path]
 
-    def yaml(self, path: str) -> tuple[str, str]:
-        """The true path and the text of a YAML file.
+    def yaml(self, path: str) -> Source:
+        """A YAML file.
 
         Raises:
             OSError, ValueError, EscapesRoots, TooLarge: as of ``xacro``.
         """
         path = self._admitted(path)
         self.data_files.append(path)
-        return path, self._read(path, MAX_LENGTH).decode("utf-8")
+        data = self._read(path, MAX_LENGTH)
+        data.decode("utf-8")  # as strictly as xacro does
+        return Source(path, data)
 
     def _read(self, path: str, most: int) -> bytes:
         with open(path, "rb") as file:
@@ -90,8 +88,12 @@ class Reader:
             raise EscapesRoots(f"{path} is no file but a device or a pipe")
         raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
 
-    def glob(self, pattern: str) -> Iterator[str]:
+    def glob(self, pattern: str, budget: Budget) -> Iterator[str]:
         """The paths that ``glob.glob`` gives, searched for in admitted folders only.
+
+        Args:
+            pattern: with wildcards.
+            budget: that the search is charged to.
 
         Raises:
             EscapesRoots: the pattern leads outside.
@@ -102,15 +104,17 @@ class Reader:
             if os.path.lexists(pattern) if name else os.path.isdir(folder):
                 yield pattern
             return
-        folders = self.glob(folder) if _WILDCARD.search(folder) and folder != pattern else [folder]
+        folders: Iterable[str] = [folder]
+        if _WILDCARD.search(folder) and folder != pattern:
+            folders = self.glob(folder, budget)
         for inside in folders:
             if _WILDCARD.search(name):
-                yield from self._matching(inside, name)
+                yield from self._matching(inside, name, budget)
             elif os.path.lexists(path := os.path.join(inside, name)):
                 yield path
 
-    def _matching(self, folder: str, pattern: str) -> Iterator[str]:
-        self._budget.charge(ELEMENT_SIZE)  # it takes as long
+    def _matching(self, folder: str, pattern: str, budget: Budget) -> Iterator[str]:
+        budget.charge(ELEMENT_SIZE)  # it takes as long
         if not os.path.isdir(folder or os.curdir):
             return
         self._refuse_outside(folder or os.curdir)
@@ -118,7 +122,7 @@ class Reader:
             names = os.listdir(folder or os.curdir)
         except OSError:
             return
-        self._budget.charge(len(names))
+        budget.charge(len(names))
         for name in fnmatch.filter(names, pattern):
             if pattern.startswith(".") or not name.startswith("."):
                 yield os.path.join(folder, name)

@@ -19,6 +19,7 @@ from urdfkit.expansion.fence import Fence
 from urdfkit.expansion.ledger import ANY, Ledger, Message
 from urdfkit.expansion.notes import notes_of
 from urdfkit.expansion.reader import Reader
+from urdfkit.expansion.spot import Located
 from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
 from urdfkit.expansion.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
@@ -48,15 +49,6 @@ class Definition(NamedTuple):
     attributes: dict[str, str]
 
 
-class Located(NamedTuple):
-    """An expression in the text it was found in, and the properties being resolved around it."""
-
-    text: str
-    offset: int
-    token: str
-    resolving: tuple[tuple[Any, str], ...]
-
-
 class Run:
     """The state of one expansion.
 
@@ -70,10 +62,10 @@ class Run:
         frame: what led to the file, such as a launch file.
         without: tags that failed in an earlier run and were reported, as (path, offset).
         ledger: takes problems and messages.
+        reader: reads files.
         deadline: time at which it must have ended.
 
     Attributes:
-        reader: the files.
         macros, properties: everything that was defined, in order.
         declared: every ``xacro:arg`` of the files, evaluated or not.
         included: places of the include tags that were carried out, as (path, offset).
@@ -93,6 +85,7 @@ class Run:
         frame: Frame | None,
         without: frozenset[tuple[str, int]],
         ledger: Ledger,
+        reader: Reader,
         deadline: float,
     ) -> None:
         self.source = source
@@ -105,9 +98,7 @@ class Run:
         self.budget = Budget(deadline)
         self.fence = Fence(self.budget)
         self.ledger = ledger
-        self.reader = Reader(
-            source, resolver, self.budget, near=self._from_root(source.path), trust=trust
-        )
+        self.reader = reader
         self.tracer = Tracer(self) if traced else None
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
@@ -190,14 +181,14 @@ class Run:
 
         xacro = load_engine().xacro
         filename = xacro.abs_filename_spec(filename)
-        path, text = self.reader.yaml(filename)
-        self.budget.charge(10 * len(text))  # it takes so much longer than other text
+        source = self.reader.yaml(filename)
+        self.budget.charge(10 * len(source.data))  # it takes so much longer than other text
         xacro.filestack.append(filename)
         try:
             value = values.load(
-                text,
+                source,
                 lambda e: xacro.safe_eval(e, xacro._global_symbols),
-                marked_as=path if self.tracer else None,
+                placed=self.tracer is not None,
             )
         except SyntaxError as error:
             raise xacro.XacroException(f"invalid expression: {error.text}") from error
@@ -271,7 +262,10 @@ class Run:
 
     def known_arguments(self) -> dict[str, str]:
         """The arguments that the files declare, with their defaults as written."""
-        return {d.name: d.attributes.get("default", "") for d in reversed(self.declared)}
+        defaults: dict[str, str] = {}
+        for argument in self.declared:
+            defaults.setdefault(argument.name, argument.attributes.get("default", ""))
+        return defaults
 
     # ------------------------------------------------------------ definitions
 
@@ -347,16 +341,21 @@ class Run:
         if before is None or len(before.resolving) == len(here.resolving):
             self._location = here
 
-    def report(self, error: Exception, text: str, frame: FrameType) -> None:
-        """An expression failed: note it with its place, and go on."""
+    def report(self, error: Exception, used: Located, frame: FrameType) -> None:
+        """An expression failed: note it with its place, and go on.
+
+        Args:
+            error: what is wrong, there or in a property that it needs.
+            used: the expression.
+            frame: of the function that evaluates it.
+        """
         located, self._location = self._location, None
         if isinstance(root_cause(error), (TooMuch, RecursionError, MemoryError)):
             raise error
         ledger = self.ledger
         ledger.first_error = ledger.first_error or str(error) or repr(error)
         if not ledger.is_full and not ledger.is_consequence(error):
-            located = located or Located(text, 0, text, ())
-            ledger.add(describe.problem(self, error, located, frame))
+            ledger.add(describe.problem(self, error, located or used, used, frame))
 
 
 def _definition(node: Node) -> Definition:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.expansion.dom import ELEMENT, Dom, Node
 from urdfkit.expansion.notes import notes_of
-from urdfkit.source import Source, Span
+from urdfkit.source import Span
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
@@ -38,14 +38,6 @@ class Origin(NamedTuple):
     inputs: tuple[Origin, ...]
 
 
-class Mark(NamedTuple):
-    """Where a YAML scalar stands: file, and line and column from 1."""
-
-    path: str
-    line: int
-    column: int
-
-
 class Tracer:
     """Notes what expressions look up while a Run expands."""
 
@@ -53,7 +45,6 @@ class Tracer:
         self.run = run
         self._collected: list[dict[str, Origin]] = []
         self._last: tuple[Origin, ...] = ()
-        self._yaml_sources: dict[str, Source] = {}
 
     def begin(self) -> None:
         """An expression's evaluation begins."""
@@ -101,15 +92,10 @@ class Tracer:
 
     def yaml_value(self, value: Any) -> None:
         """An expression took a value out of a YAML file."""
-        mark = getattr(value, "mark", None)
-        if mark is None or not self._collected:
+        span: Span | None = getattr(value, "span", None)
+        if span is None or not self._collected:
             return
-        source = self._yaml_sources.get(mark.path)
-        if source is None:
-            source = self._yaml_sources[mark.path] = Source.read(mark.path)
-        start = source.offset(mark.line, mark.column)
-        span = Span(source, start, start)
-        line = source.line(mark.line).strip()
+        line = span.source.line(span.line).strip()
         key = line.partition(":")[0].strip("- ") or "value"
         self._collected[-1][str(span)] = Origin(key, str(value), "YAML", span, line, ())
 

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
-from urdfkit.expansion.trace import Mark
+from urdfkit.expansion.errors import BrokenYaml
+from urdfkit.source import Source, Span
 
 #: Scalars of one YAML file, counted as often as aliases repeat them; and keys of one table, all
 #: of which are compared with each other if they hash alike.
@@ -51,61 +52,74 @@ def _loader() -> Any:
     return Loader
 
 
-class _MarkedFloat(float):
-    mark: Mark
+class _PlacedFloat(float):
+    span: Span
 
 
-class _MarkedInt(int):
-    mark: Mark
+class _PlacedInt(int):
+    span: Span
 
 
-class _MarkedText(str):
-    mark: Mark
+class _PlacedText(str):
+    span: Span
 
 
-_MARKED: dict[type, Any] = {float: _MarkedFloat, int: _MarkedInt, str: _MarkedText}
+_PLACED: dict[type, Any] = {float: _PlacedFloat, int: _PlacedInt, str: _PlacedText}
 
 
-def _marking(base: Any, path: str) -> Any:
+def _placing(base: Any, source: Source) -> Any:
     """A loader whose numbers and texts know where they stand."""
 
-    class Marking(base):  # type: ignore[misc]
+    class Placing(base):  # type: ignore[misc]
         def construct_object(self, node: Any, deep: bool = False) -> Any:
             value = super().construct_object(node, deep)
-            marked = _MARKED.get(type(value))
-            if marked is None:
+            placed = _PLACED.get(type(value))
+            if placed is None:
                 return value
-            value = marked(value)
-            value.mark = Mark(path, node.start_mark.line + 1, node.start_mark.column + 1)
+            value = placed(value)
+            value.span = _span(source, node.start_mark, node.end_mark)
             return value
 
-    return Marking
+    return Placing
 
 
-def load(text: str, evaluate: Callable[[str], Any], *, marked_as: str | None = None) -> Any:
-    """The value of a YAML text.
+def _span(source: Source, start: Any, end: Any) -> Span:
+    first = source.offset(start.line + 1, start.column + 1)
+    return Span(source, first, max(first, source.offset(end.line + 1, end.column + 1)))
+
+
+def load(source: Source, evaluate: Callable[[str], Any], *, placed: bool = False) -> Any:
+    """The value of a YAML file.
 
     Args:
-        text: of the file.
+        source: the file.
         evaluate: gives the value of an expression behind a unit, such as ``!degrees 90/2``.
-        marked_as: a path; numbers and texts then carry their place as ``mark``.
+        placed: True if numbers and texts shall have their place as ``span``.
 
     Raises:
-        yaml.YAMLError: it is not YAML.
+        BrokenYaml: it is not YAML.
         YamlTooLarge: it is too deep, or its aliases multiply it.
     """
-    _check_levels(text)
-    kind = _loader() if marked_as is None else _marking(_loader(), marked_as)
-    loader = kind(text)
-    loader.evaluate = evaluate
+    import yaml
+
+    text = source.data.decode("utf-8")
+    kind = _placing(_loader(), source) if placed else _loader()
     try:
-        node = loader.get_single_node()
-        if node is None:
-            return None
-        _check_size(node)
-        return loader.construct_document(node)
-    finally:
-        loader.dispose()
+        _check_levels(text)
+        loader = kind(text)
+        try:
+            loader.evaluate = evaluate
+            node = loader.get_single_node()
+            if node is None:
+                return None
+            _check_size(node)
+            return loader.construct_document(node)
+        finally:
+            loader.dispose()
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        reason = error.problem or "it cannot be read"
+        raise BrokenYaml(str(error), _span(source, mark, mark), reason) from error
 
 
 def _check_levels(text: str) -> None:

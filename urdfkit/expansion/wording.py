@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.expansion.dom import Node
+from urdfkit.expansion.errors import BrokenYaml
 from urdfkit.nearest import did_you_mean, nearest
 
 if TYPE_CHECKING:
@@ -46,6 +47,9 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
         return Words(f"{cause.filename}: {cause.strerror}")
     if isinstance(cause, SyntaxError):
         return Words(f"not an expression: {cause.msg}", "write it as Python would read it")
+    if isinstance(cause, BrokenYaml):
+        where = cause.span.source.path
+        return Words(f"{where} is no YAML: {cause.reason}", "correct the file")
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
     if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
         return _undefined_name(run, text, found.group(1))
