@@ -246,6 +246,13 @@ def _take_out(nodes: list[Any], before: Any) -> None:
         one.parentNode = one.previousSibling = one.nextSibling = None
 
 
+def _as_written(name: str) -> str:
+    """The name of an attribute, of which expat gives the URI, the name and the prefix."""
+    uri, _, rest = name.partition(" ")
+    name, _, prefix = rest.partition(" ")
+    return f"{prefix}:{name}" if prefix else name or uri
+
+
 class _Builder(_StockBuilder):  # type: ignore[misc]
     """The stock builder, whose elements become Nodes."""
 
@@ -260,6 +267,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
 
     def start_element_handler(self, name: str, attributes: list[str]) -> None:
         raw = list(attributes)  # the stock handler takes the list apart
+        for number in range(0, len(raw), 2):
+            raw[number] = _as_written(raw[number])
         super().start_element_handler(name, attributes)
         node = self.curNode
         node.__class__ = Node

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 MAX_PROBLEMS = 500
 MAX_MESSAGES = 1000
+MAX_MESSAGE = 1000
 #: Uses of one failing property that are worth naming.
 MAX_RELATED = 5
 #: Stands among the lost names for those that a missing file would have defined.
@@ -72,6 +73,8 @@ class Ledger:
 
     def add(self, problem: Problem) -> None:
         """Keep a problem; the same one met again only adds the place that met it."""
+        if len(problem.message) > MAX_MESSAGE:  # what the model says may be a novel
+            problem = problem._replace(message=problem.message[: MAX_MESSAGE - 3] + "...")
         key = _identity(problem)
         known = self._problems.get(key)
         if known is None:

@@ -15,6 +15,7 @@ from urdfkit.expansion.budget import Budget
 from urdfkit.expansion.dom import Dom, Node
 from urdfkit.expansion.engine import load_engine
 from urdfkit.expansion.errors import MissingArgument, root_cause
+from urdfkit.expansion.evaluation import POISON, Tainted
 from urdfkit.expansion.fence import Fence
 from urdfkit.expansion.ledger import ANY, Ledger, Message
 from urdfkit.expansion.notes import notes_of
@@ -141,6 +142,8 @@ class Run:
 
     def _included(self, filename: str) -> Source:
         xacro = load_engine().xacro
+        if POISON in filename:  # no missing file, which may be optional
+            raise Tainted(filename)
         try:
             return self.reader.xacro(self._from_root(filename))
         except OSError as error:
