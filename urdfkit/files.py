@@ -11,7 +11,7 @@ from typing import NamedTuple
 from urdfkit.document import Attribute, Tag
 from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts
 from urdfkit.meshes.sniff import sniff_file
-from urdfkit.model import Body, Placed, RobotModel
+from urdfkit.model import Body, Placed, RobotModel, Shape
 from urdfkit.nearest import nearest
 from urdfkit.resolve import Located, Resolver
 
@@ -101,6 +101,13 @@ class Files:
             for filename in _filenames(bodies)
             if "${" not in filename.value and "$(" not in filename.value
         )
+
+    def path(self, shape: Shape) -> str | None:
+        """The file that a shape names; None if it is no mesh, or there is no such file."""
+        if shape.filename is None:
+            return None
+        source = _tag(shape.filename).source.path
+        return self.resolver.locate(shape.filename.value, source, self.top).path
 
     @cached_property
     def missing(self) -> tuple[MeshReference, ...]:

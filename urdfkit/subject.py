@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
     from urdfkit.tree import KinematicTree
+    from urdfkit.triangles import Meshes
 
 
 class Unavailable(Exception):
@@ -255,3 +256,10 @@ class Subject:
         from urdfkit.files import Files
 
         return Files(self.model, self.resolver)
+
+    @cached_property
+    def meshes(self) -> Meshes:
+        """The triangles of those files."""
+        from urdfkit.triangles import Meshes
+
+        return Meshes(self.files)
