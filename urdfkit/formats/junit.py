@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.formats._xml import xml_text
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
@@ -27,7 +28,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 
 def _suite(root: Element, path: str, report: Report) -> None:
-    suite = SubElement(root, "testsuite", name=_text(path))
+    suite = SubElement(root, "testsuite", name=xml_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
     for diagnostic in report.diagnostics:
         if diagnostic.span.source.path == path:
@@ -37,32 +38,34 @@ def _suite(root: Element, path: str, report: Report) -> None:
     for skip in report.skipped:
         if skip.path == path:
             case = _new_case(suite, path, skip.code or "check")
-            SubElement(case, "skipped", message=_text(skip.reason))
+            SubElement(case, "skipped", message=xml_text(skip.reason))
     for crash in report.crashed:
         if crash.path == path:
             case = _new_case(suite, path, crash.code)
-            SubElement(case, "error", message=_text(crash.error)).text = _text(crash.traceback)
+            SubElement(case, "error", message=xml_text(crash.error)).text = xml_text(
+                crash.traceback
+            )
     if not len(suite):
         _new_case(suite, path, "check")
 
 
 def _new_case(suite: Element, path: str, name: str) -> Element:
-    return SubElement(suite, "testcase", classname=_text(path), name=_text(name))
+    return SubElement(suite, "testcase", classname=xml_text(path), name=xml_text(name))
 
 
 def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -> None:
     case = _new_case(suite, path, name)
-    case.set("file", _text(path))
+    case.set("file", xml_text(path))
     case.set("line", str(diagnostics[0].span.line))
     failures = [d for d in diagnostics if d.severity is not Severity.INFO]
     if failures:
         failure = SubElement(
-            case, "failure", type=failures[0].severity.value, message=_text(failures[0].message)
+            case, "failure", type=failures[0].severity.value, message=xml_text(failures[0].message)
         )
-        failure.text = _text("\n".join(map(_line, failures)))
+        failure.text = xml_text("\n".join(map(_line, failures)))
     infos = [d for d in diagnostics if d.severity is Severity.INFO]
     if infos:
-        SubElement(case, "system-out").text = _text("\n".join(map(_line, infos)))
+        SubElement(case, "system-out").text = xml_text("\n".join(map(_line, infos)))
 
 
 def _line(diagnostic: Diagnostic) -> str:
@@ -76,12 +79,3 @@ def _count(root: Element) -> None:
         for kind, attribute in (("failure", "failures"), ("error", "errors")):
             element.set(attribute, str(sum(case.find(kind) is not None for case in cases)))
         element.set("skipped", str(sum(case.find("skipped") is not None for case in cases)))
-
-
-def _text(text: str) -> str:
-    """Without the characters that XML cannot hold."""
-    return "".join(
-        char if char in "\t\n" or (char >= " " and not "\ud800" <= char <= "\udfff") else "?"
-        for char in text
-        if char not in "\ufffe\uffff"
-    )

@@ -1,0 +1,77 @@
+"""Markdown for the summary of a CI job or a comment on a pull request.
+
+The words of a robot's file come from anybody: whatever would be markup, a mention or a link is
+shown as the characters it is made of.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.formats._layout import printable
+from urdfkit.formats._paths import relative
+from urdfkit.formats.text import summary
+
+#: Findings of one table. GitHub takes 1 MiB for all steps of a job.
+MAX_ROWS = 200
+#: Characters of a message, a path or a remedy.
+MAX_TEXT = 600
+
+#: What Markdown, HTML and formulas are made of, and the colon of an address.
+_SIGN = re.compile(r"[&<>|\\`*_{}\[\]~$]|:(?=//)")
+#: Mentions, issues and bare addresses are found in the text after markup: they are broken up.
+_FOUND_LATER = re.compile(r"(?<=[@#])(?=\w)|(?<=\bwww)(?=\.)")
+_WIDE = 10**6  # of a line that is never broken
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """A heading with the counts, a table of errors and warnings, and the infos folded up."""
+    counts = summary(report, width=_WIDE).strip()
+    bad = [found for found in report.diagnostics if found.severity is not Severity.INFO]
+    bad.sort(key=lambda found: found.severity.rank)
+    infos = [found for found in report.diagnostics if found.severity is Severity.INFO]
+    lines = [f"### urdfkit: {escape(counts)}", ""]
+    for crash in report.crashed:
+        text = f"{crash.code} crashed on {crash.path}: {crash.error}. This is a bug of urdfkit."
+        lines += [f"**{escape(text)}**", ""]
+    if bad:
+        lines += [*_table(bad), ""]
+    if infos:
+        many = "1 info" if len(infos) == 1 else f"{len(infos)} infos"
+        lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
+    if report.diagnostics:
+        first = report.diagnostics[0].code
+        lines += [f"More about a code: `urdfkit explain {first}`", ""]
+    return "\n".join(lines)
+
+
+def escape(text: str) -> str:
+    """A text on one line that Markdown shows as it is."""
+    text = printable(text)
+    if len(text) > MAX_TEXT:
+        text = text[:MAX_TEXT] + " ..."
+    return _FOUND_LATER.sub("&#8203;", _SIGN.sub(r"\\\g<0>", text))
+
+
+def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
+    yield "| | where | what |"
+    yield "| --- | --- | --- |"
+    for diagnostic in diagnostics[:MAX_ROWS]:
+        span = diagnostic.span
+        line, column = span.source.position(span.start)
+        where = f"{relative(span.source.path)}:{line}:{column}"
+        kind = f"{diagnostic.severity.value} **{diagnostic.code}**"
+        yield f"| {kind} | <code>{escape(where)}</code> | {_what(diagnostic)} |"
+    if len(diagnostics) > MAX_ROWS:
+        yield f"| | | and {len(diagnostics) - MAX_ROWS} more |"
+
+
+def _what(diagnostic: Diagnostic) -> str:
+    parts = [escape(diagnostic.message)]
+    if len(diagnostic.calls) > 1:
+        parts[0] += f" ({len(diagnostic.calls)} calls lead here)"
+    if diagnostic.help:
+        parts.append(f"<sub>{escape(diagnostic.help)}</sub>")
+    return "<br>".join(parts)
