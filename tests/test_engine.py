@@ -155,3 +155,15 @@ def test_a_finding_of_one_argument_set_only_stays(tmp_path: Path) -> None:
     assert found(check(file, select=["TRE006"], config=Config(robots=robots))) == [
         ("r.xacro", "TRE006", 2)
     ]
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_texts_stand_for_files_and_what_they_include(robots: Path, jobs: int) -> None:
+    texts = {str(robots / "shared.xacro"): f'{HEAD}<link name="a"/></robot>'.encode()}
+    texts[str(robots / "two.xacro")] = (robots / "one.xacro").read_bytes()
+    assert found(check(robots, select=["XAC", "TRE"], texts=texts, jobs=jobs)) == [
+        ("one.xacro", "XAC004", 3),
+        ("two.xacro", "XAC004", 3),
+    ]
+    alone = check(robots / "one.xacro", select=["XAC", "TRE"], texts=texts)
+    assert found(alone) == [("one.xacro", "XAC004", 3)]

@@ -22,7 +22,8 @@ UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule load
 SIGNATURES = {
     "all_rules": [],
     "check": (
-        "files arguments packages select ignore targets trust rules config changed jobs progress"
+        "files arguments packages select ignore targets trust rules config changed jobs progress "
+        "texts"
     ).split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],

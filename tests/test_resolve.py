@@ -343,3 +343,14 @@ def test_any_reference_is_answered(reference: str) -> None:
 def test_any_path_is_answered(scheme: str, rest: str) -> None:
     located = Resolver(environment={}).locate(scheme + rest, "/no/such/folder/robot.urdf")
     assert located.path is None
+
+
+def test_texts_stand_for_the_bytes_on_disk(tmp_path: Path) -> None:
+    file = tmp_path / "a.urdf"
+    file.write_bytes(b"<robot/>")
+    link = tmp_path / "link.urdf"
+    link.symlink_to(file)
+    resolver = Resolver(environment={}, texts={str(link): b"<robot name='b'/>"})
+    assert resolver.read(str(file)).data == b"<robot name='b'/>"
+    assert resolver.text(str(tmp_path / "b.urdf")) is None
+    assert Resolver(environment={}).read(str(file)).data == b"<robot/>"

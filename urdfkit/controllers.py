@@ -100,7 +100,7 @@ def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controll
     for file in parameter_files(subject):
         if file.found and subject.resolver.allows(file.found, subject.source.path):
             try:
-                source = Source.read(file.found)
+                source = subject.resolver.read(file.found)
             except UrdfkitError:
                 continue
             yield file, read(source)

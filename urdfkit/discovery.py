@@ -148,7 +148,7 @@ class IncludeGraph:
         self._names: dict[str, str] = {}
         for path in files:
             try:
-                source = Source.read(path)
+                source = resolver.read(path)
             except UnreadableFile:
                 continue  # a dangling link, or no permission: its check will say so
             if _ROBOT.search(source.data):

@@ -50,6 +50,7 @@ class Settings(NamedTuple):
     trust: bool
     config: Config | None
     foreign: dict[str, str]
+    texts: dict[str, bytes]
 
 
 def check(
@@ -65,6 +66,7 @@ def check(
     changed: bool = False,
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
+    texts: Mapping[str, bytes] | None = None,
 ) -> Report:
     """Check descriptions of robots.
 
@@ -91,6 +93,7 @@ def check(
             checked, each once.
         jobs: processes that check at the same time.
         progress: called with the number of descriptions done and of all.
+        texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
@@ -106,8 +109,9 @@ def check(
         trust or (config is not None and config.trust),
         config,
         catalogue.foreign(),
+        dict(texts or {}),
     )
-    resolver = Resolver(settings.packages)
+    resolver = Resolver(settings.packages, texts=settings.texts)
     plan = _Plan(resolver, config, arguments or {})
     if changed:
         plan.add_changed(files)
@@ -200,7 +204,8 @@ class _Plan:
     def add_found(self, found: Found) -> None:
         """The entry points of a folder."""
         for robot in found.robots:
-            self._add(Source.read(_shown(robot.file)), robot.name, robot.arguments, found=True)
+            source = self.resolver.read(_shown(robot.file))
+            self._add(source, robot.name, robot.arguments, found=True)
         for library in found.libraries:
             reason = "makes no link itself, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
@@ -212,7 +217,7 @@ class _Plan:
             self._add(source, "", {}, found=False)
 
     def _add_file(self, path: str) -> None:
-        source = Source.read(path)
+        source = self.resolver.read(path)
         robots = self.config.robots if self.config else ()
         real = os.path.abspath(path)
         variants = [robot for robot in robots if robot.file == real]
@@ -228,7 +233,7 @@ class _Plan:
         self.jobs.append(Job(source, "", self.arguments, False))
         launch = read_launch(source, self.resolver, self.arguments)
         for description in launch.descriptions:
-            robot = Source.read(_shown(description.path))
+            robot = self.resolver.read(_shown(description.path))
             common = self.config.arguments if self.config else {}
             arguments = {**common, **description.arguments}
             self.jobs.append(Job(robot, "", arguments, False, description.frame))
@@ -276,7 +281,7 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
 
 def _run_alone(job: Job, settings: Settings) -> Verdict:
     catalogue.register(settings.foreign)  # this process may have begun with nothing
-    return _run(job, settings, Resolver(settings.packages))
+    return _run(job, settings, Resolver(settings.packages, texts=settings.texts))
 
 
 def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:

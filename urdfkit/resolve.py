@@ -15,6 +15,7 @@ from typing import NamedTuple
 from urdfkit.errors import PackageNotFound
 from urdfkit.folders import Folders
 from urdfkit.packages import Candidate, Packages, path_list
+from urdfkit.source import Source
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
 _DRIVE = re.compile(r"/?[A-Za-z]:/")
@@ -53,12 +54,15 @@ class Resolver:
     Args:
         packages: folders of ROS packages by name; they win over every search.
         environment: that of the process unless given.
+        texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
+            the buffers of an editor.
     """
 
     def __init__(
         self,
         packages: Mapping[str, str] | None = None,
         environment: Mapping[str, str] | None = None,
+        texts: Mapping[str, bytes] | None = None,
     ) -> None:
         environment = os.environ if environment is None else environment
         self.folders = Folders()
@@ -66,6 +70,20 @@ class Resolver:
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], Located] = {}
+        self._texts = {os.path.realpath(path): data for path, data in (texts or {}).items()}
+
+    def text(self, path: str) -> bytes | None:
+        """The bytes that stand for those of a file on disk; None if nothing does."""
+        return self._texts.get(os.path.realpath(path)) if self._texts else None
+
+    def read(self, path: str) -> Source:
+        """A text file, by the bytes that stand for it if some do.
+
+        Raises:
+            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+        """
+        data = self.text(path)
+        return Source.read(path) if data is None else Source(path, data)
 
     def package(self, name: str, near: str) -> str:
         """The folder of a ROS package.

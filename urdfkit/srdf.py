@@ -14,7 +14,6 @@ from urdfkit.beside import srdf_files
 from urdfkit.document import Attribute, Element
 from urdfkit.errors import UnreadableFile
 from urdfkit.reading import is_xacro, read_xml
-from urdfkit.source import Source
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint
@@ -135,7 +134,7 @@ def find(subject: Subject) -> Srdf | None:
 def read(path: str, subject: Subject) -> Srdf | None:
     """An SRDF file; None if it cannot be read."""
     try:
-        source = Source.read(path)
+        source = subject.resolver.read(path)
     except UnreadableFile:
         return None
     if is_xacro(source):

@@ -241,7 +241,7 @@ class Subject:
 
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
         """Another description, read in the same way."""
-        return Subject(Source.read(path), self.resolver, arguments, trust=self.trust)
+        return Subject(self.resolver.read(path), self.resolver, arguments, trust=self.trust)
 
     @cached_property
     def masses(self) -> Masses:

@@ -67,8 +67,10 @@ class Reader:
         return Source(path, data)
 
     def _read(self, path: str, most: int) -> bytes:
-        with open(path, "rb") as file:
-            data = file.read(most + 1)
+        data = self._resolver.text(path)
+        if data is None:
+            with open(path, "rb") as file:
+                data = file.read(most + 1)
         if len(data) > most:
             raise TooLarge(f"the file {path} of more than {most} bytes")
         return data

@@ -103,7 +103,7 @@ class _File:
             arguments = self._passed(element)
             frame = frame_at(self.source, element.tag_at, self.frame)
             try:
-                source = Source.read(path)
+                source = self.collector.resolver.read(path)
             except UnreadableFile:
                 return
             _File(self.collector, source, arguments, frame, self.depth + 1).read()
