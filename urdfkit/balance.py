@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from urdfkit.record import Record
 
 MAX_ERRORS = 100
 #: Tags that are looked at to tell a missing end tag from one too many.
 LOOK_AHEAD = 10_000
 
 
-class Slip(NamedTuple):
+class Slip(Record):
     """One error of syntax.
 
     Attributes:
@@ -27,7 +28,7 @@ class Slip(NamedTuple):
     trailing: bool = False
 
 
-class Tag(NamedTuple):
+class Tag(Record):
     """A tag or a text; ``kind`` is ``open``, ``empty``, ``close``, ``text``, or ``unsure``.
 
     Unsure is a start tag whose end is missing: it may have been meant as an empty element.

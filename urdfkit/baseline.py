@@ -11,10 +11,10 @@ import json
 import os
 from collections import Counter
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.errors import UrdfkitError
+from urdfkit.record import Record
 
 VERSION = 1
 
@@ -23,7 +23,7 @@ class BaselineError(UrdfkitError):
     """The file is no baseline."""
 
 
-class Fingerprint(NamedTuple):
+class Fingerprint(Record):
     """What a finding is known by.
 
     Attributes:

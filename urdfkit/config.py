@@ -9,12 +9,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit import rules
 from urdfkit.diagnostic import Severity
 from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
 from urdfkit.nearest import did_you_mean
+from urdfkit.record import Record
 
 FILES = ("urdfkit.toml", "pyproject.toml")
 
@@ -23,7 +24,7 @@ class ConfigError(UrdfkitError):
     """The configuration cannot be understood; the message names file, setting and remedy."""
 
 
-class FileIgnore(NamedTuple):
+class FileIgnore(Record):
     """Rules that are left out for some files.
 
     Attributes:
@@ -37,7 +38,7 @@ class FileIgnore(NamedTuple):
     reason: str
 
 
-class Robot(NamedTuple):
+class Robot(Record):
     """An entry point: a description that is checked, with the arguments it needs.
 
     Attributes:
@@ -51,7 +52,7 @@ class Robot(NamedTuple):
     arguments: dict[str, str]
 
 
-class Config(NamedTuple):
+class Config(Record):
     """The settings of a project.
 
     Attributes:

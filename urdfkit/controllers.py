@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
+from urdfkit.record import Record
 from urdfkit.ros_control import control_plugins
 from urdfkit.source import Source, Span
 
@@ -31,7 +32,7 @@ _MANAGER = "controller_manager"
 _PARAMETERS = "ros__parameters"
 
 
-class Value(NamedTuple):
+class Value(Record):
     """A scalar, and the lines and columns of its ends, from 0."""
 
     text: str
@@ -50,7 +51,7 @@ class Value(NamedTuple):
 Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
-class Controller(NamedTuple):
+class Controller(Record):
     """A controller with a type.
 
     Attributes:
@@ -68,7 +69,7 @@ class Controller(NamedTuple):
         return [value for name in names for value in self.parameters.get(name, ())]
 
 
-class ParameterFile(NamedTuple):
+class ParameterFile(Record):
     """A file that a control plugin names.
 
     Attributes:

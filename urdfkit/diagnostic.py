@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.document import Step
+from urdfkit.record import Record
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
@@ -40,14 +41,14 @@ class Confidence(str, Enum):
     GUESSED = "guessed"
 
 
-class Edit(NamedTuple):
+class Edit(Record):
     """Replace the text of a span; an empty span inserts."""
 
     span: Span
     text: str
 
 
-class Fix(NamedTuple):
+class Fix(Record):
     """A remedy as text edits. ``safe``: it cannot change what the robot does."""
 
     title: str
@@ -55,14 +56,14 @@ class Fix(NamedTuple):
     safe: bool = False
 
 
-class Related(NamedTuple):
+class Related(Record):
     """Another place that explains a finding."""
 
     span: Span
     message: str
 
 
-class Call(NamedTuple):
+class Call(Record):
     """One way in which a macro body or an included file caused a finding.
 
     Attributes:
@@ -76,7 +77,7 @@ class Call(NamedTuple):
     element: str
 
 
-class Diagnostic(NamedTuple):
+class Diagnostic(Record):
     """One finding as a user reads it.
 
     Attributes:
@@ -111,7 +112,7 @@ class Diagnostic(NamedTuple):
         return self.calls[0].element if self.calls else ""
 
 
-class Skipped(NamedTuple):
+class Skipped(Record):
     """A rule that did not run, and why."""
 
     code: str
@@ -119,7 +120,7 @@ class Skipped(NamedTuple):
     reason: str
 
 
-class Crashed(NamedTuple):
+class Crashed(Record):
     """A rule that failed: a bug of urdfkit, never of the robot."""
 
     code: str
@@ -128,7 +129,7 @@ class Crashed(NamedTuple):
     traceback: str = ""
 
 
-class Report(NamedTuple):
+class Report(Record):
     """The outcome of a check.
 
     Attributes:

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import dist
-from typing import NamedTuple
 
 from urdfkit.inertia import rotated
 from urdfkit.model import Body, Inertial, Joint, Limit, Link, RobotModel, Shape, length
+from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector
 
 #: Axis of a joint that names none.
 _DEFAULT_AXIS = (1.0, 0.0, 0.0)
 
 
-class Tolerances(NamedTuple):
+class Tolerances(Record):
     """How much a model may differ from another state of it.
 
     Attributes:

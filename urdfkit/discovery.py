@@ -10,10 +10,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from urdfkit.config import Config, Robot, matches
 from urdfkit.errors import UnreadableFile
+from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 
@@ -34,7 +34,7 @@ _CONTENT = re.compile(
 )
 
 
-class Found(NamedTuple):
+class Found(Record):
     """What a folder holds.
 
     Attributes:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
-from typing import NamedTuple
 
+from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 _TAG_NAME = re.compile(rb"<\s*([^\s/>]+)")
@@ -19,7 +19,7 @@ _ATTRIBUTE = re.compile(rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
 _START_TAG_END = re.compile(rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>""")
 
 
-class Step(NamedTuple):
+class Step(Record):
     """One step on the way from the checked file to a place: a macro call or an include.
 
     Attributes:
@@ -60,7 +60,7 @@ class Frame:
         return tuple(reversed(steps))
 
 
-class Tag(NamedTuple):
+class Tag(Record):
     """Where an element was written: its start tag, and its end tag if it has one.
 
     Attributes:
@@ -262,7 +262,7 @@ class Element:
         return f"<{self.path} at {self.span}>"
 
 
-class Document(NamedTuple):
+class Document(Record):
     """An XML document after expansion.
 
     Attributes:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.model import number
 from urdfkit.plugins import Reference, Use
+from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector, rotate
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from urdfkit.tree import KinematicTree
 
 
-class Kind(NamedTuple):
+class Kind(Record):
     """How a library drives.
 
     Attributes:
@@ -72,7 +73,7 @@ _MOVERS = {
 }
 
 
-class Wheel(NamedTuple):
+class Wheel(Record):
     """A wheel that a drive plugin turns.
 
     Attributes:
@@ -94,7 +95,7 @@ class Wheel(NamedTuple):
     origin: Vector
 
 
-class Rolling(NamedTuple):
+class Rolling(Record):
     """A wheel in the frame of the root, when all joints are at zero.
 
     Attributes:

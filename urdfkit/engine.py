@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Skipped
 from urdfkit.judge import Verdict, judge
 from urdfkit.reading import is_launch
+from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
 
 
-class Job(NamedTuple):
+class Job(Record):
     """One description to check.
 
     Attributes:
@@ -41,7 +42,7 @@ class Job(NamedTuple):
     frame: Frame | None = None
 
 
-class Settings(NamedTuple):
+class Settings(Record):
     """What is the same for every job; goes to other processes too."""
 
     chosen: tuple[str, ...]

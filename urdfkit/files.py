@@ -6,13 +6,13 @@ import os
 import re
 from collections.abc import Iterator
 from functools import cached_property
-from typing import NamedTuple
 
 from urdfkit.document import Attribute, Tag
 from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts
 from urdfkit.meshes.sniff import sniff_file
 from urdfkit.model import Body, Placed, RobotModel, Shape
 from urdfkit.nearest import nearest
+from urdfkit.record import Record
 from urdfkit.resolve import Located, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
@@ -30,7 +30,7 @@ _SEPARATORS = re.compile(r"[_\-. ]+")
 _NUMBERS = re.compile(r"\d+")
 
 
-class MeshReference(NamedTuple):
+class MeshReference(Record):
     """A mesh that a visual or a collision names.
 
     Attributes:
@@ -59,7 +59,7 @@ class MeshReference(NamedTuple):
         return at if isinstance(at, Attribute) and at.literal else None
 
 
-class Suggestion(NamedTuple):
+class Suggestion(Record):
     """What a reference may have meant.
 
     Attributes:

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.inertia import MassProperties
+from urdfkit.record import Record
 from urdfkit.rigid import RigidBody, mass_of, rigid_bodies
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ _KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
 _TRUE = ("true", "yes", "1")
 
 
-class Converter(NamedTuple):
+class Converter(Record):
     """How a generation of sdformat drops links.
 
     Attributes:
@@ -54,7 +55,7 @@ OLD = Converter("sdformat before 9.10.1 and 12.7.2", 1e-6, True)
 NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False)
 
 
-class SimulatedLink(NamedTuple):
+class SimulatedLink(Record):
     """A link as Gazebo has it.
 
     Attributes:
@@ -73,7 +74,7 @@ class SimulatedLink(NamedTuple):
         return self.body.top.name
 
 
-class SimulatedJoint(NamedTuple):
+class SimulatedJoint(Record):
     """A joint as Gazebo has it: its type in SDF, and the links between which it is."""
 
     joint: Joint

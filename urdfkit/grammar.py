@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 from math import inf, isfinite
-from typing import NamedTuple
 
 from urdfkit import schema
 from urdfkit.document import Attribute, Document, Element
 from urdfkit.nearest import nearest
+from urdfkit.record import Record
 from urdfkit.schema import AttributeRule, Grammar
 
 #: How like a needed element an unknown one must be to be its misspelling: one slip in five letters.
@@ -29,7 +29,7 @@ _NEEDED = {"link": ("inertial",)}
 _BREAK = re.compile(rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]")
 
 
-class Deviation(NamedTuple):
+class Deviation(Record):
     """One deviation; which fields are set depends on the rule that tells it.
 
     Attributes:

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import acos, cos, hypot, pi, sqrt
-from typing import NamedTuple
 
 from urdfkit.model import Tensor
+from urdfkit.record import Record
 from urdfkit.spatial import IDENTITY, Rotation, Vector, rotate
 
 ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-class MassProperties(NamedTuple):
+class MassProperties(Record):
     """A rigid body as dynamics sees it.
 
     Attributes:

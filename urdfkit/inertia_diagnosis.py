@@ -7,12 +7,13 @@ of the link, or become possible at all. It says how sure it is.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit import inertia
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related
 from urdfkit.edits import from_macro, replace_value
 from urdfkit.model import Tensor, number
+from urdfkit.record import Record
 from urdfkit.rules import Finding
 from urdfkit.spatial import rotate, transposed
 from urdfkit.weighed import ROUNDING, Weighed
@@ -43,7 +44,7 @@ CLEAR = 1e-4
 MAX_RELATED = 20
 
 
-class Diagnosis(NamedTuple):
+class Diagnosis(Record):
     """What is probably wrong with a tensor.
 
     Attributes:

@@ -10,7 +10,8 @@ import os
 import posixpath
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
+
+from urdfkit.record import Record
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
@@ -32,7 +33,7 @@ _END_OF_SOURCES = frozenset(
 )
 
 
-class Installed(NamedTuple):
+class Installed(Record):
     """One thing that a build installs.
 
     Attributes:
@@ -44,7 +45,7 @@ class Installed(NamedTuple):
     target: str
 
 
-class _Command(NamedTuple):
+class _Command(Record):
     name: str
     arguments: tuple[tuple[str, bool], ...]  # text, quoted
 

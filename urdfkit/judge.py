@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit import glance, rules
 from urdfkit.beside import srdf_files
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
+from urdfkit.record import Record
 from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
 from urdfkit.subject import Outcome, Subject, Unavailable
@@ -28,7 +29,7 @@ MAX_FINDINGS = 1000
 MAX_MESSAGE = 2000
 
 
-class Verdict(NamedTuple):
+class Verdict(Record):
     """What the rules say about one description.
 
     Attributes:

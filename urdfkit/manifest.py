@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from typing import NamedTuple
 
 from urdfkit.packages import Packages
+from urdfkit.record import Record
 
 MAX_BYTES = 1024 * 1024
 
@@ -15,7 +15,7 @@ _DEPENDENCY = re.compile(rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>")
 _BUILD = re.compile(rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)")
 
 
-class Manifest(NamedTuple):
+class Manifest(Record):
     """What a package.xml says.
 
     Attributes:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ _MENTION = re.compile(
 )
 
 
-class Mention(NamedTuple):
+class Mention(Record):
     """A package at one place in a text.
 
     Attributes:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Diagnostic, Edit
 from urdfkit.engine import check
 from urdfkit.fixer import apply_edits
+from urdfkit.record import Record
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 RULES = ("GAZ012", "GAZ018", "GAZ041")
 
 
-class Migration(NamedTuple):
+class Migration(Record):
     """What a migration needs.
 
     Attributes:

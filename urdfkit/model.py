@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import hypot, isfinite
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from urdfkit.document import Attribute, Document, Element, Step
+from urdfkit.record import Record
 from urdfkit.source import Span
 from urdfkit.spatial import IDENTITY, Frame, Vector, from_rpy
 
@@ -42,7 +43,7 @@ class Placed(Generic[T]):
         return f"Placed({self.value!r} at {self.at.span})"
 
 
-class Tensor(NamedTuple):
+class Tensor(Record):
     """The inertia tensor about the centre of mass, in kg m^2."""
 
     ixx: float
@@ -53,7 +54,7 @@ class Tensor(NamedTuple):
     izz: float
 
 
-class Inertial(NamedTuple):
+class Inertial(Record):
     """``<inertial>``; ``origin`` is the frame of the tensor, with the centre of mass."""
 
     at: Element
@@ -62,7 +63,7 @@ class Inertial(NamedTuple):
     origin: Frame
 
 
-class Shape(NamedTuple):
+class Shape(Record):
     """What stands in a ``<geometry>``.
 
     Attributes:
@@ -98,7 +99,7 @@ class Shape(NamedTuple):
         return None
 
 
-class Material(NamedTuple):
+class Material(Record):
     """``<material>``, at the top or in a visual."""
 
     at: Element
@@ -107,7 +108,7 @@ class Material(NamedTuple):
     texture: Placed[str] | None
 
 
-class Body(NamedTuple):
+class Body(Record):
     """A ``<visual>`` or a ``<collision>``; ``shape`` is the first one in its geometry."""
 
     at: Element
@@ -116,7 +117,7 @@ class Body(NamedTuple):
     material: Material | None
 
 
-class Link(NamedTuple):
+class Link(Record):
     """``<link>``; a link without a name is called ``""``."""
 
     at: Element
@@ -131,7 +132,7 @@ class Link(NamedTuple):
         return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
 
 
-class Limit(NamedTuple):
+class Limit(Record):
     """``<limit>``: position in rad or m, effort in N m or N, velocity in rad/s or m/s."""
 
     at: Element
@@ -141,7 +142,7 @@ class Limit(NamedTuple):
     velocity: Placed[float] | None
 
 
-class Mimic(NamedTuple):
+class Mimic(Record):
     """``<mimic>``: position = multiplier * position of the leader + offset."""
 
     at: Element
@@ -150,7 +151,7 @@ class Mimic(NamedTuple):
     offset: float
 
 
-class Joint(NamedTuple):
+class Joint(Record):
     """``<joint>``; ``axis`` is None where none is written (URDF then takes x)."""
 
     at: Element

@@ -6,9 +6,9 @@ import os
 import re
 import time
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from urdfkit.folders import Folders
+from urdfkit.record import Record
 
 #: A scan stops here and says so. Real workspaces have some thousand folders.
 MAX_FOLDERS = 20_000
@@ -31,7 +31,7 @@ _NAME = re.compile(rb"<name>\s*([^<>\s]+)\s*</name>")
 _MODEL_PATH = re.compile(rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')""")
 
 
-class Candidate(NamedTuple):
+class Candidate(Record):
     """A folder that may be the package of a name.
 
     Attributes:
@@ -45,7 +45,7 @@ class Candidate(NamedTuple):
     trusted: bool = False
 
 
-class Level(NamedTuple):
+class Level(Record):
     """A folder that is scanned for packages.
 
     Attributes:

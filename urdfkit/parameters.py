@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from urdfkit.catalog.plugins import Plugin, often_unread, renames
 from urdfkit.nearest import Speller
 from urdfkit.plugins import Item, Use
+from urdfkit.record import Record
 
 
-class Unread(NamedTuple):
+class Unread(Record):
     """A tag that a plugin does not read.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element
@@ -21,7 +22,7 @@ _CLASSIC = ("classic-ros1", "classic-ros2")
 _GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros2_control")
 
 
-class Item(NamedTuple):
+class Item(Record):
     """A tag or an attribute in a plugin.
 
     Attributes:
@@ -35,7 +36,7 @@ class Item(NamedTuple):
     text: str
 
 
-class Reference(NamedTuple):
+class Reference(Record):
     """A name of a link or joint that a plugin looks up in the simulated model."""
 
     parameter: Parameter
@@ -48,7 +49,7 @@ class Reference(NamedTuple):
         return "link" if self.parameter.type == "link" else "joint"
 
 
-class Use(NamedTuple):
+class Use(Record):
     """A ``<plugin>`` of a model.
 
     Attributes:

@@ -9,11 +9,11 @@ from __future__ import annotations
 import gc
 import os
 import re
-from typing import NamedTuple
 from xml.parsers import expat
 
 from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 #: Elements of one document; the largest real robot has 40 000.
@@ -29,7 +29,7 @@ _VERSION = re.compile(rb"""\bversion\s*=\s*["']([^"']*)["']""")
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
 
-class Problem(NamedTuple):
+class Problem(Record):
     """Something wrong with the text of a description.
 
     Attributes:

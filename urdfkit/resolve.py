@@ -10,11 +10,11 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from stat import S_ISDIR, S_ISREG
-from typing import NamedTuple
 
 from urdfkit.errors import PackageNotFound
 from urdfkit.folders import Folders
 from urdfkit.packages import Candidate, Packages, path_list
+from urdfkit.record import Record
 from urdfkit.source import Source
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
@@ -23,7 +23,7 @@ _BUILD_FILES = ("CMakeLists.txt", "setup.py")
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
-class Located(NamedTuple):
+class Located(Record):
     """What a reference leads to.
 
     Attributes:

@@ -6,15 +6,15 @@ Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is t
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import NamedTuple
 
 from urdfkit.inertia import ZERO, MassProperties, combined, rotated
 from urdfkit.model import Joint, Link
+from urdfkit.record import Record
 from urdfkit.spatial import Frame
 from urdfkit.tree import KinematicTree
 
 
-class RigidBody(NamedTuple):
+class RigidBody(Record):
     """Links without a moving joint between them.
 
     Attributes:

@@ -7,10 +7,11 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import control_plugin
 from urdfkit.model import number
+from urdfkit.record import Record
 from urdfkit.targets import Targets
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ _PR2_TAGS = (
 _DIRECTIONS = {"command_interface": "command", "state_interface": "state"}
 
 
-class Interface(NamedTuple):
+class Interface(Record):
     """``<command_interface>`` or ``<state_interface>``; ``direction`` is the word before it."""
 
     at: Element
@@ -54,7 +55,7 @@ class Interface(NamedTuple):
         return number(found.text.strip()) if found else None
 
 
-class Part(NamedTuple):
+class Part(Record):
     """A ``<joint>``, ``<sensor>`` or ``<gpio>`` in ``<ros2_control>``; ``kind`` is its tag."""
 
     at: Element
@@ -67,7 +68,7 @@ class Part(NamedTuple):
         return [found for found in self.interfaces if found.direction == direction]
 
 
-class Component(NamedTuple):
+class Component(Record):
     """A ``<ros2_control>`` block.
 
     Attributes:
@@ -97,7 +98,7 @@ class Component(NamedTuple):
         return f"<ros2_control> '{self.name}'" if self.name else "<ros2_control>"
 
 
-class ControlPlugin(NamedTuple):
+class ControlPlugin(Record):
     """A plugin of Gazebo that runs controllers.
 
     Attributes:

@@ -13,12 +13,13 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
 from importlib import import_module
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.nearest import did_you_mean
+from urdfkit.record import Record
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
@@ -65,14 +66,14 @@ class Need(Enum):
     SRDF = "srdf"  # MoveIt's file beside the model
 
 
-class Written(NamedTuple):
+class Written(Record):
     """A place that is no element of the expanded document, with the calls that led there."""
 
     span: Span
     frame: Frame | None = None
 
 
-class Finding(NamedTuple):
+class Finding(Record):
     """What a rule says. The engine adds code, severity and the way through the macros.
 
     Attributes:
@@ -104,7 +105,7 @@ def told(subject: Subject, code: str) -> Iterator[Finding]:
 Check = Callable[["Subject"], Iterator[Finding]]
 
 
-class Rule(NamedTuple):
+class Rule(Record):
     """A rule.
 
     Attributes:

@@ -9,7 +9,7 @@ reader adds to URDF without a prefix (PyBullet, MuJoCo, Drake) is known here, bu
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from urdfkit.record import Record
 
 #: Types of attributes.
 NAME = "name"  # a name that is defined here
@@ -28,7 +28,7 @@ LENGTHS = {FLOAT: 1, XYZ: 3, RGBA: 4, QUATERNION: 4}
 VERSIONS = ("1.0", "1.1", "1.2")
 
 
-class AttributeRule(NamedTuple):
+class AttributeRule(Record):
     """What an attribute holds.
 
     Attributes:
@@ -42,7 +42,7 @@ class AttributeRule(NamedTuple):
     since: str = VERSIONS[0]
 
 
-class Grammar(NamedTuple):
+class Grammar(Record):
     """What an element may hold.
 
     Attributes:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.model import Placed, number
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
     from urdfkit.model import RobotModel
 
 
-class Sensor(NamedTuple):
+class Sensor(Record):
     """A ``<sensor>``.
 
     Attributes:

@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 from math import hypot, pi, sqrt
-from typing import NamedTuple
 
 from urdfkit import inertia
 from urdfkit.document import Attribute
 from urdfkit.inertia import MassProperties
 from urdfkit.model import Body, Link, RobotModel, Shape, Tensor, numbers
+from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector, rotate, transposed
 
 #: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.
@@ -30,7 +30,7 @@ SIZES = {
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-class Box(NamedTuple):
+class Box(Record):
     """A box along the axes of a frame."""
 
     low: Vector
@@ -62,7 +62,7 @@ class Box(NamedTuple):
         return volume
 
 
-class Primitive(NamedTuple):
+class Primitive(Record):
     """A box, cylinder, sphere or capsule with positive sizes.
 
     Attributes:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
-from typing import NamedTuple
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.nearest import did_you_mean
+from urdfkit.record import Record
 
 #: Text files over this size are refused: no robot needs it, and a hostile one would.
 MAX_BYTES = 64 * 1024 * 1024
@@ -153,7 +153,7 @@ def _ascii_only(data: bytes) -> bytes:
     return data.decode("ascii", "replace").replace("\ufffd", "?").encode("ascii")
 
 
-class Span(NamedTuple):
+class Span(Record):
     """A piece of a source: bytes ``start`` to ``end``."""
 
     source: Source

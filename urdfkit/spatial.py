@@ -7,7 +7,8 @@ becomes one in the parent frame by ``rotation @ vector``.
 from __future__ import annotations
 
 from math import cos, sin
-from typing import NamedTuple
+
+from urdfkit.record import Record
 
 Vector = tuple[float, float, float]
 Rotation = tuple[Vector, Vector, Vector]
@@ -16,7 +17,7 @@ IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 ORIGIN: Vector = (0.0, 0.0, 0.0)
 
 
-class Frame(NamedTuple):
+class Frame(Record):
     """Where a frame is in another: its axes and its origin."""
 
     rotation: Rotation = IDENTITY

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.document import Document, Frame
 from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
+from urdfkit.record import Record
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class Unavailable(Exception):
     """A part that a rule needs is not to be had for this description; the text says why."""
 
 
-class Reading(NamedTuple):
+class Reading(Record):
     """A description as it was read.
 
     Attributes:
@@ -46,7 +47,7 @@ class Reading(NamedTuple):
     xacro: Xacro | None
 
 
-class Outcome(NamedTuple):
+class Outcome(Record):
     """What the rules found so far, for the rules about the checking itself.
 
     Attributes:

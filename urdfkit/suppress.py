@@ -9,17 +9,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
 from urdfkit.diagnostic import Call, Diagnostic
 from urdfkit.reading import read_xml
+from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 _COMMENT = re.compile(rb"<!--\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\]\s*(.*?)\s*-->", re.DOTALL)
 _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
 
-class Ignore(NamedTuple):
+class Ignore(Record):
     """One ignore comment.
 
     Attributes:
@@ -80,7 +80,7 @@ def _elements(source: Source) -> list[tuple[int, int]]:
     return [element.tag_at.whole_span[1:] for element in document.root.walk()]
 
 
-class Sifted(NamedTuple):
+class Sifted(Record):
     """Findings after suppression.
 
     Attributes:

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.manifest import manifest_of
 from urdfkit.nearest import did_you_mean
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
@@ -45,7 +46,7 @@ class UnknownTarget(UrdfkitError):
     """A name that is no target."""
 
 
-class Targets(NamedTuple):
+class Targets(Record):
     """The consumers that a description is checked for.
 
     Attributes:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit.catalog import data
+from urdfkit.record import Record
 
 
-class Extension(NamedTuple):
+class Extension(Record):
     """A tag that the converter handles by name.
 
     Attributes:

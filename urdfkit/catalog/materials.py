@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from urdfkit.catalog import data
+from urdfkit.record import Record
 
 
-class Material(NamedTuple):
+class Material(Record):
     """A material script of Gazebo.
 
     Attributes:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit.catalog import data
+from urdfkit.record import Record
 
 #: The generations whose plugins a target loads.
 GENERATIONS = {
@@ -24,7 +25,7 @@ _GZ_NAME = re.compile(r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so
 _ROS2_CONTROL = re.compile(r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$")
 
 
-class Parameter(NamedTuple):
+class Parameter(Record):
     """A tag that a plugin reads.
 
     Attributes:
@@ -44,7 +45,7 @@ class Parameter(NamedTuple):
     words: tuple[str, ...] = ()
 
 
-class Plugin(NamedTuple):
+class Plugin(Record):
     """A plugin of one generation.
 
     Attributes:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit.catalog import data
+from urdfkit.record import Record
 
 
-class Tag(NamedTuple):
+class Tag(Record):
     """A tag in ``<ros2_control>``.
 
     Attributes:
@@ -21,7 +22,7 @@ class Tag(NamedTuple):
     required: frozenset[str]
 
 
-class Hardware(NamedTuple):
+class Hardware(Record):
     """A hardware plugin of a simulator.
 
     Attributes:
@@ -37,7 +38,7 @@ class Hardware(NamedTuple):
     commands: tuple[str, ...]
 
 
-class Measure(NamedTuple):
+class Measure(Record):
     """A parameter of a controller that repeats what the model says.
 
     Attributes:
@@ -52,7 +53,7 @@ class Measure(NamedTuple):
     sides: tuple[tuple[str, ...], ...]
 
 
-class Controller(NamedTuple):
+class Controller(Record):
     """A type of controller: the parameters that name joints, and those that are lengths."""
 
     joints: tuple[str, ...]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from urdfkit.catalog import data
+from urdfkit.record import Record
 
 
-class SensorType(NamedTuple):
+class SensorType(Record):
     """A type of sensor.
 
     Attributes:

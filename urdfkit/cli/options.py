@@ -9,16 +9,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit import formats
 from urdfkit.errors import UrdfkitError
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
 
 
-class Option(NamedTuple):
+class Option(Record):
     """One option.
 
     Attributes:

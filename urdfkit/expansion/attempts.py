@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.expansion import describe
@@ -13,6 +13,7 @@ from urdfkit.expansion.ledger import ANY, Ledger
 from urdfkit.expansion.reader import Reader
 from urdfkit.expansion.run import Run
 from urdfkit.reading import Problem, syntax_problems, unbound_prefixes
+from urdfkit.record import Record
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ MAX_RUNS = 50
 _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 
 
-class _Failure(NamedTuple):
+class _Failure(Record):
     """What stopped a run, and the tag to take out before the next; None if that cannot help."""
 
     problems: list[Problem]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related
 from urdfkit.expansion.errors import MissingArgument, root_cause
 from urdfkit.expansion.evaluation import POISON, Tainted
 from urdfkit.reading import Problem
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -28,7 +29,7 @@ _UNDEFINED = re.compile(
 )
 
 
-class Message(NamedTuple):
+class Message(Record):
     """What xacro or the model itself says while it is expanded."""
 
     kind: str

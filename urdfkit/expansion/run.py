@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Mapping
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
@@ -24,6 +24,7 @@ from urdfkit.expansion.spot import Located
 from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
 from urdfkit.expansion.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
@@ -34,7 +35,7 @@ MAX_MACRO_DEPTH = 150
 MAX_CALLS = 50_000
 
 
-class Definition(NamedTuple):
+class Definition(Record):
     """Something that a xacro file defines: a macro, a property or an argument.
 
     Attributes:

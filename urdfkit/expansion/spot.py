@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, NamedTuple
+from typing import Any
 
 from urdfkit.document import Frame
 from urdfkit.expansion.dom import Node
+from urdfkit.record import Record
 from urdfkit.source import Span
 
 #: Longer expressions are not looked for; the text around them is their place.
@@ -24,7 +25,7 @@ _WRITTEN = {
 }
 
 
-class Located(NamedTuple):
+class Located(Record):
     """An expression in a text.
 
     Attributes:
@@ -39,7 +40,7 @@ class Located(NamedTuple):
     resolving: tuple[tuple[Any, str], ...] = ()
 
 
-class Spot(NamedTuple):
+class Spot(Record):
     """A place, and the calls that led there."""
 
     span: Span

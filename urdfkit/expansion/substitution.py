@@ -9,11 +9,12 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.errors import MissingArgument
 from urdfkit.expansion.expressions import evaluate
 from urdfkit.expansion.fence import UnsafeExpression
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.expansion.fence import Fence
@@ -32,7 +33,7 @@ class EnvironmentRefused(SubstitutionError):
     """A variable that is not on the allow-list, but set."""
 
 
-class Context(NamedTuple):
+class Context(Record):
     """What the commands refer to.
 
     Attributes:

@@ -7,10 +7,11 @@ looks up, and how each of them got its value.
 from __future__ import annotations
 
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.dom import ELEMENT, Dom, Node
 from urdfkit.expansion.notes import notes_of
+from urdfkit.record import Record
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
 
 
-class Origin(NamedTuple):
+class Origin(Record):
     """How a name got its value.
 
     Attributes:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
+from urdfkit.record import Record
 from urdfkit.source import Source
 
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
@@ -23,7 +23,7 @@ _INCLUDE = re.compile(rb"<xacro:include\b")
 _NEAR = 200
 
 
-class Usage(NamedTuple):
+class Usage(Record):
     """What the files mention.
 
     Attributes:

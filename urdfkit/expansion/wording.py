@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.dom import Node
 from urdfkit.expansion.errors import BrokenYaml
 from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.record import Record
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
@@ -25,7 +26,7 @@ _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _DEFINED = re.compile(rb"""<xacro:(?:property|macro)\b[^<>]*?\bname\s*=\s*["'](\w+)["']""")
 
 
-class Words(NamedTuple):
+class Words(Record):
     """A message and a help; the rule's own help if empty."""
 
     message: str

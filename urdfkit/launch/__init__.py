@@ -7,10 +7,11 @@ launch file is run.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.document import Frame
 from urdfkit.reading import Problem
+from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 MAX_DEPTH = 8
 
 
-class Description(NamedTuple):
+class Description(Record):
     """A robot description that a launch file makes.
 
     Attributes:
@@ -34,7 +35,7 @@ class Description(NamedTuple):
     frame: Frame
 
 
-class FileUse(NamedTuple):
+class FileUse(Record):
     """A file that a launch file names.
 
     Attributes:
@@ -52,7 +53,7 @@ class FileUse(NamedTuple):
     purpose: str
 
 
-class PackageUse(NamedTuple):
+class PackageUse(Record):
     """A package that a launch file names, and the folders searched if it was not found."""
 
     name: str
@@ -60,7 +61,7 @@ class PackageUse(NamedTuple):
     searched: tuple[str, ...] | None
 
 
-class Launch(NamedTuple):
+class Launch(Record):
     """What a launch file needs.
 
     Attributes:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
+
+from urdfkit.record import Record
 
 BINARY_STL = "binary STL"
 ASCII_STL = "ASCII STL"
@@ -35,7 +36,7 @@ class Kind(Enum):
     UNREADABLE = "unreadable"
 
 
-class Defect(NamedTuple):
+class Defect(Record):
     """Why a mesh file cannot be used.
 
     Attributes:
@@ -47,7 +48,7 @@ class Defect(NamedTuple):
     reason: str
 
 
-class MeshFacts(NamedTuple):
+class MeshFacts(Record):
     """What the bytes of a mesh file say.
 
     Attributes:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
+
+from urdfkit.record import Record
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 
-class Material(NamedTuple):
+class Material(Record):
     """How a surface looks.
 
     Attributes:
@@ -25,7 +25,7 @@ class Material(NamedTuple):
     texture: str | bytes | None = None
 
 
-class Part(NamedTuple):
+class Part(Record):
     """Triangles of one material.
 
     Attributes:
@@ -45,7 +45,7 @@ class Part(NamedTuple):
     colors: Floats | None = None
 
 
-class Mesh(NamedTuple):
+class Mesh(Record):
     """What a mesh file holds.
 
     Attributes:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from math import isfinite
 from struct import Struct
-from typing import NamedTuple
 
 from urdfkit.meshes.facts import Defect, empty, truncated, unreadable
+from urdfkit.record import Record
 
 MAX_HEADER = 64 * 1024
 #: Lists are walked one by one, which takes time: no verdict on the length beyond this.
@@ -24,7 +24,7 @@ _CODES = {
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">"}
 
 
-class _Property(NamedTuple):
+class _Property(Record):
     """A number, or a list of numbers if ``length`` is the type of its length."""
 
     name: str
@@ -32,7 +32,7 @@ class _Property(NamedTuple):
     length: str = ""
 
 
-class _Element(NamedTuple):
+class _Element(Record):
     """One kind of thing in the file: ``vertex``, ``face`` or another."""
 
     name: str
