@@ -6,14 +6,59 @@ Positions are in rad or m, by the name of the joint.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, sin
+from math import cos, isfinite, sin
+from typing import NamedTuple
 
-from urdfkit.model import Joint, length
+from urdfkit.model import Joint, Mimic, length
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.tree import KinematicTree
 
 #: The joints that one number moves.
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
+
+
+class Law(NamedTuple):
+    """What a joint follows: ``position = factor * position of the leader + shift``.
+
+    Attributes:
+        leader: a joint that follows none; the joint itself where it follows none; empty for one
+            that stands still, since it follows a joint that is not there, or a ring.
+        factor, shift: of all multipliers and offsets on the way to the leader.
+    """
+
+    leader: str
+    factor: float
+    shift: float
+
+
+#: Of a leader that is not there, and of joints that follow one another in a ring.
+_ABSENT, _STILL = Law("", 0.0, 0.0), Law("", 0.0, 0.0)
+
+
+def laws(joints: Mapping[str, Joint]) -> dict[str, Law]:
+    """What each joint follows in the end, through any number of joints between.
+
+    Args:
+        joints: of a model, by name.
+    """
+    found: dict[str, Law] = {}
+    for start in joints:
+        name, way = start, list[tuple[str, Mimic]]()
+        while name in joints and name not in found:
+            mimic = joints[name].mimic
+            if mimic is None or mimic.joint is None:
+                found[name] = Law(name, 1.0, 0.0)
+                break
+            found[name] = _STILL  # unless the way leads out, and not back here
+            way.append((name, mimic))
+            name = mimic.joint.value
+        law = found.get(name, _ABSENT)
+        for follower, mimic in reversed(way):
+            if law is not _STILL:
+                shift = mimic.multiplier * law.shift + mimic.offset
+                law = Law(law.leader, mimic.multiplier * law.factor, shift)
+            found[follower] = law
+    return found
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:
@@ -25,26 +70,14 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
             it, whatever is given for it; in a ring of such joints all stay at 0.
     """
     joints = tree.model.joints_by_name
+    followed = laws(joints)
     found: dict[str, float] = {}
     for name, joint in joints.items():
         if joint.kind in TURNING or joint.kind in SLIDING:
-            found[name] = _position(joint, joints, given)
+            leader, factor, shift = followed[name]
+            position = factor * given.get(leader, 0.0) + shift
+            found[name] = position if isfinite(position) else 0.0
     return found
-
-
-def _position(joint: Joint, joints: Mapping[str, Joint], given: Mapping[str, float]) -> float:
-    factor, shift, seen = 1.0, 0.0, {joint.name}
-    while joint.mimic and joint.mimic.joint:
-        shift += factor * joint.mimic.offset
-        factor *= joint.mimic.multiplier
-        leader = joints.get(joint.mimic.joint.value)
-        if leader is None:
-            return shift
-        if leader.name in seen:
-            return 0.0
-        seen.add(leader.name)
-        joint = leader
-    return factor * given.get(joint.name, 0.0) + shift
 
 
 def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:

@@ -1,4 +1,4 @@
-"""load() and expand(): one description, without any rule."""
+"""read(), load() and expand(): one description, without any rule."""
 
 from __future__ import annotations
 
@@ -15,6 +15,36 @@ if TYPE_CHECKING:
     from urdfkit.expansion import Xacro
     from urdfkit.model import RobotModel
     from urdfkit.reading import Problem
+
+
+def read(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> Subject:
+    """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
+
+    >>> robot = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
+    >>> [root.name for root in robot.tree.roots]
+    ['mount']
+
+    Args:
+        file: URDF or xacro; which of the two is decided by content.
+        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it is no XML, or does not expand; with every reason.
+    """
+    source = file if isinstance(file, Source) else Source.read(file)
+    subject = Subject(source, Resolver(packages), arguments, trust=trust)
+    if subject.reading.document is None:
+        raise _unreadable(source, subject.reading.problems)
+    return subject
 
 
 def load(
@@ -46,11 +76,7 @@ def load(
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: it is no XML, or does not expand; with every reason.
     """
-    source = file if isinstance(file, Source) else Source.read(file)
-    subject = Subject(source, Resolver(packages), arguments, trust=trust)
-    if subject.reading.document is None:
-        raise _unreadable(source, subject.reading.problems)
-    return subject.model
+    return read(file, arguments=arguments, packages=packages, trust=trust).model
 
 
 def expand(
