@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import cos, isfinite, sin
-from typing import NamedTuple
 
 from urdfkit.model import Joint, Mimic, length
+from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.tree import KinematicTree
 
@@ -17,7 +17,7 @@ from urdfkit.tree import KinematicTree
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 
 
-class Law(NamedTuple):
+class Law(Record):
     """What a joint follows: ``position = factor * position of the leader + shift``.
 
     Attributes:
