@@ -1,0 +1,238 @@
+"""The GitHub action and the GitLab template: their shell steps are run as the runners do it."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from tests.conftest import MODELS, ROOT
+
+ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
+STEPS: list[dict[str, Any]] = ACTION["runs"]["steps"]
+WORKFLOW = ROOT / ".github" / "workflows" / "robots.yml"
+GITLAB: dict[str, Any] = yaml.safe_load(
+    (ROOT / "templates" / "urdfkit.gitlab-ci.yml").read_text(encoding="utf-8")
+)
+
+needs_bash = pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+
+
+def step(name: str) -> dict[str, Any]:
+    (found,) = [step for step in STEPS if step["name"] == name]
+    return found
+
+
+class Runner:
+    """Runs shell steps of the action in a folder of robots."""
+
+    def __init__(self, workspace: Path, temporary: Path) -> None:
+        self.workspace = workspace
+        self.temporary = temporary
+        self.output = temporary / "output"
+        self.summary = temporary / "summary"
+        self.values: dict[str, str] = {}
+
+    def run(self, name: str, **inputs: str) -> subprocess.CompletedProcess[str]:
+        """Run a step.
+
+        Args:
+            name: of the step.
+            inputs: of the action, where they are not the defaults; ``-`` is written ``_``.
+        """
+        for key, value in ACTION["inputs"].items():
+            self.values[f"inputs.{key}"] = inputs.get(key.replace("-", "_"), value["default"])
+        environment = {
+            **os.environ,
+            "RUNNER_TEMP": str(self.temporary),
+            "GITHUB_ACTION_PATH": str(ROOT),
+            "GITHUB_OUTPUT": str(self.output),
+            "GITHUB_STEP_SUMMARY": str(self.summary),
+        }
+        found = step(name)
+        for key, value in found.get("env", {}).items():
+            environment[key] = re.sub(
+                r"\$\{\{ (\S+) \}\}", lambda match: self.values[match.group(1)], value
+            )
+        script = self.temporary / "step.sh"
+        script.write_text(found["run"])
+        words = ["bash", "--noprofile", "--norc", "-e", "-o", "pipefail", str(script)]
+        done = subprocess.run(
+            words, check=False, cwd=self.workspace, env=environment, capture_output=True, text=True
+        )
+        if self.output.exists():
+            for line in self.output.read_text().splitlines():
+                key, _, value = line.partition("=")
+                self.values[f"steps.check.outputs.{key}"] = value
+        return done
+
+
+@pytest.fixture
+def runner(tmp_path: Path) -> Runner:
+    """A runner where the first steps have been: 'urdfkit' is that of this checkout."""
+    (tmp_path / "temp" / "urdfkit" / "bin").mkdir(parents=True)
+    program = tmp_path / "temp" / "urdfkit" / "bin" / "urdfkit"
+    program.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" -m urdfkit "$@"\n')
+    program.chmod(0o755)
+    shutil.copytree(MODELS, tmp_path / "robots")
+    return Runner(tmp_path / "robots", tmp_path / "temp")
+
+
+@needs_bash
+@pytest.mark.skipif(importlib.util.find_spec("ensurepip") is None, reason="there is no ensurepip")
+def test_it_installs_this_urdfkit(tmp_path: Path) -> None:
+    """From a package registry, with the oldest rules of pip: nothing of the job is touched."""
+    runner = Runner(tmp_path, tmp_path)
+    runner.values["steps.python.outputs.python-path"] = sys.executable
+    done = runner.run("Install")
+    assert done.returncode == 0, done.stderr
+    program = tmp_path / "urdfkit" / "bin" / "urdfkit"
+    told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
+    assert told.stdout.startswith("urdfkit ")
+
+
+@needs_bash
+def test_clean_robots_are_green(runner: Runner) -> None:
+    done = runner.run("Check", files="good")
+    assert (done.returncode, done.stdout) == (0, ""), done.stderr
+    assert runner.values["steps.check.outputs.exit-code"] == "0"
+    assert runner.summary.read_text() == "### urdfkit: no findings in 3 files\n"
+    assert runner.run("Result").returncode == 0
+
+
+@needs_bash
+def test_findings_are_told_everywhere(runner: Runner) -> None:
+    done = runner.run("Check", files="gazebo_pkg\n", options="--select\nMSH001")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith(
+        "::error file=gazebo_pkg/urdf/waking_robot_new.xacro,line=266,endLine=266,col=25"
+    )
+    assert runner.values["steps.check.outputs.exit-code"] == "1"
+    reports = Path(runner.values["steps.check.outputs.reports"])
+    names = {path.name for path in reports.iterdir()}
+    assert names == {"summary.md", "urdfkit.json", "urdfkit.sarif"}
+    (result,) = json.loads((reports / "urdfkit.sarif").read_text())["runs"][0]["results"]
+    assert result["ruleId"] == "MSH001"
+    assert "error **MSH001**" in runner.summary.read_text()
+    assert runner.run("Result").returncode == 1
+
+
+@needs_bash
+def test_what_cannot_be_done_fails_without_reports(runner: Runner) -> None:
+    done = runner.run("Check", files="missing.urdf")
+    assert done.returncode == 0
+    assert "missing.urdf: there is no such file" in done.stderr
+    assert not runner.summary.exists()
+    assert "steps.check.outputs.reports" not in runner.values
+    assert runner.run("Result").returncode == 2
+
+
+@needs_bash
+def test_words_of_the_inputs_are_words_and_no_code(runner: Runner) -> None:
+    """Spaces, quotes, expansions and commands reach urdfkit as they stand."""
+    strange = """a b'c"d $(touch hit) `touch hit` ; touch hit.urdf"""
+    (runner.workspace / strange).write_text("<robot/>")
+    done = runner.run("Check", files=strange, options="--select\nTRE001")
+    assert runner.values["steps.check.outputs.exit-code"] == "1", done.stderr
+    assert "TRE001" in done.stdout
+    assert not (runner.workspace / "hit").exists()
+
+
+@needs_bash
+def test_a_robot_of_a_stranger_gives_the_runner_no_commands(runner: Runner) -> None:
+    """Neither by what it is called, nor by what its names are, nor by its expressions."""
+    (runner.workspace / "evil").mkdir()
+    name = "a\n::set-output name=x::y".replace("\n", "&#10;")
+    (runner.workspace / "evil" / "x.urdf").write_text(
+        f'<robot name="r"><link name="{name}"/><link name="{name}"/></robot>'
+    )
+    (runner.workspace / "evil" / "y.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        "<link name=\"${__import__('os').system('touch hit')}\"/></robot>"
+    )
+    (runner.workspace / "evil" / "urdfkit.toml").write_text('trust = true\nrules = ["evil"]\n')
+    done = runner.run("Check", files="evil/x.urdf\nevil/y.xacro", options="--isolated")
+    lines = done.stdout.splitlines()
+    assert lines
+    assert all(re.match("::(error|warning|notice) file=", line) for line in lines)
+    assert not (runner.workspace / "hit").exists()
+    refused = runner.run("Check", files="evil/x.urdf")
+    assert refused.stdout == ""
+    assert runner.values["steps.check.outputs.exit-code"] == "2"
+
+
+# --- what the files promise
+
+
+def test_inputs_reach_the_shell_as_variables_only() -> None:
+    scripts = [step["run"] for step in STEPS if "run" in step]
+    assert len(scripts) == 3
+    assert not any("${{" in script for script in scripts)
+    assert all(step["shell"] == "bash" for step in STEPS if "run" in step)
+
+
+def test_every_action_is_pinned_to_a_commit() -> None:
+    text = (ROOT / "action.yml").read_text(encoding="utf-8") + WORKFLOW.read_text(encoding="utf-8")
+    used = re.findall(r"^ *(?:- )?uses: (\S+)(?: # (v[\d.]+))?", text, re.MULTILINE)
+    assert len(used) == 5
+    for name, version in used:
+        assert name == "./" or re.fullmatch(r"[\w./-]+@[0-9a-f]{40}", name)
+        assert name == "./" or version
+
+
+def test_no_secret_is_read_and_forks_cannot_write() -> None:
+    text = (ROOT / "action.yml").read_text(encoding="utf-8")
+    assert "secrets." not in text
+    assert "github.token" not in text
+    workflow = WORKFLOW.read_text(encoding="utf-8")
+    assert "pull_request_target" not in workflow
+    assert "persist-credentials: false" in workflow
+    assert "head.repo.full_name == github.repository" in step("Code scanning")["if"]
+
+
+def test_every_input_is_documented() -> None:
+    page = (ROOT / "docs" / "pre-commit.md").read_text(encoding="utf-8")
+    assert [name for name in ACTION["inputs"] if f"| `{name}` |" not in page] == []
+
+
+def test_the_workflow_gives_inputs_that_there_are() -> None:
+    job = yaml.safe_load(WORKFLOW.read_text(encoding="utf-8"))["jobs"]["urdfkit"]
+    (used,) = [step for step in job["steps"] if step["uses"] == "./"]
+    assert set(used["with"]) <= set(ACTION["inputs"])
+
+
+@needs_bash
+def test_the_script_of_gitlab(runner: Runner) -> None:
+    """All lines but that of pip; the reports that are announced are written."""
+    job = GITLAB["urdfkit"]
+    install, *script = job["script"]
+    assert install.startswith("pip install ")
+    binaries = runner.temporary / "urdfkit" / "bin"
+    environment = {
+        **os.environ,
+        **GITLAB["variables"],
+        "URDFKIT_FILES": "good bad/broken_meshes.urdf",
+        "PATH": f"{binaries}{os.pathsep}{os.environ['PATH']}",
+    }
+    done = subprocess.run(
+        ["bash", "-e", "-o", "pipefail", "-c", "\n".join(script)],
+        check=False,
+        cwd=runner.workspace,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1, done.stderr
+    assert "bad/broken_meshes.urdf" in done.stdout
+    for report in job["artifacts"]["reports"].values():
+        assert (runner.workspace / report).stat().st_size > 0
+    assert (runner.workspace / "urdfkit-reports" / "summary.md").read_text().startswith("### ")
