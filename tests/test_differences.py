@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from urdfkit.differences import Tolerances, differences
+from urdfkit.differences import KINDS, Tolerances, differences
 from urdfkit.model import RobotModel
 from urdfkit.reading import read_xml
 from urdfkit.source import Source
@@ -44,7 +44,9 @@ def model(text: str) -> RobotModel:
 def found(old: str, new: str, **allowed: Any) -> list[str]:
     """What one change of the text makes different."""
     assert old in ROBOT
-    return differences(model(ROBOT), model(ROBOT.replace(old, new)), Tolerances(**allowed))
+    found = differences(model(ROBOT), model(ROBOT.replace(old, new)), Tolerances(**allowed))
+    assert {difference.kind for difference in found} <= set(KINDS)
+    return list(map(str, found))
 
 
 @pytest.mark.parametrize(
@@ -81,7 +83,7 @@ def found(old: str, new: str, **allowed: Any) -> list[str]:
             'xyz="1 0 0" rpy="0 0 0.01"',
             "joint 'j': the origin of its frame turned by 0.01 rad",
         ),
-        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>', "joint 'j': its axis turned by 2 rad"),
+        ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 -1"/>', "joint 'j': its axis turned by 3.142 rad"),
         ('upper="1"', 'upper="1.5"', "joint 'j': upper 1 became 1.5"),
         ('effort="10"', "", "joint 'j': effort 10 became none"),
         ("<limit", '<mimic joint="k"/><limit', "joint 'j': mimic none became k x 1 + 0"),

@@ -8,12 +8,20 @@ written, colours, and the blocks for single programs are not.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import dist
+from math import asin, dist
 
 from urdfkit.inertia import rotated
-from urdfkit.model import Body, Inertial, Joint, Limit, Link, RobotModel, Shape, length
+from urdfkit.model import Body, Inertial, Joint, Limit, Link, Placed, RobotModel, Shape, length
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector
+
+#: What a difference may be about. ``joints`` are their types, links, axes and followers, too;
+#: ``masses`` the centres of mass; ``shapes`` where they are; ``frames`` the origins of joints.
+KINDS = ("links", "joints", "frames", "limits", "masses", "inertias", "shapes")
+
+Value = float | str | tuple[float, ...] | None
+#: Kind, text, and the values before and after.
+Change = tuple[str, str, Value, Value]
 
 #: Axis of a joint that names none.
 _DEFAULT_AXIS = (1.0, 0.0, 0.0)
@@ -40,41 +48,70 @@ class Tolerances(Record):
     joints: bool = False
 
 
-def differences(before: RobotModel, after: RobotModel, allowed: Tolerances) -> list[str]:
-    """What differs between two models by more than the tolerances, a sentence each."""
-    found: list[str] = []
+class Difference(Record):
+    """One thing that differs.
+
+    Attributes:
+        kind: which sort of thing it is, one of `KINDS`.
+        what: ``link`` or ``joint``.
+        name: of the link or joint.
+        text: what became of it, without its name.
+        before, after: the values as the model holds them, for programs; None for nothing.
+    """
+
+    kind: str
+    what: str
+    name: str
+    text: str
+    before: Value = None
+    after: Value = None
+
+    def __str__(self) -> str:
+        """A sentence."""
+        link = " " if self.text.startswith("is ") else ": "
+        return f"{self.what} '{self.name}'{link}{self.text}"
+
+
+def differences(before: RobotModel, after: RobotModel, allowed: Tolerances) -> list[Difference]:
+    """What differs between two models by more than the tolerances."""
+    found: list[Difference] = []
     if not allowed.links:
         found += _names("link", before.links_by_name, after.links_by_name)
     if not allowed.joints:
         found += _names("joint", before.joints_by_name, after.joints_by_name)
     for name, link in before.links_by_name.items():
         if new_link := after.links_by_name.get(name):
-            found += (f"link '{name}': {what}" for what in _of_link(link, new_link, allowed))
+            changes = _of_link(link, new_link, allowed)
+            found += (Difference(c[0], "link", name, *c[1:]) for c in changes)
     for name, joint in before.joints_by_name.items():
         if new_joint := after.joints_by_name.get(name):
-            found += (f"joint '{name}': {what}" for what in _of_joint(joint, new_joint, allowed))
+            changes = _of_joint(joint, new_joint, allowed)
+            found += (Difference(c[0], "joint", name, *c[1:]) for c in changes)
     return found
 
 
-def _names(kind: str, before: Iterable[str], after: Iterable[str]) -> list[str]:
-    old, new = set(before), set(after)
-    gone = [f"{kind} '{name}' is gone" for name in sorted(old - new)]
-    return gone + [f"{kind} '{name}' is new" for name in sorted(new - old)]
+def _names(what: str, before: Iterable[str], after: Iterable[str]) -> list[Difference]:
+    old, new, kind = set(before), set(after), f"{what}s"
+    gone = [Difference(kind, what, name, "is gone", True, False) for name in sorted(old - new)]
+    return gone + [
+        Difference(kind, what, name, "is new", False, True) for name in sorted(new - old)
+    ]
 
 
-def _of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[str]:
+def _of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
     old, new = before.mass, after.mass
     if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
-        yield f"mass {old:g} kg became {new:g} kg"
+        yield "masses", f"mass {old:g} kg became {new:g} kg", old, new
     if old or new:  # the place of no mass means nothing
-        moved = dist(_center(before.inertial), _center(after.inertial))
+        centers = _center(before.inertial), _center(after.inertial)
+        moved = dist(*centers)
         if moved > allowed.position:
-            yield f"its centre of mass moved by {moved:.4g} m"
+            yield "masses", f"its centre of mass moved by {moved:.4g} m", *centers
     tensors = _tensor(before.inertial), _tensor(after.inertial)
     scale = max(abs(entry) for tensor in tensors for entry in tensor)
     if dist(*tensors) > allowed.inertia * scale:
         texts = [", ".join(f"{entry:g}" for entry in tensor) for tensor in tensors]
-        yield f"inertia {texts[0]} became {texts[1]} kg m^2"
+        yield "inertias", f"inertia {texts[0]} became {texts[1]} kg m^2", *tensors
     for kind in ("visuals", "collisions"):
         yield from _of_bodies(kind, getattr(before, kind), getattr(after, kind), allowed)
 
@@ -92,19 +129,21 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 def _of_bodies(
     kind: str, before: Sequence[Body], after: Sequence[Body], allowed: Tolerances
-) -> Iterator[str]:
+) -> Iterator[Change]:
     if len(before) != len(after):
-        yield f"{len(before)} {kind} became {len(after)}"
+        counts = len(before), len(after)
+        yield "shapes", f"{counts[0]} {kind} became {counts[1]}", *counts
         return
     for number, (old, new) in enumerate(zip(before, after, strict=True), 1):
         name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
         (old_kind, old_size), (new_kind, new_size) = _shape(old.shape), _shape(new.shape)
         if old_kind != new_kind:
-            yield f"{name} {old_kind} became {new_kind}"
+            yield "shapes", f"{name} {old_kind} became {new_kind}", old_kind, new_kind
         elif len(old_size) != len(new_size) or dist(old_size, new_size) > allowed.position:
             texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
-            yield f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
-        yield from _of_frames(name, old.origin, new.origin, allowed)
+            text = f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
+            yield "shapes", text, old_size, new_size
+        yield from _of_frames("shapes", name, old.origin, new.origin, allowed)
 
 
 def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
@@ -117,34 +156,53 @@ def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
     return shape.kind, tuple(value for value in lengths if value is not None)
 
 
-def _of_frames(name: str, before: Frame, after: Frame, allowed: Tolerances) -> Iterator[str]:
+def _of_frames(
+    kind: str, name: str, before: Frame, after: Frame, allowed: Tolerances
+) -> Iterator[Change]:
     moved = dist(before.position, after.position)
     if moved > allowed.position:
-        yield f"the origin of its {name} moved by {moved:.4g} m"
-    axes = [[entry for row in frame.rotation for entry in row] for frame in (before, after)]
-    turned = dist(*axes) / 2**0.5  # |R - R'| = sqrt(2) 2 sin(angle / 2)
+        text = f"the origin of its {name} moved by {moved:.4g} m"
+        yield kind, text, before.position, after.position
+    turned = angle_between(before, after)
     if turned > allowed.rotation:
-        yield f"the origin of its {name} turned by {turned:.4g} rad"
+        text = f"the origin of its {name} turned by {turned:.4g} rad"
+        yield kind, text, _flat(before), _flat(after)
 
 
-def _of_joint(before: Joint, after: Joint, allowed: Tolerances) -> Iterator[str]:
+def angle_between(before: Frame, after: Frame) -> float:
+    """The angle by which one frame is turned against another, in rad, from 0 to pi."""
+    half = dist(_flat(before), _flat(after)) / 8**0.5  # |R - R'| = sqrt(8) sin(angle / 2)
+    return 2 * asin(min(1.0, half))
+
+
+def _flat(frame: Frame) -> tuple[float, ...]:
+    """The rotation, row by row."""
+    return tuple(entry for row in frame.rotation for entry in row)
+
+
+def _of_joint(before: Joint, after: Joint, allowed: Tolerances) -> Iterator[Change]:
     for what, old, new in (
         ("type", before.kind, after.kind),
-        ("parent", before.parent and before.parent.value, after.parent and after.parent.value),
-        ("child", before.child and before.child.value, after.child and after.child.value),
+        ("parent", _said(before.parent), _said(after.parent)),
+        ("child", _said(before.child), _said(after.child)),
         ("mimic", _mimic(before), _mimic(after)),
     ):
         if old != new:
-            yield f"{what} {old or 'none'} became {new or 'none'}"
-    yield from _of_frames("frame", before.origin, after.origin, allowed)
+            yield "joints", f"{what} {old or 'none'} became {new or 'none'}", old, new
+    yield from _of_frames("frames", "frame", before.origin, after.origin, allowed)
     if after.kind != "fixed":
-        turned = dist(_axis(before), _axis(after))
+        axes = _axis(before), _axis(after)
+        turned = 2 * asin(min(1.0, dist(*axes) / 2))
         if turned > allowed.rotation:
-            yield f"its axis turned by {turned:.4g} rad"
+            yield "joints", f"its axis turned by {turned:.4g} rad", *axes
     for key in ("lower", "upper", "velocity", "effort"):
         limits = _limit(before.limit, key), _limit(after.limit, key)
         if not _alike(*limits, allowed.limit):
-            yield " became ".join([f"{key} {_text(limits[0])}", _text(limits[1])])
+            yield "limits", f"{key} {_text(limits[0])} became {_text(limits[1])}", *limits
+
+
+def _said(name: Placed[str] | None) -> str:
+    return name.value if name else ""
 
 
 def _axis(joint: Joint) -> Vector:

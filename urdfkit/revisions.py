@@ -8,16 +8,22 @@ import tempfile
 
 from urdfkit.errors import UrdfkitError
 
-#: Larger files are meshes, pictures and recordings, which say nothing about the model itself.
+#: Larger files are meshes, pictures and recordings, which say little about the model itself.
 MAX_BYTES = 8 * 1024 * 1024
 
 _OF_A_HOOK = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WORK_TREE"))
 
 
-def check_out(path: str, revision: str, folder: str) -> str:
+def check_out(path: str, revision: str, folder: str, largest: int = MAX_BYTES) -> str:
     """Write the files of a revision of the repository around a path into a folder.
 
     Neither the working tree nor the index of the repository is touched.
+
+    Args:
+        path: of a file in the repository, that may be gone by now.
+        revision: a tag, branch or commit.
+        folder: to write into.
+        largest: files over so many bytes are left out.
 
     Returns:
         The top folder of the repository.
@@ -26,26 +32,61 @@ def check_out(path: str, revision: str, folder: str) -> str:
         UrdfkitError: the path is in no repository, there is no such revision, or git is not
             there.
     """
-    where = os.path.dirname(os.path.abspath(path))
-    top = os.path.realpath(_git(where, "rev-parse", "--show-toplevel").decode().rstrip("\n"))
-    try:
-        commit = _git(top, "rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
-    except UrdfkitError as error:
-        raise UrdfkitError(f"there is no git revision '{revision}' in {top}") from error
-    tree = _git(top, "ls-tree", "-r", "-l", "-z", commit.decode().strip())
-    names = b"\0".join(map(_name, filter(_is_wanted, tree.split(b"\0"))))
+    top = _top(path)
+    commit = _commit(top, revision)
+    tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
+    names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
     with tempfile.TemporaryDirectory() as scratch:
         index = os.path.join(scratch, "index")
-        _git(top, "read-tree", commit.decode().strip(), index=index)
+        _git(top, "read-tree", commit, index=index)
         prefix = f"--prefix={os.path.join(folder, '')}"
         _git(top, "checkout-index", "-z", "--stdin", prefix, index=index, given=names)
     return top
 
 
-def _is_wanted(entry: bytes) -> bool:
+def locate(path: str, revision: str) -> str:
+    """Where a file of a revision is, or was, in the working tree around the current folder.
+
+    Args:
+        path: from the current folder, else from the top of the repository, as git counts.
+        revision: a tag, branch or commit.
+
+    Raises:
+        UrdfkitError: it is not in the revision, or as for `check_out`.
+    """
+    top = _top("here")
+    commit = _commit(top, revision)
+    for base in (os.path.realpath(os.curdir), top):
+        name = os.path.relpath(os.path.join(base, path), top).replace(os.sep, "/")
+        try:
+            _git(top, "cat-file", "-e", f"{commit}:{name}")
+        except UrdfkitError:
+            continue
+        return os.path.join(top, name)
+    raise UrdfkitError(f"there is no file '{path}' in revision '{revision}' of {top}")
+
+
+def _top(path: str) -> str:
+    """The top folder of the repository around a path."""
+    where = os.path.dirname(os.path.abspath(path))
+    while not os.path.isdir(where):
+        where = os.path.dirname(where)
+    return os.path.realpath(_git(where, "rev-parse", "--show-toplevel").decode().rstrip("\n"))
+
+
+def _commit(top: str, revision: str) -> str:
+    """The hash of a revision's commit."""
+    words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
+    try:
+        return _git(top, *words).decode().strip()
+    except UrdfkitError as error:
+        raise UrdfkitError(f"there is no git revision '{revision}' in {top}") from error
+
+
+def _is_wanted(entry: bytes, largest: int) -> bool:
     """True of a file, or a link to one, of an entry of ls-tree that is not too large."""
     fields = entry.partition(b"\t")[0].split()
-    return len(fields) == 4 and fields[1] == b"blob" and int(fields[3]) <= MAX_BYTES
+    return len(fields) == 4 and fields[1] == b"blob" and int(fields[3]) <= largest
 
 
 def _name(entry: bytes) -> bytes:

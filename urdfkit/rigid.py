@@ -43,7 +43,7 @@ class RigidBody(Record):
     @property
     def properties(self) -> MassProperties:
         """Of all links together, in the frame of the topmost."""
-        return combined(_properties(link, frame) for link, frame in self.links)
+        return combined(properties_of(link, frame) for link, frame in self.links)
 
 
 def mass_of(link: Link) -> float:
@@ -51,7 +51,8 @@ def mass_of(link: Link) -> float:
     return link.inertial.mass.value if link.inertial and link.inertial.mass else 0.0
 
 
-def _properties(link: Link, frame: Frame) -> MassProperties:
+def properties_of(link: Link, frame: Frame) -> MassProperties:
+    """The mass properties of a link that is at a frame, in the parent of that frame."""
     if link.inertial is None:
         return MassProperties(0.0, frame.position, ZERO)
     own = frame @ link.inertial.origin

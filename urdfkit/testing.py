@@ -20,9 +20,9 @@ from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.model import Joint, RobotModel
 from urdfkit.resolve import Resolver
-from urdfkit.revisions import check_out
 from urdfkit.rules import matching
 from urdfkit.source import Source
+from urdfkit.states import as_it_was
 from urdfkit.subject import Subject
 
 __all__ = [
@@ -200,35 +200,15 @@ def assert_unchanged_since(
         before = _as_it_was(description, revision, folder)
         found = differences(before, description.model, tolerances or Tolerances())
     if found:
-        raise AssertionError(f"since {revision}:\n" + "\n".join(found))
+        raise AssertionError(f"since {revision}:\n" + "\n".join(map(str, found)))
 
 
 def _as_it_was(description: Description, revision: str, folder: str) -> RobotModel:
     """The model in a revision, whose files are put into a folder."""
-    path = os.path.realpath(description.path)
-    top = check_out(path, revision, folder)
-    config = description.config._replace(packages=_packages(description, top, folder))
-    old = Description(_moved(path, top, folder), description.arguments, config)
-    if not os.path.exists(old.path):
-        raise UrdfkitError(f"{description.path} is not in revision {revision}")
+    config = description.config
+    old = as_it_was(description.path, revision, folder, config.packages)
+    then = Description(old.path, description.arguments, config._replace(packages=old.packages))
     try:
-        return old.model
+        return then.model
     except AssertionError as error:
         raise UrdfkitError(f"{description.path} at {revision} cannot be read:{error}") from error
-
-
-def _packages(description: Description, top: str, folder: str) -> dict[str, str]:
-    """The packages that the model may need: of the repository as they were, else as they are."""
-    given = {name: os.path.realpath(at) for name, at in description.config.packages.items()}
-    around = Resolver().packages.known(description.path)
-    outside = {name: at for name, at in around.items() if not _is_within(at, top)}
-    return outside | {name: _moved(at, top, folder) for name, at in given.items()}
-
-
-def _moved(path: str, top: str, folder: str) -> str:
-    """A path of the repository in the folder that holds its old files; others stay."""
-    return os.path.join(folder, os.path.relpath(path, top)) if _is_within(path, top) else path
-
-
-def _is_within(path: str, folder: str) -> bool:
-    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(folder, ""))

@@ -12,7 +12,18 @@ from urdfkit.cli.options import UsageError
 
 #: ``urdfkit.cli.<name>`` has each of them as ``command``, a click.Command that returns the
 #: exit code.
-COMMANDS = ("check", "expand", "trace", "explain", "rules", "gazebo", "migrate", "init", "doctor")
+COMMANDS = (
+    "check",
+    "expand",
+    "trace",
+    "explain",
+    "rules",
+    "gazebo",
+    "migrate",
+    "diff",
+    "init",
+    "doctor",
+)
 
 
 class LazyGroup(click.Group):

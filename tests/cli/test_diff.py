@@ -1,0 +1,73 @@
+"""The diff command: options, formats by suffix, exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+OLD = str(MODELS / "good" / "gripper.urdf")
+
+
+@pytest.fixture
+def new(tmp_path: Path) -> str:
+    """The gripper with other efforts."""
+    text = Path(OLD).read_text(encoding="utf-8")
+    assert 'effort="' in text
+    file = tmp_path / "new.urdf"
+    file.write_text(text.replace('effort="', 'effort="1'), encoding="utf-8")
+    return str(file)
+
+
+def test_text_on_standard_output(new: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["diff", OLD, new]) == 1
+    out = capsys.readouterr().out
+    assert "limits\n  joint '" in out
+    assert main(["diff", OLD, OLD]) == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["--fail-on", "any"], 1),
+        (["--fail-on", "none"], 0),
+        (["--fail-on", "links,frames"], 0),
+        (["--fail-on", "links,limits"], 1),
+        (["--tolerance", "limit=100"], 0),
+    ],
+)
+def test_what_makes_it_fail(new: str, words: list[str], code: int) -> None:
+    assert main(["diff", OLD, new, *words]) == code
+
+
+def test_the_suffix_is_the_format(new: str, tmp_path: Path) -> None:
+    assert main(["diff", OLD, new, "-o", str(tmp_path / "d.json")]) == 1
+    assert json.loads((tmp_path / "d.json").read_text())["kinds"] == ["limits"]
+    assert main(["diff", OLD, new, "-o", str(tmp_path / "d.md")]) == 1
+    assert (tmp_path / "d.md").read_text().startswith("### urdfkit diff\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ([OLD], "diff takes two files"),
+        ([OLD, OLD, OLD], "diff takes two files"),
+        ([OLD, "none.urdf"], "none.urdf"),
+        ([OLD, OLD, "-o", "x.doc"], "the suffix is none of"),
+        ([OLD, OLD, "--fail-on", "colour"], "--fail-on colour: write some of any, none, links"),
+        ([OLD, OLD, "--tolerance", "mass"], "--tolerance mass: write a number from 0"),
+        ([OLD, OLD, "--tolerance", "mass=nan"], "--tolerance mass=nan: write a number"),
+        ([OLD, OLD, "--tolerance", "links=1"], "--tolerance links=1: write one of mass"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["diff", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert error in captured.err

@@ -1,0 +1,106 @@
+"""``urdfkit diff``: what became of a robot."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import click
+
+from urdfkit import atomic
+from urdfkit.cli import options, output
+from urdfkit.comparison import KINDS, compare
+from urdfkit.differences import Tolerances
+
+#: Formats, by the suffix of a file.
+SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown"}
+_NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
+
+
+@click.command("diff")
+@click.argument("words", nargs=-1, required=True, metavar="BEFORE AFTER [NAME:=VALUE]...")
+@click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
+@click.option("-o", "target", metavar="FILE", help="Write to FILE; its suffix is the format.")
+@click.option(
+    "--fail-on",
+    metavar="KINDS",
+    default="any",
+    help=f"What makes the exit code 1: any, none, or of {', '.join(KINDS)}. [default: any]",
+)
+@click.option(
+    "--tolerance",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help=f"What may differ: {', '.join(_NUMBERS)}; in m and rad, or relative.",
+)
+@click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--trust", is_flag=True, help="Let the models run any expression, read any file.")
+def command(
+    words: tuple[str, ...],
+    form: str | None,
+    target: str | None,
+    fail_on: str,
+    tolerance: tuple[str, ...],
+    targets: tuple[str, ...],
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell what became of a robot: its parts, not its text.
+
+    BEFORE and AFTER are files, or files of a git revision, such as HEAD~1:urdf/robot.urdf.xacro.
+    Compared are links, joints, limits, masses, inertias, shapes, the surfaces of meshes, where
+    every link is, the total mass and centre of mass, and the findings of urdfkit check.
+
+    Exit codes: 0 no differences that count, 1 some, 2 it cannot be done.
+    """
+    values = {options.FILES: words, "package": package, "target": targets}
+    files = options.files({**values, options.FILES: words})
+    if len(files) != 2:
+        raise options.UsageError("diff takes two files; xacro arguments are written name:=value")
+    render = import_module(f"urdfkit.comparison.{_format(form, target)}").render
+    counted = _kinds(fail_on)
+    comparison = compare(
+        *files,
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        tolerances=_tolerances(tolerance),
+        targets=options.words(values, "target"),
+        trust=trust,
+    )
+    if target:
+        atomic.write(target, output.encode(render(comparison)))
+    else:
+        output.write(render(comparison, width=output.width()))
+    return int(not counted.isdisjoint(comparison.kinds))
+
+
+def _format(form: str | None, target: str | None) -> str:
+    if form or not target:
+        return form or "text"
+    for suffix, name in SUFFIXES.items():
+        if target.lower().endswith(suffix):
+            return name
+    raise options.UsageError(f"-o {target}: the suffix is none of {', '.join(SUFFIXES)}")
+
+
+def _kinds(text: str) -> set[str]:
+    words = {word.strip() for word in text.split(",") if word.strip()}
+    if unknown := words - {*KINDS, "any", "none"}:
+        known = ", ".join(("any", "none", *KINDS))
+        raise options.UsageError(f"--fail-on {min(unknown)}: write some of {known}")
+    return set(KINDS) if "any" in words else words
+
+
+def _tolerances(words: tuple[str, ...]) -> Tolerances:
+    found: dict[str, float] = {}
+    for word in words:
+        name, _, text = word.partition("=")
+        if name not in _NUMBERS:
+            raise options.UsageError(f"--tolerance {word}: write one of {', '.join(_NUMBERS)}")
+        try:
+            found[name] = float(text)
+        except ValueError:
+            found[name] = -1.0
+        if not found[name] >= 0:
+            raise options.UsageError(f"--tolerance {word}: write a number from 0")
+    return Tolerances(**found)  # type: ignore[arg-type]

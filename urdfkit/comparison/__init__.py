@@ -1,0 +1,172 @@
+"""compare(): what became of a robot from one state to another, as an engineer would tell it."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from math import dist
+from typing import TYPE_CHECKING
+
+from urdfkit.comparison.frames import Moved, moved_frames
+from urdfkit.comparison.states import State, read
+from urdfkit.comparison.surfaces import surfaces
+from urdfkit.diagnostic import Diagnostic, Severity
+from urdfkit.differences import KINDS as OF_MODELS
+from urdfkit.differences import Difference, Tolerances, differences
+from urdfkit.inertia import MassProperties, combined
+from urdfkit.record import Record
+from urdfkit.rigid import properties_of
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+    from urdfkit.subject import Subject
+
+#: What two states may differ in; ``findings`` are new ones, from warnings upwards.
+KINDS = (*OF_MODELS, "meshes", "findings")
+
+
+class Comparison(Record):
+    """What differs between two states of a robot.
+
+    Attributes:
+        before, after: the states, as they were asked for.
+        differences: of links and joints, by more than the tolerances.
+        moved: links that are elsewhere when all joints are at zero, the farthest first.
+        mass, mass_after: of the whole robot, all joints at zero, in the frame of its root.
+        came: findings that only the state after has.
+        went: findings that only the state before had.
+        notes: what could not be compared, a sentence each.
+        tolerances: what was let pass.
+    """
+
+    before: str
+    after: str
+    differences: tuple[Difference, ...]
+    moved: tuple[Moved, ...]
+    mass: MassProperties
+    mass_after: MassProperties
+    came: tuple[Diagnostic, ...]
+    went: tuple[Diagnostic, ...]
+    notes: tuple[str, ...]
+    tolerances: Tolerances
+
+    @property
+    def center_moved(self) -> float:
+        """How far the centre of mass of the whole robot moved, in m; 0 if one weighs nothing."""
+        if not (self.mass.mass and self.mass_after.mass):
+            return 0.0
+        return dist(self.mass.center, self.mass_after.center)
+
+    @property
+    def total_differs(self) -> bool:
+        """True if the mass or centre of mass of the whole differs by more than the tolerances."""
+        old, new = self.mass.mass, self.mass_after.mass
+        allowed = self.tolerances
+        by_mass = abs(new - old) > allowed.mass * max(abs(old), abs(new))
+        return by_mass or self.center_moved > allowed.position
+
+    @property
+    def kinds(self) -> set[str]:
+        """In which of `KINDS` the states differ."""
+        found = {difference.kind for difference in self.differences}
+        if self.moved:
+            found.add("frames")
+        if self.total_differs:
+            found.add("masses")
+        if any(found.severity is not Severity.INFO for found in self.came):
+            found.add("findings")
+        return found
+
+
+def compare(
+    before: str,
+    after: str,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    tolerances: Tolerances | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+) -> Comparison:
+    """What became of a robot.
+
+    Args:
+        before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current
+            folder or from the top of the repository.
+        after: likewise.
+        arguments: for xacro, of both states.
+        packages: folders of ROS packages by name; those of the repository are taken as they were.
+        tolerances: what may differ; those of the class unless given.
+        targets: consumers that findings are weighed for; inferred from each state if empty.
+        trust: let expressions of the models run unfenced and read any file.
+        config: settings of the project.
+
+    Raises:
+        UnreadableFile: a file is missing.
+        UnreadableRobot: a state cannot be read; with every reason.
+        UrdfkitError: there is no such revision, or git is not there.
+    """
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+        states = [
+            read(
+                word,
+                os.path.join(os.path.realpath(folder), name),
+                arguments=arguments,
+                packages=packages,
+                targets=targets,
+                trust=trust,
+                config=config,
+            )
+            for word, name in ((before, "before"), (after, "after"))
+        ]
+        found = _compare(states[0], states[1], tolerances or Tolerances())
+        for state in states:
+            state.rename_sources()
+    return found
+
+
+def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
+    old, new = before.subject, after.subject
+    found = differences(old.model, new.model, allowed)
+    changed, notes = surfaces(old, new, allowed)
+    came, went = _findings(before, after)
+    return Comparison(
+        before.word,
+        after.word,
+        (*found, *changed),
+        moved_frames(old.tree, new.tree, allowed),
+        _total(old),
+        _total(new),
+        came,
+        went,
+        tuple(notes),
+        allowed,
+    )
+
+
+def _total(subject: Subject) -> MassProperties:
+    """Of all links together, in the frame of the root link."""
+    links, frames = subject.model.links_by_name, subject.tree.frames
+    return combined(properties_of(links[name], frame) for name, frame in frames.items())
+
+
+def _findings(before: State, after: State) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+    """The findings that came, and those that went.
+
+    A finding is known again by its rule and its elements: numbers and lines may have changed.
+    """
+    old, new = before.report.diagnostics, after.report.diagnostics
+    old_keys = {key for finding in old for key in _keys(finding)}
+    new_keys = {key for finding in new for key in _keys(finding)}
+    came = tuple(finding for finding in new if old_keys.isdisjoint(_keys(finding)))
+    went = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding)))
+    return came, went
+
+
+def _keys(finding: Diagnostic) -> set[tuple[str, str]]:
+    elements = {call.element for call in finding.calls} - {""}
+    if not elements:  # it is about the text
+        elements = {" ".join(finding.span.source.line(finding.span.line).split())}
+    return {(finding.code, element) for element in elements}

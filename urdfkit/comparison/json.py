@@ -1,0 +1,58 @@
+"""A comparison for programs: one JSON document; lengths in m, angles in rad, masses in kg."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from urdfkit.comparison import KINDS, Comparison
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.inertia import MassProperties
+
+#: A change that could break a reader counts it up.
+VERSION = 1
+
+
+def render(comparison: Comparison, *, width: int = 80) -> str:
+    """The whole comparison."""
+    document = {
+        "version": VERSION,
+        "before": comparison.before,
+        "after": comparison.after,
+        "kinds": [kind for kind in KINDS if kind in comparison.kinds],
+        "tolerances": comparison.tolerances._asdict(),
+        "differences": [
+            {**found._asdict(), "sentence": str(found)} for found in comparison.differences
+        ],
+        "moved": [moved._asdict() for moved in comparison.moved],
+        "total": {
+            "before": _total(comparison.mass),
+            "after": _total(comparison.mass_after),
+            "center_moved": comparison.center_moved,
+            "differs": comparison.total_differs,
+        },
+        "findings": {
+            "came": [_finding(found) for found in comparison.came],
+            "went": [_finding(found) for found in comparison.went],
+        },
+        "notes": list(comparison.notes),
+    }
+    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+
+
+def _total(mass: MassProperties) -> dict[str, Any]:
+    center = list(mass.center)
+    return {"mass": mass.mass, "center": center, "inertia": mass.tensor._asdict()}
+
+
+def _finding(found: Diagnostic) -> dict[str, Any]:
+    line, column = found.span.source.position(found.span.start)
+    return {
+        "code": found.code,
+        "severity": found.severity.value,
+        "message": found.message,
+        "element": found.element,
+        "path": found.span.source.path,
+        "line": line,
+        "column": column,
+    }

@@ -1,0 +1,108 @@
+"""One state of a robot: a file, or a file as git has it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Report
+from urdfkit.engine import check
+from urdfkit.errors import UnreadableRobot
+from urdfkit.resolve import Resolver
+from urdfkit.revisions import locate
+from urdfkit.source import Source
+from urdfkit.states import OldFile, as_it_was
+from urdfkit.subject import Subject
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+
+#: Larger files of a revision are not looked at.
+LARGEST = 64 * 1024 * 1024
+
+
+class State:
+    """A description with what it takes to judge it.
+
+    Attributes:
+        word: as it was asked for.
+        subject: the description.
+    """
+
+    def __init__(
+        self,
+        word: str,
+        old: OldFile | None,
+        folder: str,
+        arguments: Mapping[str, str],
+        packages: Mapping[str, str],
+        targets: Iterable[str],
+        trust: bool,
+        config: Config | None,
+    ) -> None:
+        self.word = word
+        self._folder = folder
+        self._packages = old.packages if old else dict(packages)
+        self._arguments, self._targets = dict(arguments), tuple(targets)
+        self._trust, self._config = trust, config
+        source = Source.read(old.path if old else word)
+        self.subject = Subject(source, Resolver(self._packages), arguments, trust=trust)
+        if self.subject.reading.document is None:
+            reasons = dict.fromkeys(problem.message for problem in self.subject.reading.problems)
+            raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")
+
+    @cached_property
+    def report(self) -> Report:
+        """What ``urdfkit check`` says."""
+        config = self._config
+        if config is not None:
+            config = config._replace(robots=(), packages=self._packages)
+        return check(
+            self.subject.source,
+            arguments=self._arguments,
+            packages=self._packages,
+            targets=self._targets,
+            trust=self._trust,
+            config=config,
+        )
+
+    def rename_sources(self) -> None:
+        """Call files of a revision as the user did; the folder that held them goes away."""
+        revision = self.word.partition(":")[0]
+        known = {id(s): s for s in self.subject.document.sources}
+        for finding in self.report.diagnostics:
+            spans = [finding.span, *(related.span for related in finding.related)]
+            spans += [step.span for call in finding.calls for step in call.via]
+            known.update((id(span.source), span.source) for span in spans)
+        for source in known.values():
+            if source.path.startswith(os.path.join(self._folder, "")):
+                path = os.path.relpath(source.path, self._folder)
+                source.path = f"{revision}:{path.replace(os.sep, '/')}"
+
+
+def read(
+    word: str,
+    folder: str,
+    *,
+    arguments: Mapping[str, str] | None,
+    packages: Mapping[str, str] | None,
+    targets: Iterable[str],
+    trust: bool,
+    config: Config | None,
+) -> State:
+    """The state that a word means; files of git go into a folder.
+
+    Raises:
+        UnreadableFile: there is no such file.
+        UnreadableRobot: it cannot be read.
+        UrdfkitError: there is no such revision, or git is not there.
+    """
+    every = {**(config.packages if config else {}), **(packages or {})}
+    values = {**(config.arguments if config else {}), **(arguments or {})}
+    old = None
+    if ":" in word and not os.path.exists(word):
+        revision, _, path = word.partition(":")
+        old = as_it_was(locate(path, revision), revision, folder, every, LARGEST)
+    return State(word, old, folder, values, every, targets, trust, config)
