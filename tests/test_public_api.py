@@ -15,8 +15,8 @@ from tests.conftest import MODELS, ROOT
 #: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
 #: CHANGELOG.md, and think twice before adding one.
 NAMES = """
-Call Confidence Diagnostic Edit Fix Related Report RobotModel Rule Severity Source Span
-UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule load
+Call Confidence Diagnostic Edit Fix Fixes Related Report RobotModel Rule Severity Source Span
+UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule fix load
 """.split()
 
 SIGNATURES = {
@@ -27,6 +27,7 @@ SIGNATURES = {
     ).split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],
+    "fix": "files unsafe force options".split(),
     "load": "file arguments packages trust".split(),
 }
 

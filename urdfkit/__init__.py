@@ -21,6 +21,7 @@ __all__ = [
     "Diagnostic",
     "Edit",
     "Fix",
+    "Fixes",
     "Related",
     "Report",
     "RobotModel",
@@ -35,6 +36,7 @@ __all__ = [
     "check",
     "expand",
     "find_rule",
+    "fix",
     "load",
 ]
 
@@ -54,6 +56,7 @@ if TYPE_CHECKING:
     from urdfkit.engine import check
     from urdfkit.errors import UnreadableRobot, UrdfkitError
     from urdfkit.expansion import Xacro
+    from urdfkit.fixing import Fixes, fix
     from urdfkit.loading import expand, load
     from urdfkit.model import RobotModel
     from urdfkit.rules import Rule, all_rules, find_rule
@@ -64,6 +67,7 @@ _HOMES = {
     "engine": "check",
     "errors": "UnreadableRobot UrdfkitError",
     "expansion": "Xacro",
+    "fixing": "Fixes fix",
     "loading": "expand load",
     "model": "RobotModel",
     "rules": "Rule all_rules find_rule",

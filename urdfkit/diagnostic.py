@@ -141,6 +141,8 @@ class Report(Record):
         targets: per file, the consumers that severities were weighed for.
         tolerated: how many findings a baseline holds.
         suppressed: how many findings ignore comments or the configuration leave out.
+        errors: the codes of the errors of each description, in the order of the check; what
+            several have in common is one diagnostic, but an error of each.
     """
 
     files: tuple[str, ...]
@@ -151,6 +153,7 @@ class Report(Record):
     targets: tuple[tuple[str, Targets], ...] = ()
     suppressed: int = 0
     tolerated: int = 0
+    errors: tuple[tuple[str, ...], ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

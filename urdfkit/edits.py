@@ -1,7 +1,8 @@
 """Text edits that mend an element: comments, quotes, indentation and line ends stay as they are.
 
 Only what a file holds literally can be edited, so every function here may answer None: the name or
-the value came out of a xacro expression, and a person must decide where to change it.
+the value came out of a xacro expression, and a person must decide where to change it. What a macro
+wrote may be edited: the judge keeps the edit only if all uses agree on it (``agreement``).
 """
 
 from __future__ import annotations
@@ -33,12 +34,9 @@ def rename_attribute(attribute: Attribute, name: str) -> tuple[Edit, ...] | None
 
 
 def remove_attribute(attribute: Attribute) -> tuple[Edit, ...] | None:
-    """Take an attribute out, with the white space before it.
-
-    None in a macro, whose other calls may need it.
-    """
+    """Take an attribute out, with the white space before it."""
     span = _name_span(attribute)
-    if span is None or from_macro(attribute.element):
+    if span is None:
         return None
     source, name_start, _ = span
     tag_start = attribute.element.tag_at.start
@@ -81,13 +79,8 @@ def replace_text(element: Element, text: str) -> tuple[Edit, ...] | None:
     return (Edit(Span(source, start, start + len(written.strip())), escaped),)
 
 
-def remove_element(element: Element) -> tuple[Edit, ...] | None:
-    """Take an element out, with its line where nothing else stands on it.
-
-    None in a macro, whose other calls may need it.
-    """
-    if from_macro(element):
-        return None
+def remove_element(element: Element) -> tuple[Edit, ...]:
+    """Take an element out, with its line where nothing else stands on it."""
     whole = element.tag_at.whole_span
     source, start, end = whole
     line_start, line_end = _line(source, start, end)
@@ -96,7 +89,10 @@ def remove_element(element: Element) -> tuple[Edit, ...] | None:
 
 
 def insert_before(element: Element, lines: tuple[str, ...]) -> tuple[Edit, ...] | None:
-    """Put lines of XML before an element, indented as it is; None in a macro."""
+    """Put lines of XML before an element, indented as it is.
+
+    None in a macro, where names in the lines would be those of one call.
+    """
     if from_macro(element):
         return None
     source, start, _ = element.span
@@ -105,11 +101,9 @@ def insert_before(element: Element, lines: tuple[str, ...]) -> tuple[Edit, ...] 
     return (Edit(Span(source, start, start), text),)
 
 
-def move_after(element: Element, anchor: Element) -> tuple[Edit, ...] | None:
-    """Move an element behind another one that it is in, indented as that one; None in a macro."""
+def move_after(element: Element, anchor: Element) -> tuple[Edit, ...]:
+    """Move an element behind another one that it is in, indented as that one."""
     removal = remove_element(element)
-    if removal is None:
-        return None
     source, _, end = anchor.tag_at.whole_span
     own, new = _indent(element), _indent(anchor)
     text = element.tag_at.whole_span.text

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit import rules as catalogue
-from urdfkit.diagnostic import Diagnostic, Report, Skipped
+from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.judge import Verdict, judge
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -17,11 +17,29 @@ from urdfkit.source import Source
 from urdfkit.subject import Subject
 
 if TYPE_CHECKING:
+    from typing import TypedDict
+
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
     from urdfkit.reading import Problem
     from urdfkit.targets import Targets
+
+    class Options(TypedDict, total=False):
+        """What ``check`` takes besides files, for functions that check as a part of their work."""
+
+        arguments: Mapping[str, str] | None
+        packages: Mapping[str, str] | None
+        select: Iterable[str]
+        ignore: Iterable[str]
+        targets: Iterable[str]
+        trust: bool
+        rules: Iterable[str]
+        config: Config | None
+        changed: bool
+        jobs: int
+        progress: Callable[[int, int], None] | None
+        texts: Mapping[str, bytes] | None
 
 
 class Job(Record):
@@ -337,6 +355,10 @@ def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
             if verdict.targets is not None
         ),
         sum(verdict.suppressed for verdict in verdicts),
+        errors=tuple(
+            tuple(d.code for d in verdict.diagnostics if d.severity is Severity.ERROR)
+            for verdict in verdicts
+        ),
     )
 
 

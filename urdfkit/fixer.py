@@ -1,10 +1,20 @@
-"""Applying text edits."""
+"""Applying text edits to the bytes of a file."""
 
 from __future__ import annotations
 
+import codecs
 from collections.abc import Iterable
 
 from urdfkit.diagnostic import Edit
+
+#: The longer marks first: that of UTF-32 begins with that of UTF-16.
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
+)
 
 
 def apply_edits(data: bytes, edits: Iterable[Edit]) -> bytes:
@@ -27,3 +37,26 @@ def apply_edits(data: bytes, edits: Iterable[Edit]) -> bytes:
         pieces += (data[done : span.start], text.encode())
         done = span.end
     return b"".join([*pieces, data[done:]])
+
+
+def overlap(one: Edit, other: Edit) -> bool:
+    """True if two edits of one source change the same text, or insert at the same place."""
+    (_, a, b), (_, c, d) = one.span, other.span
+    return a == c or (a < d and c < b)
+
+
+def encoded(text: bytes, encoding: str, original: bytes) -> bytes:
+    """The text of a source as the file holds it, in its encoding and with its byte-order mark.
+
+    Args:
+        text: in UTF-8.
+        encoding: of the source.
+        original: the bytes of the file that it was read from.
+
+    Raises:
+        UnicodeEncodeError: the encoding lacks a character.
+    """
+    for mark, codec in _MARKS:
+        if original.startswith(mark):
+            return mark + text.decode().encode(codec)
+    return text if encoding in ("utf-8", "utf8") else text.decode().encode(encoding)

@@ -97,7 +97,18 @@ class _Run:
             self.skipped.append(Skipped(rule.code, path, str(reason)))
         except Exception as error:  # a bug in a rule must not hide the other rules
             self.crashed.append(_crash(rule, path, error))
-        return findings
+        return self._undisputed(findings)
+
+    def _undisputed(self, findings: list[Finding]) -> list[Finding]:
+        """Findings with the fixes on which all uses of a macro agree."""
+        if not any(finding.fix for finding in findings) or is_launch(self.subject.source.path):
+            return findings
+        reading = self.subject.reading
+        if reading.xacro is None or reading.document is None:
+            return findings
+        from urdfkit.agreement import without_disputed_fixes
+
+        return without_disputed_fixes(findings, reading.document.root)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code) if self.config else None

@@ -66,6 +66,15 @@ def locate(path: str, revision: str) -> str:
     raise UrdfkitError(f"there is no file '{path}' in revision '{revision}' of {top}")
 
 
+def is_ignored(path: str) -> bool:
+    """True if the repository around a file ignores it; not where there is none, or no git."""
+    try:
+        _git(os.path.dirname(os.path.abspath(path)), "check-ignore", "-q", "--", path)
+    except UrdfkitError:
+        return False
+    return True
+
+
 def _top(path: str) -> str:
     """The top folder of the repository around a path."""
     where = os.path.dirname(os.path.abspath(path))

@@ -43,5 +43,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 axis,
                 f"joint '{joint.name}' is fixed; its axis has no effect",
-                fix=Fix("remove the axis", edits, safe=True) if edits else None,
+                fix=Fix("remove the axis", edits, safe=True),
             )

@@ -10,7 +10,8 @@ from urdfkit.cli.checking import run_check
 from urdfkit.cli.options import CHECK, FILES, Option
 
 
-def _click_option(option: Option) -> click.Option:
+def click_option(option: Option) -> click.Option:
+    """An option of the table, for click."""
     return click.Option(
         [option.flag],
         help=option.help,
@@ -32,7 +33,7 @@ command = click.Command(
     callback=_check,
     params=[
         click.Argument([FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
-        *map(_click_option, CHECK),
+        *map(click_option, CHECK),
     ],
     help="""Check robots and report what is wrong with them.
 

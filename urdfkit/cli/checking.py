@@ -14,6 +14,8 @@ from urdfkit.engine import check
 
 if TYPE_CHECKING:
     from urdfkit.cli.progress import Progress
+    from urdfkit.engine import Options
+    from urdfkit.fixing import Fixes
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -23,29 +25,17 @@ def run_check(values: Mapping[str, Any]) -> int:
         values: of the options and files, by key.
     """
     outputs = options.outputs(values)
-    stdin_name = values["stdin_filename"] or "<stdin>"
-    files = options.files(values)
-    rules = options.add_rules(values)
-    config = options.config(values, os.curdir if files[0] == "-" else files[0])
-    progress = _progress(files)
-    try:
-        report = check(
-            *(stdin.read(stdin_name) if file == "-" else file for file in files),
-            arguments=options.arguments(values),
-            packages=options.packages(values),
-            select=options.words(values, "select"),
-            ignore=options.words(values, "ignore"),
-            targets=options.words(values, "target"),
-            trust=values["trust"],
-            rules=rules,
-            config=config,
-            changed=values["changed"],
-            jobs=options.jobs(values),
-            progress=progress,
-        )
-    finally:
-        if progress is not None:
-            progress.wipe()
+    chosen = choices(values)
+    if values["fix"] or values["diff"]:
+        fixes = mend(values, chosen)
+        if values["diff"]:
+            return int(bool(fixes.files))
+        _tell(fixes)
+        report = fixes.report
+    elif values["unsafe_fixes"] or values["force"]:
+        raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
+    else:
+        report = _check(values, chosen)
     if values["baseline"] or values["write_baseline"]:
         report = _with_baseline(report, values)
     _show_crashes(report)
@@ -57,9 +47,78 @@ def run_check(values: Mapping[str, Any]) -> int:
         else:
             color = output.has_color(values["color"])
             output.write(render(report, color=color, width=output.width()))
-    fail_on = config.fail_on if config else Severity.WARNING
-    code = report.exit_code(Severity(values["fail_on"] or fail_on))
+    code = report.exit_code(fail_on(values, chosen))
     return 0 if code == 1 and values["exit_zero"] else code
+
+
+def choices(values: Mapping[str, Any]) -> Options:
+    """What the options mean for ``urdfkit.check``."""
+    files = options.files(values)
+    return {
+        "arguments": options.arguments(values),
+        "packages": options.packages(values),
+        "select": options.words(values, "select"),
+        "ignore": options.words(values, "ignore"),
+        "targets": options.words(values, "target"),
+        "trust": values["trust"],
+        "rules": options.add_rules(values),
+        "config": options.config(values, os.curdir if files[0] == "-" else files[0]),
+        "changed": values["changed"],
+        "jobs": options.jobs(values),
+    }
+
+
+def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:
+    """The mildest severity that counts."""
+    config = chosen["config"]
+    return Severity(values["fail_on"] or (config.fail_on if config else Severity.WARNING))
+
+
+def _check(values: Mapping[str, Any], chosen: Options) -> Report:
+    name = values["stdin_filename"] or "<stdin>"
+    files = options.files(values)
+    progress = _progress(files)
+    try:
+        sources = [stdin.read(name) if file == "-" else file for file in files]
+        now: Options = {**chosen, "progress": progress}
+        return check(*sources, **now)
+    finally:
+        if progress is not None:
+            progress.wipe()
+
+
+def mend(values: Mapping[str, Any], chosen: Options) -> Fixes:
+    """Fix the files in place, or show the changes as a diff."""
+    from urdfkit.fixing import fix
+
+    files = options.files(values)
+    if "-" in files:
+        raise options.UsageError("standard input cannot be fixed in place; name a file")
+    progress = _progress(files)
+    unsafe, force = values["unsafe_fixes"], values["force"]
+    try:
+        now: Options = {**chosen, "progress": progress}
+        fixes = fix(*files, unsafe=unsafe, force=force, **now)
+    finally:
+        if progress is not None:
+            progress.wipe()
+    if values["diff"]:
+        output.write(fixes.diff())
+    else:
+        fixes.write()
+    return fixes
+
+
+def _tell(fixes: Fixes) -> None:
+    """Say on standard error what was fixed; the report says what is left."""
+    if sys.stderr is None:
+        return
+    for file in fixes.files:
+        print(f"fixed {file.path}", file=sys.stderr)
+    refused = {left.reason for left in fixes.left} - {"", "unsafe"}
+    for reason in sorted(refused):
+        count = sum(left.reason == reason for left in fixes.left)
+        print(f"not fixed ({count}): {reason}", file=sys.stderr)
 
 
 def _with_baseline(report: Report, values: Mapping[str, Any]) -> Report:

@@ -14,6 +14,7 @@ from urdfkit.cli.options import UsageError
 #: exit code.
 COMMANDS = (
     "check",
+    "fix",
     "expand",
     "trace",
     "explain",

@@ -1,0 +1,99 @@
+"""``urdfkit fix`` and ``urdfkit check --fix``: what they write, print and exit with."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+AXIS = '    <axis xyz="0 1 0"/>\n'
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """A copy of the mission's model."""
+    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
+    return tmp_path / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+
+def test_the_summary_says_what_was_fixed_what_is_left_and_why(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["fix", str(robot), "--select", "JNT,INE008,XAC007"]) == 0
+    out = capsys.readouterr().out
+    assert out.replace(str(robot), "r.xacro") == (
+        "fixed in r.xacro:\n"
+        "  JNT020  remove the axis: lines 190, 220, 252\n"
+        "\n"
+        "left in r.xacro:\n"
+        "  info     INE008  inertia-differs-from-geometry: line 15\n"
+        "  info     INE008  inertia-differs-from-geometry (its fix is unsafe:\n"
+        "      --unsafe-fixes): lines 214, 243, 269\n"
+        "  info     JNT021  no-limit-on-continuous: lines 158, 174, 181\n"
+        "  info     XAC007  own-pi (its fix is unsafe: --unsafe-fixes): line 9\n"
+        "\n"
+        "3 fixed in 1 file, 8 left, 4 of them with an unsafe fix\n"
+    )
+    assert main(["fix", str(robot), "--select", "JNT", "--fail-on", "info"]) == 1
+    assert "0 fixed in 0 files, 3 left\n" in capsys.readouterr().out
+
+
+def test_a_diff_writes_nothing(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = robot.read_bytes()
+    for words in (["check", "--diff"], ["fix", "--diff"], ["check", "--fix", "--diff"]):
+        assert main([*words, str(robot)]) == 1
+        out = capsys.readouterr().out
+        assert [line for line in out.splitlines() if line[:2] in ("- ", "+ ")] == [
+            f"-{AXIS}".rstrip("\n")
+        ] * 3
+    assert robot.read_bytes() == before
+    assert main(["check", "--diff", str(robot), "--select", "GEO"]) == 0
+    assert capsys.readouterr().out == ""
+
+
+def test_check_fixes_and_reports_what_is_left(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = robot.read_text()
+    assert main(["check", "--fix", str(robot), "--select", "JNT", "--format", "statistics"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == f"fixed {robot}\n"
+    assert "JNT021" in captured.out
+    assert "JNT020" not in captured.out
+    assert robot.read_text().count("<axis") == before.count("<axis") - 3
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["check", "--fix", "-"], "standard input cannot be fixed in place"),
+        (["check", "--unsafe-fixes", "r.urdf"], "--unsafe-fixes and --force need --fix or --diff"),
+        (["fix"], "no file to check"),
+        (["fix", "no.urdf"], "no.urdf: there is no such file"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(words) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert error in captured.err
+
+
+def test_a_file_that_may_not_be_written_is_an_error(
+    robot: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.replace", full)
+    before = robot.read_bytes()
+    assert main(["fix", str(robot)]) == 2
+    assert "No space left on device" in capsys.readouterr().err
+    assert robot.read_bytes() == before
+    assert [path.name for path in robot.parent.iterdir()] == [robot.name]

@@ -1,0 +1,105 @@
+"""``urdfkit fix``: mends what has a remedy, and tells what was mended, what is left, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.cli.check import click_option
+from urdfkit.cli.checking import choices, fail_on, mend
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.fixing import Fixes
+from urdfkit.formats._layout import printable, wrap
+
+_OPTIONS = (
+    "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs config "
+    "isolated"
+).split()
+#: Line numbers of one kind of finding that are listed.
+_MAX_LINES = 8
+
+
+def _fix(**values: Any) -> int:
+    chosen = choices(values)
+    fixes = mend(values, chosen)
+    if values["diff"]:
+        return int(bool(fixes.files))
+    output.write("".join(f"{line}\n" for line in render(fixes)))
+    return fixes.report.exit_code(fail_on(values, chosen))
+
+
+command = click.Command(
+    "fix",
+    callback=_fix,
+    params=[
+        click.Argument([options.FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
+        *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
+    ],
+    help="""Mend what has a remedy, in the files as people wrote them.
+
+    FILE is a URDF, a xacro or a folder of them. Comments, quotes, indentation and line ends stay
+    as they are; files are replaced whole or not at all. Without --unsafe-fixes only those fixes
+    are applied that cannot change what the robot does.
+
+    Exit codes: 0 nothing is left that --fail-on counts, 1 something is left (with --diff:
+    something would change), 2 it cannot be done, 3 a bug of urdfkit.
+    """,
+)
+
+
+def render(fixes: Fixes) -> Iterator[str]:
+    """The lines of the summary."""
+    yield from _applied(fixes)
+    yield from _left(fixes)
+    yield _total(fixes)
+
+
+def _applied(fixes: Fixes) -> Iterator[str]:
+    groups: dict[str, dict[tuple[str, str], list[Diagnostic]]] = {}
+    for one in fixes.applied:
+        assert one.fix is not None
+        path = one.fix.edits[0].span.source.path
+        groups.setdefault(path, {}).setdefault((one.code, one.fix.title), []).append(one)
+    for path, kinds in sorted(groups.items()):
+        yield f"fixed in {printable(path)}:"
+        for (code, title), found in kinds.items():
+            yield _row(f"{code}  {printable(title)}", found)
+        yield ""
+
+
+def _left(fixes: Fixes) -> Iterator[str]:
+    groups: dict[str, dict[tuple[int, str, str], list[Diagnostic]]] = {}
+    for one, reason in fixes.left:
+        key = (one.severity.rank, f"{one.severity.value:<7}  {one.code}  {one.name}", reason)
+        groups.setdefault(one.span.source.path, {}).setdefault(key, []).append(one)
+    for path, kinds in sorted(groups.items()):
+        yield f"left in {printable(path)}:"
+        for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):
+            yield _row(what + (f" ({_why(reason)})" if reason else ""), found)
+        yield ""
+
+
+def _why(reason: str) -> str:
+    return "its fix is unsafe: --unsafe-fixes" if reason == "unsafe" else printable(reason)
+
+
+def _row(text: str, found: Iterable[Diagnostic]) -> str:
+    lines = sorted({one.span.line for one in found})
+    shown = ", ".join(map(str, lines[:_MAX_LINES]))
+    more = f" and {len(lines) - _MAX_LINES} more" if len(lines) > _MAX_LINES else ""
+    row = f"{text}: line{'s' * (len(lines) > 1)} {shown}{more}"
+    return f"  {wrap(row, output.width() - 2, indent=6)}"
+
+
+def _total(fixes: Fixes) -> str:
+    unsafe = sum(left.reason == "unsafe" for left in fixes.left)
+    text = f"{len(fixes.applied)} fixed in {_count(len(fixes.files), 'file')}, "
+    text += f"{len(fixes.left)} left"
+    return text + (f", {unsafe} of them with an unsafe fix" if unsafe else "")
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' * (number != 1)}"
