@@ -11,7 +11,7 @@ from math import acos, cos, hypot, pi, sqrt
 
 from urdfkit.model import Tensor
 from urdfkit.record import Record
-from urdfkit.spatial import IDENTITY, Rotation, Vector, rotate
+from urdfkit.spatial import IDENTITY, Rotation, Vector, cross, dot, rotate
 
 ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -57,9 +57,9 @@ def principal_moments(tensor: Tensor) -> Vector:
     u, v, w = _eigenbasis(xx - apart, xy, xz, yy - apart, yz, zz - apart)
     rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     au, av = rotate(rows, u), rotate(rows, v)
-    uu, uv, vv = _dot(u, au), _dot(v, au), _dot(v, av)
+    uu, uv, vv = dot(u, au), dot(v, au), dot(v, av)
     middle, radius = (uu + vv) / 2, hypot((uu - vv) / 2, uv)
-    low, middle, high = sorted((_dot(w, rotate(rows, w)), middle - radius, middle + radius))
+    low, middle, high = sorted((dot(w, rotate(rows, w)), middle - radius, middle + radius))
     return (low * scale, middle * scale, high * scale)
 
 
@@ -68,12 +68,12 @@ def _eigenbasis(
 ) -> tuple[Vector, Vector, Vector]:
     """Two unit vectors at right angles to the kernel of a singular symmetric matrix, and it."""
     rows = ((a, b, c), (b, d, e), (c, e, f))
-    normals = [_cross(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))]
-    w = _unit(max(normals, key=lambda normal: _dot(normal, normal)))
+    normals = [cross(rows[i], rows[j]) for i, j in ((0, 1), (0, 2), (1, 2))]
+    w = _unit(max(normals, key=lambda normal: dot(normal, normal)))
     # The axis that is least like w makes the best-conditioned right angle.
     axis = min(range(3), key=lambda i: abs(w[i]))
-    u = _unit(_cross(w, (float(axis == 0), float(axis == 1), float(axis == 2))))
-    return u, _cross(w, u), w
+    u = _unit(cross(w, (float(axis == 0), float(axis == 1), float(axis == 2))))
+    return u, cross(w, u), w
 
 
 def box(mass: float, size: Vector) -> Tensor:
@@ -131,7 +131,7 @@ def rotated(tensor: Tensor, rotation: Rotation) -> Tensor:
     rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     x, y, z = rotation
     tx, ty, tz = rotate(rows, x), rotate(rows, y), rotate(rows, z)
-    return Tensor(_dot(x, tx), _dot(x, ty), _dot(x, tz), _dot(y, ty), _dot(y, tz), _dot(z, tz))
+    return Tensor(dot(x, tx), dot(x, ty), dot(x, tz), dot(y, ty), dot(y, tz), dot(z, tz))
 
 
 def scaled(tensor: Tensor, factor: float) -> Tensor:
@@ -169,14 +169,6 @@ def combined(bodies: Iterable[MassProperties]) -> MassProperties:
     return MassProperties(mass, (x, y, z), total)
 
 
-def _dot(a: Vector, b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _cross(a: Vector, b: Vector) -> Vector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
 def _unit(vector: Vector) -> Vector:
-    size = sqrt(_dot(vector, vector))
+    size = sqrt(dot(vector, vector))
     return (vector[0] / size, vector[1] / size, vector[2] / size)

@@ -52,7 +52,12 @@ def mass_of(link: Link) -> float:
 
 
 def properties_of(link: Link, frame: Frame) -> MassProperties:
-    """The mass properties of a link that is at a frame, in the parent of that frame."""
+    """Mass, centre and tensor of a link in another frame; what is not written is zero.
+
+    Args:
+        link: the link.
+        frame: of the link, in the frame in which they are wanted.
+    """
     if link.inertial is None:
         return MassProperties(0.0, frame.position, ZERO)
     own = frame @ link.inertial.origin

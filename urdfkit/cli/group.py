@@ -19,6 +19,8 @@ COMMANDS = (
     "trace",
     "explain",
     "rules",
+    "info",
+    "tree",
     "gazebo",
     "migrate",
     "diff",

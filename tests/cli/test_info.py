@@ -1,0 +1,55 @@
+"""The info command: one page, or JSON."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+
+
+def test_the_page_fits_a_terminal_and_has_the_facts(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["info", MODEL]) == 0
+    page = capsys.readouterr().out
+    assert "(nq 8, nv 4)" in page
+    assert "10.2301 kg in 9 of 10 links" in page
+    assert max(map(len, page.splitlines())) <= 80
+    assert "reach" not in page  # of wheels
+
+
+def test_a_pose_moves_the_centre(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["info", ARM, "--format", "json", "--joint", "shoulder=90deg"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["mass"]["center"][0] == pytest.approx((1.5 * 0.15 + 0.7 * 0.485) / 5.2)
+    assert document["pose"] == {"shoulder": pytest.approx(1.5707963267948966)}
+
+
+def test_a_pose_beyond_the_limits_is_taken_and_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["info", ARM, "--joint", "elbow=2"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == "note: joint 'elbow' at 2 rad is outside its limits -1.9 to 1.9 rad\n"
+    assert "at the given pose" in captured.out
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["no.urdf"], "no.urdf"),
+        ([ARM, ARM], "name one file"),
+        ([ARM, "--joint", "elbow"], "--joint elbow: write the joint, '=' and its position"),
+        ([ARM, "--joint", "elbwo=1"], "did you mean 'elbow'?"),
+        ([ARM, "--pose", "ready"], "there is no pose file 'ready'"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["info", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert told in captured.err

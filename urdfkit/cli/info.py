@@ -1,0 +1,214 @@
+"""``urdfkit info``: a robot on one page."""
+
+from __future__ import annotations
+
+import json
+import os
+import textwrap
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.inertia import principal_moments
+from urdfkit.meshes.facts import counted
+from urdfkit.overview import Overview, Shapes, Structure, overview
+from urdfkit.sensors import Sensor
+
+VERSION = 1
+
+#: Names in a list; the rest are counted.
+MOST = 8
+
+_LABEL, _WIDTH = 12, 80
+
+
+@click.command("info")
+@one_robot
+@posed
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+def command(
+    words: tuple[str, ...],
+    joint: tuple[str, ...],
+    pose: str | None,
+    form: str,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell what a robot is, on one page.
+
+    Links, joints and degrees of freedom, masses, size and reach, meshes, sensors and plugins.
+    Masses and sizes are those at a configuration: all joints at zero unless given.
+
+    Exit codes: 0 done, 2 the file or the pose cannot be read.
+    """
+    subject = robot(words, package, trust)
+    found = overview(subject, positions(subject, joint, pose))
+    if form == "json":
+        text = json.dumps(as_json(found), ensure_ascii=False, indent=2)
+    else:
+        text = "\n".join(render(found))
+    output.write(text + "\n")
+    return 0
+
+
+def render(found: Overview) -> Iterator[str]:
+    """The lines of the page."""
+    kind = "xacro" if found.is_xacro else "URDF"
+    yield f"{found.name or '(no name)'}: {kind}, {os.path.relpath(found.file)}"
+    targets = ", ".join(found.targets) or "not known; name it with --target when you check"
+    yield from _entry("for", targets)
+    yield ""
+    yield from _structure(found.structure)
+    yield ""
+    where = "at the given pose" if found.pose else "all joints at zero"
+    yield from _weight(found, where)
+    yield from _size(found, where)
+    yield ""
+    yield from _shapes(found.shapes)
+    if found.sensors or found.plugins:
+        yield ""
+    for sensor in found.sensors:
+        yield from _entry("sensor", _sensor(sensor))
+    for filename, name in found.plugins:
+        yield from _entry("plugin", f"{name or '(no name)'}  {filename}")
+    if found.skipped:
+        yield ""
+    for reason in found.skipped:
+        yield from _entry("not shown", reason)
+
+
+def _structure(found: Structure) -> Iterator[str]:
+    depth = f"; {counted(found.depth, 'joint')} down to {found.deepest}" if found.depth else ""
+    roots = f"root {found.roots[0]}" if len(found.roots) == 1 else f"{len(found.roots)} roots"
+    yield from _entry("links", f"{found.links}, {roots}{depth}")
+    if len(found.roots) != 1:
+        yield from _entry("roots", _list(found.roots))
+    kinds = ", ".join(f"{count} {kind or 'without type'}" for kind, count in found.joints.items())
+    yield from _entry("joints", f"{sum(found.joints.values())}{': ' if kinds else ''}{kinds}")
+    free = f": {_list(found.free)}" if found.free else ""
+    yield from _entry("freedom", f"{found.nv}{free} (nq {found.nq}, nv {found.nv})")
+    follows = [f"{one} follows {leader}" for one, leader in found.followers.items()]
+    if follows:
+        yield from _entry("mimic", _list(follows))
+    if found.driven:
+        yield from _entry("driven", f"{len(found.driven)} by controllers: {_list(found.driven)}")
+
+
+def _weight(found: Overview, where: str) -> Iterator[str]:
+    masses, whole = found.weight.by_link, found.weight.whole
+    if not masses:
+        yield from _entry("mass", "none: no link has one")
+        return
+    shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
+    of_all = f"{len(masses)} of {counted(found.structure.links, 'link')}"
+    yield from _entry("mass", f"{whole.mass:.6g} kg in {of_all}: {_list(shares)}")
+    root = f" in {found.structure.roots[0]}" if found.structure.roots else ""
+    yield from _entry("centre", f"{_vector(whole.center)} m{root}, {where}")
+    tensor = whole.tensor
+    moments = f"ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
+    products = f"ixy {tensor.ixy:.4g}, ixz {tensor.ixz:.4g}, iyz {tensor.iyz:.4g}"
+    yield from _entry("inertia", f"{moments} about the centre")
+    yield from _entry("", f"{products}; principal {_vector(principal_moments(tensor))}")
+
+
+def _size(found: Overview, where: str) -> Iterator[str]:
+    box, reach = found.shapes.box, found.reach
+    if box:
+        edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
+        yield from _entry("size", f"{edges} m, from {_vector(box.low)} to {_vector(box.high)}")
+    if found.shapes.left_out:
+        reasons = dict.fromkeys(found.shapes.left_out.values())
+        names = _list(found.shapes.left_out)
+        yield from _entry("", f"without {names}: {_list(reasons)}")
+    if reach and reach.distance > 0:
+        way = f"from joint {reach.joint} to the origin of {reach.link}"
+        yield from _entry("reach", f"{reach.distance:.4g} m {way}")
+
+
+def _shapes(found: Shapes) -> Iterator[str]:
+    for role, kinds in (("visuals", found.visuals), ("collisions", found.collisions)):
+        parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+        triangles = (found.triangles or {}).get(role[:-1])
+        more = f"; {triangles:,} triangles" if triangles else ""
+        yield from _entry(role, f"{sum(kinds.values())}{': ' if parts else ''}{parts}{more}")
+    if found.files:
+        formats = ", ".join(f"{count} {name}" for name, count in found.files.items())
+        yield from _entry("mesh files", f"{formats}; {_bytes(found.size)}")
+    if found.missing:
+        names = _list(map(os.path.basename, found.missing))
+        yield from _entry("unusable", names)
+
+
+def _sensor(sensor: Sensor) -> str:
+    rate = sensor.number("update_rate")
+    frequency = f", {rate.value:g} Hz" if rate else ""
+    where = f" on {sensor.reference}" if sensor.reference else ""
+    return f"{sensor.name or '(no name)'}  {sensor.type or 'without type'}{where}{frequency}"
+
+
+def _entry(label: str, text: str) -> list[str]:
+    """A label and its text, wrapped beside it."""
+    return textwrap.wrap(
+        text,
+        _WIDTH,
+        initial_indent=f"{label:<{_LABEL}}",
+        subsequent_indent=" " * _LABEL,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def _list(names: Iterable[str]) -> str:
+    every = list(names)
+    more = f" and {len(every) - MOST} more" if len(every) > MOST + 1 else ""
+    return ", ".join(every[:MOST] if more else every) + more
+
+
+def _vector(values: Iterable[float]) -> str:
+    """Three numbers; what is nothing but rounding beside the largest is 0."""
+    every = list(values)
+    noise = 1e-12 * max(map(abs, every))
+    return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
+
+
+def _bytes(size: int) -> str:
+    return f"{size / 1e6:.1f} MB" if size >= 1e6 else f"{size / 1e3:.0f} kB"
+
+
+def as_json(found: Overview) -> Mapping[str, Any]:
+    """The same for programs; lengths in m, masses in kg."""
+    structure, shapes, whole = found.structure, found.shapes, found.weight.whole
+    return {
+        "version": VERSION,
+        "name": found.name,
+        "file": found.file,
+        "xacro": found.is_xacro,
+        "targets": list(found.targets),
+        "pose": found.pose,
+        "structure": structure._asdict(),
+        "mass": {
+            "total": whole.mass,
+            "links": found.weight.by_link,
+            "center": list(whole.center),
+            "inertia": whole.tensor._asdict(),
+        },
+        "box": {"low": shapes.box.low, "high": shapes.box.high} if shapes.box else None,
+        "left_out": shapes.left_out,
+        "reach": found.reach._asdict() if found.reach else None,
+        "visuals": shapes.visuals,
+        "collisions": shapes.collisions,
+        "mesh_files": shapes.files,
+        "mesh_bytes": shapes.size,
+        "triangles": shapes.triangles,
+        "missing": list(shapes.missing),
+        "sensors": [
+            {"name": sensor.name, "type": sensor.type, "on": sensor.reference}
+            for sensor in found.sensors
+        ],
+        "plugins": [{"name": name, "filename": filename} for filename, name in found.plugins],
+        "skipped": list(found.skipped),
+    }

@@ -1,0 +1,27 @@
+"""``urdfkit tree``: the kinematic tree."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.diagrams import FORMATS
+
+
+@click.command("tree")
+@one_robot
+@click.option("--format", "form", type=click.Choice(FORMATS), default="text")
+def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: bool) -> int:
+    """Draw the kinematic tree of a robot.
+
+    Every link stands behind the one that it hangs on, with the joint between: its type, axis,
+    limits of position, effort and velocity, and what it follows.
+
+    Exit codes: 0 done, 2 the file cannot be read.
+    """
+    subject = robot(words, package, trust)
+    output.write(import_module(f"urdfkit.diagrams.{form}").render(subject.tree))
+    return 0
