@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.model import Body
 from urdfkit.record import Record
 from urdfkit.shapes import Box, solid
 from urdfkit.spatial import Frame, Vector
-from urdfkit.subject import Subject
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
 
 #: Why a mesh is not measured where numpy or the readers of meshes are not installed.
 WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
