@@ -9,6 +9,11 @@ from urdfkit.record import Record
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+
+class NoTriangles(Exception):
+    """A file gives no triangles; the text is a predicate whose subject is the file."""
 
 
 class Material(Record):
@@ -17,7 +22,8 @@ class Material(Record):
     Attributes:
         name: as the file calls it; may be empty.
         rgba: colour, each part from 0 to 1, as written (sRGB).
-        texture: path of an image, or its bytes, where the file holds it; None without one.
+        texture: path of an image that is there, or its bytes, where the file holds it; None without
+            one.
     """
 
     name: str = ""
@@ -52,13 +58,17 @@ class Mesh(Record):
         parts: in the order of the file.
         unit: metres per unit of length, as the file says (COLLADA); 1 where it says nothing.
         up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file says; empty where it says nothing.
-        losses: what the file holds and is not in the parts, one sentence each.
+        losses: what is broken in the file and is therefore not in the parts, one sentence each.
+        extras: what the file holds besides triangles, such as ``2 cameras``.
+        textures: the names of images that the file refers to, as written.
     """
 
     parts: tuple[Part, ...]
     unit: float = 1.0
     up_axis: str = ""
     losses: tuple[str, ...] = ()
+    extras: tuple[str, ...] = ()
+    textures: tuple[str, ...] = ()
 
     @property
     def vertices(self) -> Floats:

@@ -1,42 +1,115 @@
-"""Mesh files to triangles."""
+"""Mesh files to triangles.
+
+STL, COLLADA and OBJ are read here, for importing trimesh takes longer than reading the meshes of
+a robot; PLY and glTF are left to it.
+"""
 
 from __future__ import annotations
 
 import os
 
-import numpy as np
-
 from urdfkit.errors import UrdfkitError
-from urdfkit.meshes.geometry import Material, Mesh, Part
+from urdfkit.meshes import facts
+from urdfkit.meshes.facts import MeshFacts
+from urdfkit.meshes.geometry import Mesh, NoTriangles
+from urdfkit.meshes.sniff import MAX_BYTES, sniff
 
 
 class UnloadableMesh(UrdfkitError):
-    """A mesh file that gives no triangles; the text says why."""
+    """A mesh file that gives no triangles.
+
+    Attributes:
+        path: of the file.
+        reason: a predicate whose subject is the file.
+    """
+
+    def __init__(self, path: str, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
+        self.path = path
+        self.reason = reason
 
 
 def load(path: str | os.PathLike[str]) -> Mesh:
-    """The triangles of a mesh file.
+    """The triangles of a mesh file, which is read by its content and not by its suffix.
 
     Raises:
-        UnloadableMesh: it gives none.
+        UnloadableMesh: it is broken, of a format that is not read, or holds no triangles.
     """
-    import trimesh
+    name = os.fspath(path)
+    data = read_bytes(name)
+    found = sniff(data, os.path.splitext(name)[1])
+    if found.defect:
+        raise UnloadableMesh(name, found.defect.reason)
+    return parse(data, name, found)
 
+
+def salvage(path: str | os.PathLike[str]) -> Mesh:
+    """The triangles that are left in a broken mesh file; ``losses`` says what is not.
+
+    Raises:
+        UnloadableMesh: none are left.
+    """
+    name = os.fspath(path)
+    data = read_bytes(name)
+    return parse(data, name, sniff(data, os.path.splitext(name)[1]), recover=True)
+
+
+def read_bytes(path: str) -> bytes:
+    """The bytes of a mesh file.
+
+    Raises:
+        UnloadableMesh: it cannot be opened, or is too large.
+    """
     try:
-        scene = trimesh.load_scene(os.fspath(path), process=False)
-    except Exception as error:  # readers of foreign bytes raise anything
-        raise UnloadableMesh(f"{path}: {type(error).__name__}: {error}") from error
-    parts = []
-    for node in scene.graph.nodes_geometry:
-        transform, name = scene.graph[node]
-        geometry = scene.geometry[name]
-        if not isinstance(geometry, trimesh.Trimesh) or not len(geometry.faces):
-            continue
-        vertices = trimesh.transform_points(geometry.vertices, transform)
-        parts.append(Part(np.asarray(vertices, dtype=float), np.asarray(geometry.faces)))
-    if not parts:
-        raise UnloadableMesh(f"{path}: no triangles")
-    return Mesh(tuple(parts))
+        size = os.stat(path).st_size
+        if not os.path.isfile(path):
+            raise UnloadableMesh(path, "is no regular file")
+        if size > MAX_BYTES:
+            limit = MAX_BYTES // 1024**2
+            raise UnloadableMesh(path, f"has {size // 1024**2} MiB, more than the {limit} read")
+        with open(path, "rb") as file:
+            return file.read(MAX_BYTES)
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        reason = getattr(error, "strerror", None) or error
+        raise UnloadableMesh(path, f"cannot be read: {reason}") from error
 
 
-_ = Material
+def parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:
+    """The triangles in the bytes of a mesh file.
+
+    Args:
+        data: the file.
+        path: of the file, for what it refers to.
+        found: what the bytes say.
+        recover: read what is there of a broken file.
+
+    Raises:
+        UnloadableMesh: there are none.
+    """
+    folder = os.path.dirname(os.path.abspath(path))
+    try:
+        if found.format == facts.BINARY_STL:
+            from urdfkit.meshes.load_stl import binary
+
+            return binary(data)
+        if found.format == facts.ASCII_STL:
+            from urdfkit.meshes.load_stl import ascii_text
+
+            return ascii_text(data)
+        if found.format == facts.COLLADA:
+            from urdfkit.meshes import load_collada
+
+            return load_collada.read(data, folder, recover=recover)
+        if found.format == facts.OBJ:
+            from urdfkit.meshes import load_obj
+
+            return load_obj.read(data, folder)
+        if found.format in (facts.PLY, facts.GLB, facts.GLTF) and not found.defect:
+            from urdfkit.meshes import load_by_trimesh
+
+            return load_by_trimesh.read(data, found.format, folder)
+    except NoTriangles as error:
+        raise UnloadableMesh(path, str(error)) from error
+    if found.defect:
+        raise UnloadableMesh(path, found.defect.reason)
+    raise UnloadableMesh(path, f"is {found.format}, which is not read")
