@@ -166,7 +166,7 @@ class Geometries:
     def _rows(self, numbers: str, width: int) -> Integers:
         found = integers(numbers)
         whole = len(found) // width * width
-        self._losses.add("list* of corners that is cut off", int(whole < len(found)))
+        self._losses.add("cut-off list* of corners", int(whole < len(found)))
         return found[:whole].reshape(-1, width)
 
 

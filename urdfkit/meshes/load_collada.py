@@ -18,8 +18,10 @@ from urdfkit.meshes.collada_tree import Element, Tree, child, children, tag, tex
 from urdfkit.meshes.geometry import Floats, Mesh, NoTriangles, Part
 from urdfkit.meshes.numbers import floats
 
-#: Nodes within nodes, and triangles of all instances; no robot has a tenth of it.
+#: Nodes within nodes, nodes in all, and triangles of all instances: nodes that show others twice
+#: double with each level.
 MAX_DEPTH = 200
+MAX_NODES = 20_000
 MAX_TRIANGLES = 20_000_000
 
 _EXTRAS = {"instance_camera": "camera", "instance_light": "light", "animation": "animation"}
@@ -68,20 +70,24 @@ class _Reader:
         stack: list[tuple[Element, Floats, tuple[Element, ...]]] = [
             (node, np.eye(4), (node,)) for node in reversed(self._roots())
         ]
+        shown = 0
         while stack:
             node, above, path = stack.pop()
+            shown += 1
+            if shown > MAX_NODES:
+                raise NoTriangles(f"shows more than {MAX_NODES} nodes")
             matrix = above @ self._matrix(node)
             yield node, matrix
             below = list(children(node, "node"))
             for instance in children(node, "instance_node"):
                 target = self._tree.named(instance.get("url"), "node")
                 if target is None:
-                    self._losses.add("node* that are not in the file")
+                    self._losses.add("node* missing from the file")
                 else:
                     below.append(target)
             for one in reversed(below):
                 if one in path or len(path) > MAX_DEPTH:
-                    self._losses.add("node* that contain themselves")
+                    self._losses.add("reference* of a node to itself")
                 else:
                     stack.append((one, matrix, (*path, one)))
 
@@ -109,7 +115,7 @@ class _Reader:
         for instance in children(node, *_INSTANCES):
             geometry, bound = self._geometry(instance)
             if geometry is None:
-                self._losses.add("geometry reference* that lead nowhere")
+                self._losses.add("geometry reference* to nothing")
                 continue
             looks = self._bound(instance)
             for surface in self._geometries.surfaces(geometry):
@@ -143,7 +149,7 @@ class _Reader:
         for binding in children(bindings, "instance_material"):
             look = self._looks.look(binding.get("target", ""))
             if look is None:
-                self._losses.add("material* that are not in the file")
+                self._losses.add("material* missing from the file")
             else:
                 found.setdefault(binding.get("symbol", ""), (look, binding))
         return found

@@ -21,17 +21,16 @@ _VERTEX = re.compile(rb"\svertex\s+(\S+)\s+(\S+)\s+(\S+)")
 
 
 def binary(data: bytes) -> Mesh:
-    """The triangles of a binary STL, as many as are declared and there.
+    """The triangles of a binary STL, as many as there are.
 
     Raises:
         NoTriangles: it holds none.
     """
     declared = int.from_bytes(data[80 : binary_stl.HEADER], "little")
-    held = max(len(data) - binary_stl.HEADER, 0) // binary_stl.TRIANGLE
-    number = min(declared, held)
+    number = max(len(data) - binary_stl.HEADER, 0) // binary_stl.TRIANGLE
     table = np.frombuffer(data, _TRIANGLE, number, binary_stl.HEADER if number else 0)
     losses = Losses()
-    losses.add("triangle* that the file declares and does not hold", declared - number)
+    losses.add("triangle* that the file declares and does not hold", max(declared - number, 0))
     extras: tuple[str, ...] = ()
     coloured = np.count_nonzero(table["colour"] & 0x8000) if number else 0
     if coloured:
