@@ -92,7 +92,7 @@ def test_colours_and_textures_are_those_of_pycollada() -> None:
         mine = []
         for part in load(path).parts:
             texture = part.material.texture if part.material else None
-            look = os.path.basename(str(texture)) if texture else None
+            look: object = os.path.basename(str(texture)) if texture else None
             if look is None and part.material:
                 look = tuple(round(value, 6) for value in part.material.rgba[:3])
             mine.append((len(part.faces), look))
