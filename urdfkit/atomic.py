@@ -25,6 +25,19 @@ def write(path: str | os.PathLike[str], data: bytes) -> None:
         raise UnwritableFile(f"{os.fspath(path)!r}: {error}") from error
 
 
+def make_folder(path: str | os.PathLike[str]) -> None:
+    """Make a folder and those above it, where they are missing.
+
+    Raises:
+        UnwritableFile: a file is in the way, or permission is missing.
+    """
+    try:
+        os.makedirs(path, exist_ok=True)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise UnwritableFile(f"{os.fspath(path)}: cannot be made a folder: {reason}") from error
+
+
 def _write(path: str, data: bytes) -> None:
     try:
         mode = os.stat(path).st_mode

@@ -1,0 +1,21 @@
+"""A depth camera in the outline of the Intel RealSense D435.
+
+90 x 25 x 25 mm, two imagers 50 mm apart with the projector between them and the colour camera at
+the side. Source: Intel, "RealSense Product Family D400 Series Datasheet" (337029), mechanical
+dimensions of the D435 and its baseline.
+"""
+
+from __future__ import annotations
+
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts.bar_camera import Eye, bar_camera
+from urdfkit.meshes.parts.palette import ALUMINIUM, BLACK
+from urdfkit.spatial import Vector
+
+#: From the middle to the left, as a part of the width 90 mm; radius as a part of the height.
+_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.37, 0.17))
+
+
+def build(size: Vector) -> Mesh:
+    """The camera, its middle at the origin, looking along x; size along x, y, z."""
+    return bar_camera(size, _EYES, ALUMINIUM, BLACK)

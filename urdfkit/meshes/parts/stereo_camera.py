@@ -1,0 +1,20 @@
+"""A stereo camera in the outline of the Stereolabs ZED.
+
+175 x 30 x 33 mm with two lenses 120 mm apart. Source: Stereolabs, "ZED Camera and SDK Overview"
+(data sheet), dimensions and baseline.
+"""
+
+from __future__ import annotations
+
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts.bar_camera import Eye, bar_camera
+from urdfkit.meshes.parts.palette import BLACK, DARK
+from urdfkit.spatial import Vector
+
+#: 60 of 175 mm to either side.
+_EYES = (Eye(60 / 175, 0.27), Eye(-60 / 175, 0.27))
+
+
+def build(size: Vector) -> Mesh:
+    """The camera, its middle at the origin, looking along x; size along x, y, z."""
+    return bar_camera(size, _EYES, DARK, BLACK)

@@ -1,0 +1,48 @@
+"""A spinning 3D lidar in the outline of the Velodyne VLP-16.
+
+103.3 mm wide and 71.7 mm high: an aluminium base, a dark window all around, an aluminium cap.
+Source: Velodyne, "VLP-16 User Manual" (63-9243 Rev. D), mechanical drawings; its optical centre
+lies 37.7 mm above the base.
+"""
+
+from __future__ import annotations
+
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts.palette import ALUMINIUM, GREY, WINDOW
+from urdfkit.meshes.solids import Assembly, cylinder, revolved
+from urdfkit.spatial import Vector
+
+
+def build(size: Vector) -> Mesh:
+    """The lidar, its middle at the origin; size along x, y, z."""
+    x, y, z = size
+    radius, low = min(x, y) / 2, -z / 2
+    sill, lintel = low + 0.31 * z, low + 0.79 * z
+    assembly = Assembly()
+    base = revolved(
+        [
+            (0, low),
+            (0.95 * radius, low),
+            (radius, low + 0.03 * z),
+            (radius, low + 0.10 * z),
+            (0.97 * radius, low + 0.10 * z),
+            (0.97 * radius, low + 0.12 * z),
+            (radius, low + 0.12 * z),
+            (radius, sill - 0.03 * z),
+            (0.97 * radius, sill),
+            (0, sill),
+        ]
+    )
+    cap = revolved(
+        [
+            (0, lintel),
+            (0.97 * radius, lintel),
+            (0.97 * radius, low + 0.95 * z),
+            (0.90 * radius, low + z),
+            (0, low + z),
+        ]
+    )
+    assembly.add(ALUMINIUM, base)
+    assembly.add(GREY, cap)
+    assembly.add(WINDOW, cylinder(0.945 * radius, sill, lintel))
+    return assembly.mesh()

@@ -1,0 +1,146 @@
+"""Solids to build parts from: boxes, cylinders, turned profiles, and their booleans.
+
+Lengths in m. Everything comes from manifold3d, so every solid is closed and oriented.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import cos, pi, sin
+
+import numpy as np
+from manifold3d import CrossSection, JoinType, Manifold, OpType
+
+from urdfkit.meshes.geometry import Material, Mesh, Part
+from urdfkit.meshes.shading import shaded
+from urdfkit.spatial import Rotation, Vector
+
+#: Sides of a circle: round to the eye, and few enough for a simulator.
+SIDES = 48
+
+#: Thinner than this, in m, is an accident of booleans.
+_SLIVER = 1e-6
+
+Point = tuple[float, float]
+
+
+class Assembly:
+    """Solids of several materials that do not overlap: together they have one true volume."""
+
+    def __init__(self) -> None:
+        self.parts: list[tuple[Material, Manifold]] = []
+
+    def add(self, material: Material, solid: Manifold) -> None:
+        """Add a solid; where there is one already, that one stays."""
+        for _, earlier in self.parts:
+            solid = solid - earlier
+        if not solid.is_empty():
+            self.parts.append((material, solid))
+
+    def mesh(self) -> Mesh:
+        """The triangles, one part for each material, with normals."""
+        together: dict[Material, list[Manifold]] = {}
+        for material, solid in self.parts:
+            together.setdefault(material, []).append(solid)
+        return Mesh(
+            tuple(
+                shaded(_part(_united(solids), material)) for material, solids in together.items()
+            ),
+            up_axis="Z_UP",
+        )
+
+
+def _united(solids: Sequence[Manifold]) -> Manifold:
+    """Solids as one, without the slivers that booleans leave."""
+    whole = Manifold.batch_boolean(solids, OpType.Add)
+    return whole.simplify(_SLIVER)
+
+
+def as_mesh(solid: Manifold, material: Material | None = None) -> Mesh:
+    """A solid as a mesh of one part, without normals."""
+    return Mesh((_part(solid, material),), up_axis="Z_UP")
+
+
+def _part(solid: Manifold, material: Material | None) -> Part:
+    mesh = solid.to_mesh64()
+    vertices = np.asarray(mesh.vert_properties[:, :3], dtype=float)
+    return Part(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)
+
+
+def box(size: Vector, center: Vector = (0.0, 0.0, 0.0)) -> Manifold:
+    """A box along the axes."""
+    return Manifold.cube(size, True).translate(center)
+
+
+def rounded_box(size: Vector, center: Vector, radius: float, chamfer: float = 0.0) -> Manifold:
+    """A box whose edges along z are rounded.
+
+    Args:
+        size: outer edges.
+        center: of the box.
+        radius: of those edges.
+        chamfer: bevel of the edges around bottom and top.
+    """
+    x, y, height = size
+    plane = CrossSection.square((x - 2 * radius, y - 2 * radius), True)
+    outline = plane.offset(radius, JoinType.Round, 2.0, 32)
+    if chamfer <= 0:
+        return outline.extrude(height).translate((0, 0, -height / 2)).translate(center)
+    inner = plane.offset(max(radius - chamfer, 1e-6), JoinType.Round, 2.0, 32)
+    middle = outline.extrude(height - 2 * chamfer).translate((0, 0, chamfer))
+    return (middle + inner.extrude(height)).hull().translate((0, 0, -height / 2)).translate(center)
+
+
+def cylinder(
+    radius: float, low: float, high: float, center: Point = (0.0, 0.0), sides: int = SIDES
+) -> Manifold:
+    """A cylinder along z, from ``low`` to ``high``."""
+    return Manifold.cylinder(high - low, radius, radius, sides).translate((*center, low))
+
+
+def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
+    """A turned part.
+
+    Args:
+        profile: a closed polygon of (distance from z, height).
+        sides: of its circles.
+    """
+    return CrossSection([np.asarray(profile, dtype=float)]).revolve(sides)
+
+
+def extruded(outline: Sequence[Point], low: float, high: float) -> Manifold:
+    """A polygon in x and y drawn out along z."""
+    section = CrossSection([np.asarray(outline, dtype=float)])
+    return section.extrude(high - low).translate((0.0, 0.0, low))
+
+
+def ball(radius: float, center: Vector, sides: int = SIDES) -> Manifold:
+    """A ball."""
+    return Manifold.sphere(radius, sides).translate(center)
+
+
+def ring(count: int, radius: float, start: float = 0.0) -> list[Point]:
+    """Places around a circle, evenly, as (x, y); ``start`` in rad."""
+    angles = (start + 2 * pi * number / count for number in range(count))
+    return [(radius * cos(angle), radius * sin(angle)) for angle in angles]
+
+
+def placed(mesh: Mesh, rotation: Rotation, position: Vector, scale: Vector) -> Mesh:
+    """A mesh that is stretched along its axes, then turned, then moved.
+
+    Args:
+        mesh: any.
+        rotation: rows; a mirror image is no rotation.
+        position: in m.
+        scale: along the mesh's own axes, positive.
+    """
+    rows, stretch = np.asarray(rotation), np.asarray(scale)
+    parts = []
+    for part in mesh.parts:
+        normals = None
+        if part.normals is not None:
+            normals = (part.normals / stretch) @ rows.T
+            normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+        vertices = (part.vertices * stretch) @ rows.T + np.asarray(position)
+        parts.append(part._replace(vertices=vertices, normals=normals))
+    return mesh._replace(parts=tuple(parts))
