@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib import import_module
 
 import click
 
 from urdfkit import __version__
+from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
 
 #: ``urdfkit.cli.<name>`` has each of them as ``command``, a click.Command that returns the
@@ -22,6 +22,7 @@ COMMANDS = (
     "info",
     "tree",
     "gazebo",
+    "mesh",
     "migrate",
     "diff",
     "init",
@@ -29,21 +30,7 @@ COMMANDS = (
 )
 
 
-class LazyGroup(click.Group):
-    """A group that imports a command when it is asked for."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name not in COMMANDS:
-            return None
-        command = import_module(f"urdfkit.cli.{cmd_name}").command
-        assert isinstance(command, click.Command)
-        return command
-
-
-@click.group("urdfkit", cls=LazyGroup)
+@click.group("urdfkit", cls=LazyGroup, package="urdfkit.cli", names=COMMANDS)
 @click.version_option(__version__, message="urdfkit %(version)s")
 def group() -> None:
     """Check robot models in URDF and xacro."""

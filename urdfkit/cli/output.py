@@ -62,6 +62,29 @@ def write(text: str) -> None:
             raise UnwritableFile(f"standard output: {error.strerror or error}") from error
 
 
+def shorter(path: str) -> str:
+    """A path from the current folder, where it lies in it."""
+    try:
+        relative = os.path.relpath(path)
+    except (OSError, ValueError):  # the current folder is gone; another drive
+        return path
+    return path if relative.startswith(os.pardir) else relative
+
+
+def indented(text: str) -> list[str]:
+    """A text in lines that are indented and no wider than the terminal."""
+    import textwrap
+
+    return textwrap.wrap(
+        text,
+        max(width(), 40),
+        initial_indent="  ",
+        subsequent_indent="    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
 def encode(text: str) -> bytes:
     """UTF-8; bytes of a file name that are no text become escapes that JSON can hold."""
     return text.encode("utf-8", "backslashreplace")

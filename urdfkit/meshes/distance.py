@@ -45,6 +45,6 @@ def _farthest(one: Trimesh, other: Trimesh) -> float:
     points = [one.vertices[::step]]
     if one.area > 0:
         points.append(trimesh.sample.sample_surface(one, SAMPLES, seed=_SEED)[0])
-    query = trimesh.proximity.ProximityQuery(other)  # type: ignore[no-untyped-call]
+    query = trimesh.proximity.ProximityQuery(other)
     _, distances, _ = query.on_surface(np.concatenate(points))
     return float(distances.max())

@@ -34,10 +34,17 @@ def shaded(part: Part, crease: float = CREASE) -> Part:
     return part._replace(
         vertices=part.vertices[old],
         faces=corners.reshape(-1, 3).astype(np.int64),
-        normals=_unit(sums)[patch],
+        normals=_directed(sums)[patch],
         uv=None if part.uv is None else part.uv[old],
         colors=None if part.colors is None else part.colors[old],
     )
+
+
+def _directed(sums: Floats) -> Floats:
+    """Unit vectors; upwards where only faces without area meet, which nobody sees."""
+    normals = _unit(sums)
+    normals[np.linalg.norm(normals, axis=1) < 0.5] = (0.0, 0.0, 1.0)
+    return normals
 
 
 def face_normals(vertices: Floats, faces: Integers) -> Floats:

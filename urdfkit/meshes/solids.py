@@ -11,13 +11,17 @@ from math import cos, pi, sin
 import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, OpType
 
-from urdfkit.meshes.geometry import Material, Mesh, Part
+from urdfkit.meshes.geometry import Floats, Material, Mesh, Part
 from urdfkit.meshes.shading import shaded
-from urdfkit.spatial import Rotation, Vector
+from urdfkit.spatial import Vector
 
 #: Sides of a circle: round to the eye, and few enough for a simulator.
 SIDES = 48
 
+#: Of a coordinate in m: far below what is seen, and far above the rounding of sums.
+_DECIMALS = 8
+#: A common volume below this part of the whole is no overlap.
+_FILM = 1e-6
 #: Thinner than this, in m, is an accident of booleans.
 _SLIVER = 1e-6
 
@@ -33,8 +37,10 @@ class Assembly:
     def add(self, material: Material, solid: Manifold) -> None:
         """Add a solid; where there is one already, that one stays."""
         for _, earlier in self.parts:
-            solid = solid - earlier
-        if not solid.is_empty():
+            # What only touches is left alone: a boolean would leave a film of no thickness.
+            if (solid ^ earlier).volume() > _FILM * solid.volume():
+                solid = solid - earlier
+        if solid.volume() > 0:
             self.parts.append((material, solid))
 
     def mesh(self) -> Mesh:
@@ -67,9 +73,27 @@ def _part(solid: Manifold, material: Material | None) -> Part:
     return Part(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)
 
 
+def _on_grid(solid: Manifold) -> Manifold:
+    """A solid with its vertices on a grid.
+
+    Faces that are meant to lie in one plane then do, to the last bit, and a boolean joins them;
+    a nanometre between them would stay as a gap.
+    """
+    return solid.warp_batch(_rounded)
+
+
+def _rounded(values: Floats) -> Floats:
+    return np.asarray(np.round(values, _DECIMALS))
+
+
+def _section(outline: Sequence[Point]) -> CrossSection:
+    """A polygon; on the grid beforehand, for polygons are kept with a few digits only."""
+    return CrossSection([_rounded(np.asarray(outline, dtype=float))])
+
+
 def box(size: Vector, center: Vector = (0.0, 0.0, 0.0)) -> Manifold:
     """A box along the axes."""
-    return Manifold.cube(size, True).translate(center)
+    return _on_grid(Manifold.cube(size, True).translate(center))
 
 
 def rounded_box(size: Vector, center: Vector, radius: float, chamfer: float = 0.0) -> Manifold:
@@ -85,17 +109,18 @@ def rounded_box(size: Vector, center: Vector, radius: float, chamfer: float = 0.
     plane = CrossSection.square((x - 2 * radius, y - 2 * radius), True)
     outline = plane.offset(radius, JoinType.Round, 2.0, 32)
     if chamfer <= 0:
-        return outline.extrude(height).translate((0, 0, -height / 2)).translate(center)
+        return _on_grid(outline.extrude(height).translate((0, 0, -height / 2)).translate(center))
     inner = plane.offset(max(radius - chamfer, 1e-6), JoinType.Round, 2.0, 32)
     middle = outline.extrude(height - 2 * chamfer).translate((0, 0, chamfer))
-    return (middle + inner.extrude(height)).hull().translate((0, 0, -height / 2)).translate(center)
+    whole = (middle + inner.extrude(height)).hull().translate((0, 0, -height / 2))
+    return _on_grid(whole.translate(center))
 
 
 def cylinder(
     radius: float, low: float, high: float, center: Point = (0.0, 0.0), sides: int = SIDES
 ) -> Manifold:
     """A cylinder along z, from ``low`` to ``high``."""
-    return Manifold.cylinder(high - low, radius, radius, sides).translate((*center, low))
+    return _on_grid(Manifold.cylinder(high - low, radius, radius, sides).translate((*center, low)))
 
 
 def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
@@ -105,13 +130,12 @@ def revolved(profile: Sequence[Point], sides: int = SIDES) -> Manifold:
         profile: a closed polygon of (distance from z, height).
         sides: of its circles.
     """
-    return CrossSection([np.asarray(profile, dtype=float)]).revolve(sides)
+    return _on_grid(_section(profile).revolve(sides))
 
 
 def extruded(outline: Sequence[Point], low: float, high: float) -> Manifold:
     """A polygon in x and y drawn out along z."""
-    section = CrossSection([np.asarray(outline, dtype=float)])
-    return section.extrude(high - low).translate((0.0, 0.0, low))
+    return _on_grid(_section(outline).extrude(high - low).translate((0.0, 0.0, low)))
 
 
 def ball(radius: float, center: Vector, sides: int = SIDES) -> Manifold:
@@ -123,24 +147,3 @@ def ring(count: int, radius: float, start: float = 0.0) -> list[Point]:
     """Places around a circle, evenly, as (x, y); ``start`` in rad."""
     angles = (start + 2 * pi * number / count for number in range(count))
     return [(radius * cos(angle), radius * sin(angle)) for angle in angles]
-
-
-def placed(mesh: Mesh, rotation: Rotation, position: Vector, scale: Vector) -> Mesh:
-    """A mesh that is stretched along its axes, then turned, then moved.
-
-    Args:
-        mesh: any.
-        rotation: rows; a mirror image is no rotation.
-        position: in m.
-        scale: along the mesh's own axes, positive.
-    """
-    rows, stretch = np.asarray(rotation), np.asarray(scale)
-    parts = []
-    for part in mesh.parts:
-        normals = None
-        if part.normals is not None:
-            normals = (part.normals / stretch) @ rows.T
-            normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-        vertices = (part.vertices * stretch) @ rows.T + np.asarray(position)
-        parts.append(part._replace(vertices=vertices, normals=normals))
-    return mesh._replace(parts=tuple(parts))

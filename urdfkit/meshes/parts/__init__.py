@@ -1,7 +1,7 @@
 """Real parts of robots, to stand in for meshes that are missing.
 
 One module for each. A part has its sizes from a data sheet, x forwards and z upwards, and its
-origin where drivers put the frame of the sensor; a wheel turns about z.
+origin in the middle; a wheel turns about z.
 """
 
 from __future__ import annotations
@@ -39,6 +39,10 @@ class RealPart(NamedTuple):
     def turns(self) -> bool:
         """True for a part whose z axis is to be laid along the axis that it turns about."""
         return self.kind in ("wheel", "mecanum wheel")
+
+    def meant_by(self, exactly: bool) -> set[str]:
+        """The words that mean this very part, or else its kind."""
+        return set(self.words if exactly else self.kind_words)
 
     def build(self, size: Vector | None = None) -> Mesh:
         """Its triangles.
@@ -172,20 +176,18 @@ def choose(names: dict[str, str], size: Vector | None) -> Choice | None:
         size: outer edges in m of what it stands for; of several parts of a kind the one whose
             proportions and size are nearest is taken.
     """
-    for words_of in (lambda part: part.words, lambda part: part.kind_words):
+    for exactly in (True, False):
         for what, name in names.items():
             words = split_words(name)
-            fitting = [part for part in PARTS if words & set(words_of(part))]
+            fitting = [part for part in PARTS if words & part.meant_by(exactly)]
             if not fitting:
                 continue
             kind = fitting[0].kind
-            part = min(
-                (part for part in fitting if part.kind == kind), key=lambda one: _misfit(one, size)
-            )
-            word = min(words & set(words_of(part)))
+            alike = [part for part in fitting if part.kind == kind]
+            part = min(alike, key=lambda one: _misfit(one, size))
+            word = min(words & part.meant_by(exactly))
             article = "an" if kind[0] in "aeiouIAEO" else "a"
-            reason = f"'{word}' in the name of {what} means {article} {kind}"
-            return Choice(part, reason)
+            return Choice(part, f"'{word}' in the name of {what} means {article} {kind}")
     return None
 
 

@@ -13,7 +13,7 @@ from urdfkit.meshes.parts.palette import ALUMINIUM, BLACK
 from urdfkit.spatial import Vector
 
 #: From the middle to the left, as a part of the width 90 mm; radius as a part of the height.
-_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.37, 0.17))
+_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.35, 0.17))
 
 
 def build(size: Vector) -> Mesh:

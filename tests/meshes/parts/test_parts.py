@@ -1,0 +1,103 @@
+"""The parts: closed solids of the size asked for, and the words that choose them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+from tests.meshes.shapes_made import as_trimesh
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts import PARTS, RealPart, block, choose, split_words
+from urdfkit.spatial import Vector
+
+MOST_TRIANGLES = 8000
+
+
+def assert_clean(mesh: Mesh, size: Vector) -> None:
+    volumes = []
+    for part in mesh.parts:
+        assert part.material is not None
+        assert part.normals is not None
+        assert np.linalg.norm(part.normals, axis=1) == pytest.approx(1.0)
+        solid = as_trimesh(Mesh((part,)))
+        assert solid.is_volume, part.material.name
+        volumes.append(solid.volume)
+    assert len(mesh.faces) < MOST_TRIANGLES
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    assert high - low == pytest.approx(size, rel=2e-3), "fills its room"
+    assert (high + low) / 2 == pytest.approx((0, 0, 0), abs=2e-3 * max(size)), "in the middle"
+    assert 0.15 * np.prod(size) < sum(volumes) < np.prod(size)
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+def test_every_part_is_made_of_closed_solids(part: RealPart) -> None:
+    assert_clean(part.build(), part.size)
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+def test_every_part_can_be_stretched(part: RealPart) -> None:
+    x, y, z = part.size
+    for size in ((2 * x, 2 * y, 1.4 * z), (0.7 * x, 0.7 * y, z)):
+        assert_clean(part.build(size), size)
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+def test_materials_of_a_part_do_not_overlap(part: RealPart) -> None:
+    solids = [as_trimesh(Mesh((one,))) for one in part.build().parts]
+    together = trimesh.boolean.union(solids, engine="manifold")
+    assert together.volume == pytest.approx(sum(one.volume for one in solids), rel=1e-4)
+
+
+def test_a_block() -> None:
+    assert_clean(block.build((0.1, 0.2, 0.05)), (0.1, 0.2, 0.05))
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.module)
+def test_a_wheel_is_round_and_seen_along_z(part: RealPart) -> None:
+    if not part.turns:
+        pytest.skip("does not turn")
+    vertices = part.build().vertices
+    reach = np.hypot(vertices[:, 0], vertices[:, 1]).max()
+    assert reach == pytest.approx(part.size[0] / 2, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("file", "link", "size", "module"),
+    [
+        ("hokuyo", "laser_frame", (0.05, 0.05, 0.05), "hokuyo_urg04lx"),
+        ("hokuyo", "laser_frame", (0.06, 0.06, 0.087), "hokuyo_utm30lx"),
+        ("hokuyo_utm30", "laser", (0.05, 0.05, 0.07), "hokuyo_utm30lx"),
+        ("lds", "base_scan", (0.07, 0.07, 0.04), "rplidar_a2"),
+        ("VLP16_base_1", "velodyne", None, "velodyne_vlp16"),
+        ("part_7", "front_left_wheel_link", None, "wheel"),
+        ("mecanum_wheel_left", "wheel_1", None, "mecanum_wheel"),
+        ("caster_wheel", "rear", None, "caster"),
+        ("d435", "camera_link", None, "realsense_d435"),
+        ("depthCamera", "camera_link", None, "realsense_d435"),
+        ("stereo_camera", "camera", None, "stereo_camera"),
+        ("cam", "x", None, "camera"),
+        ("imu", "imu_link", None, "xsens_mti"),
+        ("upper_arm", "shoulder_link", None, None),
+        ("scammer", "primulate", None, None),
+    ],
+)
+def test_names_choose_the_part(
+    file: str, link: str, size: Vector | None, module: str | None
+) -> None:
+    choice = choose({"the file": file, "the link": link}, size)
+    assert (choice.part.module if choice else None) == module
+
+
+def test_the_reason_names_the_word() -> None:
+    choice = choose({"the file": "hokuyo", "the link": "laser"}, None)
+    assert choice is not None
+    assert choice.reason == "'hokuyo' in the name of the file means a 2D lidar"
+    choice = choose({"the file": "x", "the link": "imu_link"}, None)
+    assert choice is not None
+    assert choice.reason == "'imu' in the name of the link means an IMU"
+
+
+def test_words_of_a_name() -> None:
+    assert split_words("frontLeftWheel_2.dae") == {"front", "left", "wheel", "2", "dae"}
+    assert {"vlp16", "vlp"} <= split_words("VLP16")

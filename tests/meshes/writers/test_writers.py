@@ -1,0 +1,100 @@
+"""Every format: what is written is read back by other libraries, and is always the same."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+
+from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh, cube
+from urdfkit.meshes.geometry import Material, Mesh
+from urdfkit.meshes.writers import SUFFIXES, UnwritableMesh, encode, losses, write
+
+RED = Material("red", (1.0, 0.0, 0.0, 1.0))
+GLASS = Material("clear glass", (0.2, 0.4, 0.6, 0.5))
+PARTS = Mesh(
+    (
+        as_part(trimesh.creation.cylinder(0.1, 0.2, sections=24), RED),
+        as_part(trimesh.creation.icosphere(2, 0.1).apply_translation((1, 2, 3)), GLASS),
+    )
+)
+
+
+def read(path: Path) -> trimesh.Trimesh:
+    """By trimesh, all parts welded."""
+    loaded = trimesh.load_mesh(path, process=False)
+    loaded.merge_vertices(merge_norm=True, merge_tex=True)
+    return loaded
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_what_is_written_is_read_back(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"two parts{suffix}"
+    assert write(PARTS, path)[0] == str(path)
+    back, expected = read(path), as_trimesh(PARTS)
+    assert len(back.faces) == len(expected.faces)
+    assert back.is_volume
+    assert back.volume == pytest.approx(expected.volume, rel=1e-6)
+    assert back.bounds == pytest.approx(expected.bounds, abs=1e-6)
+    assert sorted(os.listdir(tmp_path)) == sorted(encode(PARTS, path.name))
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_the_same_mesh_gives_the_same_bytes(suffix: str) -> None:
+    copy = Mesh(tuple(part._replace(vertices=part.vertices.copy()) for part in PARTS.parts))
+    assert encode(PARTS, f"a{suffix}") == encode(copy, f"a{suffix}")
+
+
+@pytest.mark.parametrize("suffix", [".dae", ".obj", ".glb"])
+def test_materials_survive(suffix: str, tmp_path: Path) -> None:
+    write(PARTS, tmp_path / f"a{suffix}")
+    scene = trimesh.load_scene(tmp_path / f"a{suffix}", process=False)
+    colors = sorted(_color(geometry) for geometry in scene.geometry.values())
+    assert colors == [pytest.approx((0.2, 0.4, 0.6), abs=3e-3), pytest.approx((1, 0, 0), abs=3e-3)]
+
+
+def _color(geometry: Any) -> tuple[float, ...]:
+    return tuple(np.asarray(geometry.visual.material.main_color)[:3] / 255)
+
+
+@pytest.mark.parametrize("scale", [1e-5, 1.0, 1e4])
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_size_does_not_matter(suffix: str, scale: float, tmp_path: Path) -> None:
+    mesh = as_mesh(trimesh.creation.icosphere(2, scale))
+    write(mesh, tmp_path / f"ball{suffix}")
+    back = trimesh.load_mesh(tmp_path / f"ball{suffix}", process=False)
+    volume = trimesh.Trimesh(back.vertices / scale, back.faces, process=False).volume
+    assert volume == pytest.approx(as_trimesh(mesh).volume / scale**3, rel=1e-5)
+
+
+def test_what_cannot_be_written_is_said() -> None:
+    with pytest.raises(UnwritableMesh, match=r"a\.step: this suffix cannot be written"):
+        encode(cube(), "a.step")
+    with pytest.raises(UnwritableMesh, match="no triangles"):
+        encode(Mesh(()), "a.stl")
+    broken = cube()
+    broken.parts[0].vertices[0, 0] = np.nan
+    with pytest.raises(UnwritableMesh, match="not finite"):
+        encode(broken, "a.stl")
+    lost = cube()._replace(
+        parts=(cube().parts[0]._replace(material=Material("m", texture="/no/such.png")),)
+    )
+    with pytest.raises(UnwritableMesh, match=r"such\.png: cannot be read"):
+        encode(lost, "a.dae")
+
+
+def test_what_a_format_cannot_hold_is_told() -> None:
+    assert losses(PARTS, "a.stl") == ["materials"]
+    assert losses(PARTS, "a.ply") == ["materials", "the division into parts"]
+    assert losses(PARTS, "a.dae") == losses(PARTS, "a.obj") == losses(PARTS, "a.glb") == []
+
+
+def test_missing_folders_are_made(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "folder" / "a.obj"
+    mtl = str(path.with_suffix(".mtl"))
+    assert write(PARTS, path) == [str(path), mtl]
+    assert path.is_file()

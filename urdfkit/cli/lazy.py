@@ -1,0 +1,33 @@
+"""Groups of commands, each of which is imported when it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+import click
+
+
+class LazyGroup(click.Group):
+    """A group that imports a command when it is asked for.
+
+    Args:
+        package: that has a module for each command, with a ``command`` in it.
+        names: of the commands, in the order in which they are listed.
+    """
+
+    def __init__(self, *args: Any, package: str, names: Sequence[str], **more: Any) -> None:
+        super().__init__(*args, **more)
+        self.package = package
+        self.names = tuple(names)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(self.names)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in self.names:
+            return None
+        command = import_module(f"{self.package}.{cmd_name}").command
+        assert isinstance(command, click.Command)
+        return command

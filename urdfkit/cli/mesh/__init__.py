@@ -1,0 +1,24 @@
+"""``urdfkit mesh``: the commands about mesh files."""
+
+from __future__ import annotations
+
+import click
+
+from urdfkit.cli.lazy import LazyGroup
+
+COMMANDS = ("generate",)
+
+
+@click.group(
+    "mesh",
+    cls=LazyGroup,
+    package="urdfkit.cli.mesh",
+    names=COMMANDS,
+    invoke_without_command=True,
+)
+@click.pass_context
+def command(context: click.Context) -> int:
+    """Look at mesh files, convert, repair and simplify them, make what is missing."""
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+    return 0

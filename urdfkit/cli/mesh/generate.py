@@ -1,0 +1,90 @@
+"""``urdfkit mesh generate``: meshes for files that are missing, empty or broken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.cli.robot import robot
+from urdfkit.meshes.parts import PARTS
+from urdfkit.spatial import Vector
+from urdfkit.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
+
+_PARTS = {part.module: part for part in PARTS}
+
+
+@click.command("generate")
+@click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
+@click.option("--model", metavar="FILE", help="The robot that names the mesh.")
+@click.option("--part", "part_name", type=click.Choice([*_PARTS]), help="Make this part.")
+@click.option("--size", type=(float, float, float), metavar="X Y Z", help="Of the mesh, in metres.")
+@click.option("--force", is_flag=True, help="Replace a file that is a good mesh, too.")
+@click.option("--dry-run", is_flag=True, help="Say what would be made, and write nothing.")
+@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+def command(
+    words: tuple[str, ...],
+    model: str | None,
+    part_name: str | None,
+    size: Vector | None,
+    force: bool,
+    dry_run: bool,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Make a mesh for a file that is missing, empty or broken.
+
+    MESH is the reference as the robot writes it, such as package://gazebo_pkg/meshes/hokuyo.dae;
+    without it, every missing, empty and broken mesh of the robot is made. What it is follows from
+    the names of file and link, its place and size from the other shapes of the link. Without
+    --model, MESH is a file, and --part says what to make.
+
+    Exit codes: 0 done, 1 a mesh could not be made, 2 it cannot be done.
+    """
+    files = [word for word in words if ":=" not in word]
+    if len(files) > 1:
+        raise options.UsageError("name one mesh, or none for all that are missing")
+    if size is not None and not min(size) > 0:
+        raise options.UsageError("--size: every edge must be more than 0")
+    part = _PARTS[part_name] if part_name else None
+    if model is None:
+        if not files or part is None:
+            raise options.UsageError(
+                "name the robot with --model; or name a file and what to make with --part"
+            )
+        made = [generate_part(files[0], part, size, force=force)]
+        undone: tuple[Undone, ...] = ()
+    else:
+        arguments = tuple(word for word in words if ":=" in word)
+        subject = robot((model, *arguments), package, trust)
+        if files:
+            one = generate(subject, files[0], part=part, size=size, force=force)
+            made = [one] if isinstance(one, StandIn) else []
+            undone = (one,) if isinstance(one, Undone) else ()
+        elif part or size or force:
+            raise options.UsageError("--part, --size and --force are for one mesh; name it")
+        else:
+            found = generate_missing(subject)
+            made, undone = list(found.made), found.undone
+    if not dry_run:
+        for one in made:
+            one.write()
+    output.write("\n".join(render(made, undone, dry_run)) + "\n")
+    return int(bool(undone))
+
+
+def render(made: list[StandIn], undone: tuple[Undone, ...], dry_run: bool) -> Iterator[str]:
+    """What was made, and what was not."""
+    if not made and not undone:
+        yield "nothing is missing"
+    for one in made:
+        yield f"{'would write' if dry_run else 'wrote'} {output.shorter(one.path)}"
+        yield from output.indented(f"the file {one.defect}")
+        yield from output.indented(one.reason)
+        yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
+    for other in undone:
+        yield f"cannot make {output.shorter(other.path)}"
+        yield from output.indented(f"the file {other.defect}")
+        yield from output.indented(other.reason)

@@ -1,0 +1,44 @@
+"""Meshes moved, turned and stretched."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.meshes.geometry import Floats, Mesh, Part
+from urdfkit.spatial import Frame, Vector
+
+
+def moved(mesh: Mesh, frame: Frame) -> Mesh:
+    """A mesh given in a frame, in the parent of that frame."""
+    rows, position = np.asarray(frame.rotation), np.asarray(frame.position)
+    return mesh._replace(
+        parts=tuple(
+            part._replace(
+                vertices=part.vertices @ rows.T + position,
+                normals=None if part.normals is None else part.normals @ rows.T,
+            )
+            for part in mesh.parts
+        )
+    )
+
+
+def scaled(mesh: Mesh, factors: Vector) -> Mesh:
+    """A mesh stretched along x, y and z; one that becomes its mirror image is turned outwards.
+
+    Args:
+        mesh: any.
+        factors: none of them zero.
+    """
+    stretch = np.asarray(factors, dtype=float)
+    mirrored = bool(np.prod(np.sign(stretch)) < 0)
+    return mesh._replace(parts=tuple(_scaled(part, stretch, mirrored) for part in mesh.parts))
+
+
+def _scaled(part: Part, stretch: Floats, mirrored: bool) -> Part:
+    normals = part.normals
+    if normals is not None:
+        normals = normals / stretch
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        normals = normals / np.where(lengths > 0, lengths, 1.0)
+    faces = part.faces[:, ::-1].copy() if mirrored else part.faces
+    return part._replace(vertices=part.vertices * stretch, faces=faces, normals=normals)
