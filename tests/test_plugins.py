@@ -65,7 +65,7 @@ def test_a_plugin_that_the_target_does_not_load() -> None:
 
 def test_what_is_in_a_plugin() -> None:
     use = only(plugin("libx.so", '<a><b c="d"> e </b></a><a/>'))
-    assert [(item.path, item.text) for item in use.items()] == [
+    assert [(item.path, item.text) for item in use.items] == [
         ("a", ""),
         ("a/b", "e"),
         ("a/b/@c", "d"),

@@ -11,7 +11,9 @@ if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
 
 _SRDF = (".srdf", ".srdf.xacro")
-_SETUP = re.compile(r"URDF:\s*\n\s*package:\s*\"?([\w-]+)\"?\s*\n\s*relative_path:\s*\"?([^\s\"]+)")
+_SETUP = (  # compiled when needed, which is seldom
+    r"URDF:\s*\n\s*package:\s*\"?([\w-]+)\"?\s*\n\s*relative_path:\s*\"?([^\s\"]+)"
+)
 
 
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
@@ -46,7 +48,7 @@ def _is_set_up_for(folder: str, package: tuple[str, str], robot: str) -> bool:
     """True if a MoveIt package says that it was made for a robot's file."""
     try:
         with open(os.path.join(folder, ".setup_assistant"), encoding="utf-8") as file:
-            setup = _SETUP.search(file.read(100_000))
+            setup = re.search(_SETUP, file.read(100_000))
     except (OSError, UnicodeDecodeError):
         return False
     if setup is None or setup.group(1) != package[0]:

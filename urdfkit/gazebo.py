@@ -55,23 +55,48 @@ OLD = Converter("sdformat before 9.10.1 and 12.7.2", 1e-6, True)
 NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False)
 
 
-class SimulatedLink(Record):
+class SimulatedLink:
     """A link as Gazebo has it.
 
     Attributes:
-        body: the links that were merged into it, itself first.
-        properties: mass, centre of mass and inertia of all of them, in its frame.
-        collisions, visuals: the names that Gazebo gives, each with its URDF element.
+        body: the links of the URDF that it is made of.
     """
 
-    body: RigidBody
-    properties: MassProperties
-    collisions: tuple[tuple[str, Element], ...]
-    visuals: tuple[tuple[str, Element], ...]
+    def __init__(self, body: RigidBody, tree: KinematicTree) -> None:
+        self.body = body
+        self._tree = tree
 
     @property
     def name(self) -> str:
         return self.body.top.name
+
+    @cached_property
+    def properties(self) -> MassProperties:
+        """Of all the links together."""
+        return self.body.properties
+
+    @cached_property
+    def collisions(self) -> tuple[tuple[str, Element], ...]:
+        """What Gazebo calls each collision, and its element."""
+        return tuple(_named(self._merging_order, "collision"))
+
+    @cached_property
+    def visuals(self) -> tuple[tuple[str, Element], ...]:
+        """What Gazebo calls each visual, and its element."""
+        return tuple(_named(self._merging_order, "visual"))
+
+    @cached_property
+    def _merging_order(self) -> list[Link]:
+        """The links of the body as their shapes are merged: by the names of their joints."""
+        members = {link.name for link, _ in self.body.links}
+        order: list[Link] = []
+        stack = [self.name]
+        while stack:
+            name = stack.pop()
+            order.append(self._tree.model.links_by_name[name])
+            joints = sorted(self._tree.children[name], key=lambda one: one.name, reverse=True)
+            stack += [j.child.value for j in joints if j.child and j.child.value in members]
+        return order
 
 
 class SimulatedJoint(Record):
@@ -108,7 +133,7 @@ class Conversion:
         self.massless: list[RigidBody] = []
         self.stranded: list[RigidBody] = []
         survivors = [body for body in self._bodies if self._survives(body)]
-        self.links = tuple(self._link(body) for body in survivors)
+        self.links = tuple(SimulatedLink(body, tree) for body in survivors)
         self.joints = tuple(self._joints(survivors))
         self.added = frozenset(_added(model))
 
@@ -183,27 +208,6 @@ class Conversion:
                     assert joint.child is not None
                     queue.append(joint.child.value)
         return total
-
-    def _link(self, body: RigidBody) -> SimulatedLink:
-        order = self._merging_order(body)
-        return SimulatedLink(
-            body,
-            body.properties,
-            tuple(_named(order, "collision")),
-            tuple(_named(order, "visual")),
-        )
-
-    def _merging_order(self, body: RigidBody) -> list[Link]:
-        """The links of a body as their shapes are merged: by the names of their joints."""
-        members = {link.name for link, _ in body.links}
-        order: list[Link] = []
-        stack = [body.top.name]
-        while stack:
-            name = stack.pop()
-            order.append(self.model.links_by_name[name])
-            joints = sorted(self.tree.children[name], key=lambda joint: joint.name, reverse=True)
-            stack += [j.child.value for j in joints if j.child and j.child.value in members]
-        return order
 
     def _joints(self, survivors: list[RigidBody]) -> Iterator[SimulatedJoint]:
         for body in survivors:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 ABOUT_TREES = frozenset("NAM001 NAM002 REF001 TRE001 TRE002 TRE003 TRE004 TRE006".split())
 
 #: Silent if every name is plain.
-ABOUT_NAMES = frozenset("NAM003 NAM004 NAM005 NAM007 NAM008 NAM010".split())
+ABOUT_NAMES = frozenset("NAM004 NAM007 NAM008 NAM010".split())
 
 #: Silent if no joint has the child.
 ABOUT_CHILDREN = {
@@ -39,12 +39,43 @@ ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT02
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
-ABOUT_SENSORS = frozenset(f"GAZ{number:03}" for number in range(40, 57))
+ABOUT_SENSORS = frozenset((*(f"GAZ{number:03}" for number in range(40, 57)), "GAZ015"))
+
+_DRIVES = ("drive", "Drive", "steering")
+_LIDARS = ("ray", "lidar")
+_CAMERAS = ("camera", "depth", "rgbd")
+
+#: Silent if none of these words stands in a ``<gazebo>``: in a tag, a type or a file name.
+ABOUT_WORDS = {
+    "GAZ007": ("material",),
+    "GAZ008": ("material",),
+    "GAZ024": _DRIVES,
+    "GAZ025": _DRIVES,
+    "GAZ026": _DRIVES,
+    "GAZ033": ("gz", "ignition"),
+    "GAZ043": ("update_rate",),
+    "GAZ044": ("update_rate",),
+    "GAZ045": _LIDARS,
+    "GAZ046": _LIDARS,
+    "GAZ047": _LIDARS,
+    "GAZ048": ("clip",),
+    "GAZ049": _CAMERAS,
+    "GAZ050": _LIDARS,
+    "GAZ051": ("contact",),
+    "GAZ052": ("force_torque",),
+    "GAZ054": ("update_rate",),
+    "GAZ055": _CAMERAS,
+    "GAZ056": ("horizontal_fov",),
+}
+
+#: Silent without ``<ros2_control>``, and without ``<transmission>``.
+ABOUT_COMPONENTS = frozenset(f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18))
+ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016"))
 
 #: Silent if all sizes are positive.
 ABOUT_SIZES = frozenset(("GEO001", "GEO012"))
 
-#: Silent if no mesh has a scale.
+#: Silent if all scales are positive.
 ABOUT_SCALES = frozenset(("GEO005", "GEO006"))
 
 
@@ -53,18 +84,17 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     codes: set[str] = set()
     if tree.is_sound:
         codes |= ABOUT_TREES
-    if _names_are_plain(model):
-        codes |= ABOUT_NAMES
+    codes |= _about_names(model)
     if len(model.materials) < 2:
         codes.add("NAM006")
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
     codes |= _about_joints(model) | _about_shapes(model) | _about_colours(model)
-    simulated = {part.tag for block in model.gazebo for part in block.walk()}
-    if "plugin" not in simulated:
-        codes |= ABOUT_PLUGINS
-    if "sensor" not in simulated:
-        codes |= ABOUT_SENSORS
+    codes |= _about_gazebo(model)
+    if not model.ros2_controls:
+        codes |= ABOUT_COMPONENTS
+    if not model.transmissions:
+        codes |= ABOUT_TRANSMISSIONS
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     if len(model.joints) < 1000:
@@ -98,6 +128,20 @@ def _about_joints(model: RobotModel) -> set[str]:
     return codes | _about_types([joint.kind for joint in joints])
 
 
+def _about_gazebo(model: RobotModel) -> set[str]:
+    words: set[str] = set()
+    for block in model.gazebo:
+        for part in block.walk():
+            words.update((part.tag, part.get("type") or "", part.get("filename") or ""))
+    text = " ".join(words)
+    codes = {code for code, about in ABOUT_WORDS.items() if not any(w in text for w in about)}
+    if "plugin" not in words:
+        codes |= ABOUT_PLUGINS
+    if "sensor" not in words:
+        codes |= ABOUT_SENSORS
+    return codes
+
+
 def _about_shapes(model: RobotModel) -> set[str]:
     codes: set[str] = set()
     if all(bool(link.visuals) == bool(link.collisions) for link in model.links):
@@ -105,7 +149,7 @@ def _about_shapes(model: RobotModel) -> set[str]:
     if any(link.visuals or link.collisions for link in model.links):
         codes.add("GEO008")
     shapes = model.shapes
-    if not any("scale" in shape.at.attributes for shape in shapes):
+    if all(min(shape.scale) > 0 for shape in shapes):
         codes |= ABOUT_SCALES
     if not any(shape.half_extents for shape in shapes):
         codes.add("GEO004")
@@ -170,13 +214,18 @@ def _limit_is_plain(joint: Joint) -> bool:
     )
 
 
-def _names_are_plain(model: RobotModel) -> bool:
-    """True if no joint is named as a link, and all names are such as ``wheel_2-tyre``."""
-    links = model.links_by_name
-    return not any(joint.name in links for joint in model.joints) and all(
-        name.value.isascii()
-        and name.value[:1].isalpha()
-        and name.value.replace("-", "_").isidentifier()
-        and name.value != "world"
-        for name in model.names
-    )
+def _about_names(model: RobotModel) -> set[str]:
+    names = {name.value for name in model.names}
+    codes: set[str] = set()
+    if all(map(_is_plain, names)):
+        codes |= ABOUT_NAMES
+    if not any(joint.name in model.links_by_name for joint in model.joints):
+        codes.add("NAM003")
+    if not any(name == "world" or name.startswith("__") for name in names):
+        codes.add("NAM005")
+    return codes
+
+
+def _is_plain(name: str) -> bool:
+    """True for a name such as ``wheel_2-tyre``."""
+    return name.isascii() and name[:1].isalpha() and name.replace("-", "_").isidentifier()

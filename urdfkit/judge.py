@@ -17,6 +17,7 @@ from urdfkit.subject import Outcome, Subject, Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
+    from urdfkit.expansion import Xacro
     from urdfkit.source import Source
     from urdfkit.targets import Targets
 
@@ -150,6 +151,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     if reading.xacro is None:
         silent.add("XAC")
         told.add("XAC003")  # the one among them that is about plain files
+    else:
+        waiting |= _silent_about_xacro(reading.xacro)
     if reading.document is None:
         silent |= {"XAC", *_OF_THE_DOCUMENT}
     else:
@@ -181,6 +184,11 @@ def _silent_families(subject: Subject) -> set[str]:
         "SRD": srdf_files(subject.source.path, subject.resolver),
     }
     return {family for family, things in there.items() if not things}
+
+
+def _silent_about_xacro(xacro: Xacro) -> set[str]:
+    about = {"XAC004": xacro.properties, "XAC005": xacro.macros, "XAC006": xacro.arguments}
+    return {"XAC003", *(code for code, things in about.items() if not things)}
 
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:

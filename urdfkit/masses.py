@@ -104,6 +104,7 @@ class Masses:
             "INE013": self.copies,
             "INE014": self.overloaded,
             "INE018": self.singular,
+            "XAC014": self.shared_by_macro,
         }
         return codes.union(code for code, findings in found.items() if findings)
 

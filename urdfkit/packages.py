@@ -77,6 +77,7 @@ class Packages:
         self._names: dict[str, str | None] = {}
         self._levels: dict[str, tuple[Level, ...]] = {}
         self._scans: dict[Level, _Scan] = {}
+        self._searched: dict[str, tuple[str, ...]] = {}
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
         """The folders that may be a package, the best first of those that are certain.
@@ -109,6 +110,11 @@ class Packages:
         if name in self.explicit:
             return (f"{self.explicit[name]} (given for {name}; no such folder)",)
         start = os.path.dirname(os.path.abspath(near))
+        if start not in self._searched:  # a robot may name a missing package a hundred times
+            self._searched[start] = self._search_of(start, near)
+        return self._searched[start]
+
+    def _search_of(self, start: str, near: str) -> tuple[str, ...]:
         told = [f"{start} and the folders above it"]
         for variable, paths in (
             ("AMENT_PREFIX_PATH", self.prefixes),

@@ -30,11 +30,14 @@ def unread(use: Use) -> list[Unread]:
     plugin = use.plugin
     if plugin is None or not plugin.parameters:
         return []
+    missed = use.unread(plugin)
+    if not missed:
+        return []
     common = {name for names in often_unread().values() for name in names}
-    given = {item.path for item in use.items()}
+    given = {item.path for item in use.items}
     speller = Speller([name for name in plugin.parameters if name not in given])
     found: list[Unread] = []
-    for item in use.unread(plugin):
+    for item in missed:
         other = _other(use, plugin, item)
         if other is None and item.path in common:
             continue

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
@@ -49,7 +50,7 @@ class Reference(Record):
         return "link" if self.parameter.type == "link" else "joint"
 
 
-class Use(Record):
+class Use:
     """A ``<plugin>`` of a model.
 
     Attributes:
@@ -59,10 +60,22 @@ class Use(Record):
         plugin: the one of them that the Gazebo which the robot is for loads, or None.
     """
 
-    at: Element
-    block: Element
-    known: tuple[Plugin, ...]
-    plugin: Plugin | None
+    def __init__(self, at: Element, block: Element, wanted: Collection[str]) -> None:
+        self.at = at
+        self.block = block
+        self.known = find((at.get("filename") or "").strip())
+        self.plugin = self._loaded(wanted)
+
+    def _loaded(self, wanted: Collection[str]) -> Plugin | None:
+        """The plugin of a wanted generation that reads most of the tags."""
+        candidates = [
+            plugin
+            for plugin in self.known
+            if not plugin.removed and (plugin.generation in wanted or not wanted)
+        ]
+        if len(candidates) < 2:
+            return candidates[0] if candidates else None
+        return min(candidates, key=lambda plugin: len(self.unread(plugin)))
 
     @property
     def filename(self) -> str:
@@ -85,8 +98,12 @@ class Use(Record):
             return self.at.parent.tag
         return "link" if self.block.get("reference") else "model"
 
-    def items(self) -> Iterator[Item]:
+    @cached_property
+    def items(self) -> tuple[Item, ...]:
         """Everything in it, outer tags before inner ones."""
+        return tuple(self._items())
+
+    def _items(self) -> Iterator[Item]:
         stack = [("", child) for child in reversed(self.at.children)]
         while stack:
             path, element = stack.pop()
@@ -98,13 +115,13 @@ class Use(Record):
 
     def values(self, path: str) -> list[Item]:
         """The tags or attributes at a path."""
-        return [item for item in self.items() if item.path == path]
+        return [item for item in self.items if item.path == path]
 
     def unread(self, plugin: Plugin) -> list[Item]:
         """The tags that a plugin does not read; of a block that it does not know only the first."""
         found: list[Item] = []
         closed = ""  # what is in a tag follows right behind it
-        for item in self.items():
+        for item in self.items:
             if "@" in item.path or (closed and item.path.startswith(closed)):
                 continue
             known = plugin.reads(item.path)
@@ -116,7 +133,7 @@ class Use(Record):
     def references(self) -> Iterator[Reference]:
         """The links and joints that its plugin looks up, where they are given."""
         parameters = self.plugin.parameters if self.plugin else {}
-        for item in self.items():
+        for item in self.items:
             parameter = parameters.get(item.path)
             if parameter is None or parameter.type not in REFERENCES:
                 continue
@@ -131,24 +148,12 @@ class Use(Record):
 def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
     """Every plugin in the ``<gazebo>`` blocks of a model."""
     wanted = {name for target in targets.names for name in GENERATIONS.get(target, ())}
-    found: list[Use] = []
-    for block in model.gazebo:
-        for element in block.walk():
-            if element.tag == "plugin" and element.parent is not None:
-                known = find((element.get("filename") or "").strip())
-                use = Use(element, block, known, None)
-                found.append(use._replace(plugin=_loaded(use, wanted)))
-    return tuple(found)
-
-
-def _loaded(use: Use, wanted: set[str]) -> Plugin | None:
-    """The plugin of a wanted generation that reads most of the tags."""
-    candidates = [
-        plugin
-        for plugin in use.known
-        if not plugin.removed and (plugin.generation in wanted or not wanted)
-    ]
-    return min(candidates, key=lambda plugin: len(use.unread(plugin)), default=None)
+    return tuple(
+        Use(element, block, wanted)
+        for block in model.gazebo
+        for element in block.walk()
+        if element.tag == "plugin" and element.parent is not None
+    )
 
 
 def generations(use: Use) -> set[str]:

@@ -8,7 +8,6 @@ nothing else has to be edited, and a rule is imported only when it may have some
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
@@ -45,14 +44,12 @@ TOLD_BY_FILES = frozenset(
 )
 
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.
-TOLD_BY_MASSES = frozenset(f"INE{number:03}" for number in range(1, 21))
+TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
 
 #: Families of urdfkit's own rules, those to come included; other packages take other letters.
 FAMILIES = frozenset(
     "XML XAC URD REF NAM TRE JNT INE GEO MSH SRD COL DYN GAZ RCT LAU PKG CFG".split()
 )
-
-_MODULE = re.compile(r"([a-z]{3}\d{3})_([a-z0-9]+(?:_[a-z0-9]+)*)$")
 
 
 class Need(Enum):
@@ -190,8 +187,10 @@ def codes() -> list[str]:
 
 def code_of(module: str) -> str | None:
     """The code of the rule in a module, by the module's name; None if it names no rule."""
-    match = _MODULE.match(module.rpartition(".")[2])
-    return match.group(1).upper() if match else None
+    name = module.rpartition(".")[2]
+    letters, digits, rest = name[:3], name[3:6], name[6:]
+    is_one = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
+    return name[:6].upper() if is_one and name.isascii() and name.islower() else None
 
 
 def register(modules: Mapping[str, str]) -> None:

@@ -21,8 +21,9 @@ GENERATIONS = {
 #: Types of parameters that the plugin looks up in the simulated model. ``joints`` is a list.
 REFERENCES = ("link", "joint", "joints")
 
-_GZ_NAME = re.compile(r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so)?$")
-_ROS2_CONTROL = re.compile(r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$")
+# Compiled when needed: gz-sim forgives what few models need forgiven.
+_GZ_NAME = r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so)?$"
+_ROS2_CONTROL = r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$"
 
 
 class Parameter(Record):
@@ -129,9 +130,9 @@ def find(filename: str) -> tuple[Plugin, ...]:
     ``.so``, and the version number in ``gz-sim8-``.
     """
     entries = _by_file().get(filename, ())
-    if not entries and (match := _GZ_NAME.match(filename)):
+    if not entries and "-" in filename and (match := re.match(_GZ_NAME, filename)):
         entries = _by_file().get("".join(match.groups()), ())
-    if not entries and (match := _ROS2_CONTROL.match(filename)):
+    if not entries and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
         entries = _by_file().get(match.group(1), ())
     return tuple(_plugin(entry) for entry in entries)
 

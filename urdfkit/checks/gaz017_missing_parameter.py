@@ -37,8 +37,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         if use.plugin is None or _is_of_another(use):
             continue
-        given = {item.path for item in use.items() if item.text}
-        blocks = {item.path for item in use.items()}
+        given = {item.path for item in use.items if item.text}
+        blocks = {item.path for item in use.items}
         for parameter in use.plugin.parameters.values():
             block = parameter.name.rpartition("/")[0]
             if parameter.name in (blocks if parameter.type == "container" else given):

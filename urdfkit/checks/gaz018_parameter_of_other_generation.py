@@ -53,7 +53,7 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
-        given = {item.path for item in use.items()}
+        given = {item.path for item in use.items}
         for found in unread(use):
             if found.other is None or use.plugin is None:
                 continue

@@ -42,7 +42,7 @@ _TRUE, _FALSE = ("true", "1"), ("false", "0", "no", "off")
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         parameters = use.plugin.parameters if use.plugin else {}
-        for item in use.items():
+        for item in use.items:
             parameter = parameters.get(item.path)
             if parameter is None or (found := _wrong(parameter, item.text)) is None:
                 continue

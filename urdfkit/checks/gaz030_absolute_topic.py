@@ -36,7 +36,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         if use.plugin is None or use.plugin.generation not in ("classic-ros1", "classic-ros2"):
             continue  # in gz-sim a topic is absolute in any case
-        for item in use.items():
+        for item in use.items:
             parameter = use.plugin.parameters.get(item.path)
             topic = item.text if parameter and parameter.type == "topic" else ""
             if item.path == "ros/remapping":

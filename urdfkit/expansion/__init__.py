@@ -15,13 +15,12 @@ from urdfkit.document import Attribute, Document, Frame
 from urdfkit.expansion import dom
 from urdfkit.expansion.attempts import attempt
 from urdfkit.expansion.ledger import Message
-from urdfkit.expansion.part import as_part
 from urdfkit.expansion.run import Definition, Run
-from urdfkit.expansion.trace import Origin, inputs_of
 from urdfkit.expansion.usage import Usage, usage
 from urdfkit.reading import encoding_problems
 
 if TYPE_CHECKING:
+    from urdfkit.expansion.trace import Origin
     from urdfkit.resolve import Resolver
     from urdfkit.source import Source
 
@@ -48,6 +47,8 @@ class Xacro:
             *ledger.problems,
         ]
         if ledger.first_error is not None:
+            from urdfkit.expansion.part import as_part
+
             problems = as_part(run.source, resolver.packages, problems)
         self.problems = tuple(problems)
         self.macros = tuple(run.macros)
@@ -80,6 +81,8 @@ class Xacro:
 
     def inputs(self, attribute: Attribute) -> tuple[Origin, ...]:
         """The names that the expression of an attribute looked up, if the run was traced."""
+        from urdfkit.expansion.trace import inputs_of
+
         assert self._dom is not None
         return inputs_of(self._dom, attribute.element, attribute.name)
 

@@ -6,7 +6,6 @@ import os
 from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
-from urdfkit.expansion import describe
 from urdfkit.expansion.budget import deadline
 from urdfkit.expansion.engine import load_engine
 from urdfkit.expansion.ledger import ANY, Ledger
@@ -88,6 +87,8 @@ def _stock_words(error: BaseException) -> str:
 
 
 def _failure(run: Run, error: BaseException) -> _Failure:
+    from urdfkit.expansion import describe  # which a run without errors does without
+
     if isinstance(error, ExpatError):
         return _not_well_formed(error)
     traceback = error.__traceback__

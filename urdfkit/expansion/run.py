@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
-from urdfkit.expansion import describe, dom
+from urdfkit.expansion import dom
 from urdfkit.expansion.budget import Budget
 from urdfkit.expansion.dom import Dom, Node
 from urdfkit.expansion.engine import load_engine
@@ -22,11 +22,11 @@ from urdfkit.expansion.notes import notes_of
 from urdfkit.expansion.reader import Reader
 from urdfkit.expansion.spot import Located
 from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
-from urdfkit.expansion.trace import Tracer
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.record import Record
 
 if TYPE_CHECKING:
+    from urdfkit.expansion.trace import Tracer
     from urdfkit.resolve import Resolver
     from urdfkit.source import Source
 
@@ -101,7 +101,7 @@ class Run:
         self.fence = Fence(self.budget)
         self.ledger = ledger
         self.reader = reader
-        self.tracer = Tracer(self) if traced else None
+        self.tracer = _tracer(self) if traced else None
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
         self.declared: list[Definition] = []
@@ -258,6 +258,8 @@ class Run:
                 break  # its default needs the argument itself
             self._defaulting.add(name)
             try:
+                from urdfkit.expansion import describe
+
                 self.ledger.add(describe.used_too_early(name, node, _caller()))
                 return str(load_engine().xacro.eval_text(node.getAttribute("default"), symbols))
             finally:
@@ -313,6 +315,8 @@ class Run:
         same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
         if same_block and not same_value and earlier.tag_at != node.tag_at:
             message = f"property '{key}' is defined again before its first value is used"
+            from urdfkit.expansion import describe
+
             related = describe.related(earlier.tag_at.span, "first defined here")
             span = node.tag_at.attribute_spans().get("name", node.tag_at.span)
             self.ledger.add(Problem("XAC008", span, message, frame=node.frame, related=related))
@@ -325,6 +329,8 @@ class Run:
 
     def warn(self, text: str) -> None:
         """xacro warns."""
+        from urdfkit.expansion import describe  # which most runs do without
+
         node, local = describe.node_in(_caller())
         self.ledger.say(Message("warning", text, node.tag_at.span if node else None))
         if node is not None:
@@ -356,10 +362,18 @@ class Run:
         located, self._location = self._location, None
         if isinstance(root_cause(error), (TooMuch, RecursionError, MemoryError)):
             raise error
+        from urdfkit.expansion import describe
+
         ledger = self.ledger
         ledger.first_error = ledger.first_error or str(error) or repr(error)
         if not ledger.is_full and not ledger.is_consequence(error):
             ledger.add(describe.problem(self, error, located or used, used, frame))
+
+
+def _tracer(run: Run) -> Tracer:
+    from urdfkit.expansion.trace import Tracer
+
+    return Tracer(run)
 
 
 def _definition(node: Node) -> Definition:
