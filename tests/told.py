@@ -33,4 +33,4 @@ def fixed(code: str, text: str, path: str = "robot.urdf") -> str:
     """The robot after every fix that a rule offers."""
     found = told(code, text, path)
     edits = [edit for diagnostic in found if diagnostic.fix for edit in diagnostic.fix.edits]
-    return apply_edits(whole_robot(text).encode(), edits).decode()
+    return apply_edits(whole_robot(text).encode(), dict.fromkeys(edits)).decode()

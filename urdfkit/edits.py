@@ -8,10 +8,14 @@ wrote may be edited: the judge keeps the edit only if all uses agree on it (``ag
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from urdfkit.diagnostic import Edit
 from urdfkit.document import Attribute, Element
 from urdfkit.source import Source, Span
+
+#: The indentation of one level where a file does not show its own.
+STEP = "  "
 
 _END_TAG_NAME = re.compile(rb"</\s*([^\s>]+)")
 
@@ -79,39 +83,122 @@ def replace_text(element: Element, text: str) -> tuple[Edit, ...] | None:
     return (Edit(Span(source, start, start + len(written.strip())), escaped),)
 
 
+def rewrite(at: Element | Attribute, text: str) -> tuple[Edit, ...] | None:
+    """Give an attribute another value, or an element another text."""
+    return replace_value(at, text) if isinstance(at, Attribute) else replace_text(at, text)
+
+
+def swap(one: Element | Attribute, other: Element | Attribute) -> tuple[Edit, ...] | None:
+    """Give each of two attributes or elements the value of the other."""
+    first, second = rewrite(one, _value(other)), rewrite(other, _value(one))
+    return (*first, *second) if first and second else None
+
+
+def _value(at: Element | Attribute) -> str:
+    return at.value if isinstance(at, Attribute) else at.text.strip()
+
+
 def remove_element(element: Element) -> tuple[Edit, ...]:
     """Take an element out, with its line where nothing else stands on it."""
-    whole = element.tag_at.whole_span
-    source, start, end = whole
+    return remove_elements([element])
+
+
+def remove_elements(elements: Iterable[Element]) -> tuple[Edit, ...]:
+    """Take elements of one source out, with their lines where nothing else stands on them."""
+    return remove_spans(element.tag_at.whole_span for element in elements)
+
+
+def remove_spans(spans: Iterable[Span]) -> tuple[Edit, ...]:
+    """Take pieces of one source out, with their lines where nothing else stands on them."""
+    pieces: list[Span] = []
+    for span in sorted(spans, key=lambda span: span.start):
+        last = pieces[-1] if pieces else None
+        if last and not span.source.data[last.end : span.start].strip():
+            pieces[-1] = Span(span.source, last.start, span.end)
+        else:
+            pieces.append(span)
+    return tuple(Edit(_with_line(piece), "") for piece in pieces)
+
+
+def _with_line(span: Span) -> Span:
+    source, start, end = span
     line_start, line_end = _line(source, start, end)
     alone = not source.data[line_start:start].strip() and not source.data[end:line_end].strip()
-    return (Edit(Span(source, line_start, line_end) if alone else whole, ""),)
+    return Span(source, line_start, line_end) if alone else span
 
 
-def insert_before(element: Element, lines: tuple[str, ...]) -> tuple[Edit, ...] | None:
-    """Put lines of XML before an element, indented as it is.
-
-    None in a macro, where names in the lines would be those of one call.
-    """
-    if from_macro(element):
-        return None
+def insert_before(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML before an element, indented as it is."""
     source, start, _ = element.span
-    separator = _newline(source) + (_indent(element) or "")
+    separator = newline(source) + (_indent(element) or "")
     text = "".join(line + separator for line in lines)
     return (Edit(Span(source, start, start), text),)
 
 
+def insert_after(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML behind an element, indented as it is."""
+    source, _, end = element.tag_at.whole_span
+    separator = newline(source) + (_indent(element) or "")
+    return (Edit(Span(source, end, end), "".join(separator + line for line in lines)),)
+
+
+def insert_first(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML into an element, before what it holds."""
+    tag = element.tag_at
+    if tag.close == tag.start:
+        return _opened(element, lines)
+    separator = _before_content(element)
+    text = "".join(separator + line for line in lines)
+    return (Edit(Span(tag.source, tag.inner_start, tag.inner_start), text),)
+
+
+def insert_last(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML into an element, behind what it holds."""
+    tag = element.tag_at
+    if tag.close == tag.start:
+        return _opened(element, lines)
+    separator = _before_content(element)
+    _, start, end = tag.inner_span
+    at = start + len(tag.source.data[start:end].rstrip())
+    return (Edit(Span(tag.source, at, at), "".join(separator + line for line in lines)),)
+
+
+def _opened(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Lines in an element that is written as ``<a/>``, which becomes ``<a>...</a>``."""
+    source, start, end = element.span
+    slash = start + len(source.data[start : end - 2].rstrip())
+    outer = newline(source) + (_indent(element) or "")
+    inner = "".join(f"{outer}{STEP}{line}" for line in lines)
+    return (Edit(Span(source, slash, end), f">{inner}{outer}</{element.tag}>"),)
+
+
+def _before_content(element: Element) -> str:
+    """What stands between the start tag and what the element holds: a line end, or nothing."""
+    source, start, end = element.tag_at.inner_span
+    data = source.data[start:end]
+    space = data[: len(data) - len(data.lstrip())].decode()
+    if "\n" not in space:
+        return ""
+    if not data.strip():  # it holds nothing, and the end tag stands below
+        return newline(source) + (_indent(element) or "") + STEP
+    return newline(source) + space.rpartition("\n")[2]
+
+
 def move_after(element: Element, anchor: Element) -> tuple[Edit, ...]:
     """Move an element behind another one that it is in, indented as that one."""
-    removal = remove_element(element)
     source, _, end = anchor.tag_at.whole_span
-    own, new = _indent(element), _indent(anchor)
-    text = element.tag_at.whole_span.text
-    if own is not None and new is not None:
-        newline = _newline(source)
-        lines = [line.removeprefix(own) for line in text.splitlines()]
-        text = "".join(newline + new + line for line in lines)
-    return (*removal, Edit(Span(source, end, end), text))
+    new = _indent(anchor)
+    if _indent(element) is None or new is None:
+        text = element.tag_at.whole_span.text
+    else:
+        text = "".join(newline(source) + new + line for line in lines_of(element))
+    return (*remove_element(element), Edit(Span(source, end, end), text))
+
+
+def lines_of(element: Element) -> list[str]:
+    """The text of an element as lines, without the indentation that it has."""
+    own = _indent(element) or ""
+    return [line.removeprefix(own) for line in element.tag_at.whole_span.text.splitlines()]
 
 
 def from_macro(element: Element) -> bool:
@@ -131,7 +218,8 @@ def _indent(element: Element) -> str | None:
     return None if before.strip() else before
 
 
-def _newline(source: Source) -> str:
+def newline(source: Source) -> str:
+    """The line end of a source."""
     return "\r\n" if b"\r\n" in source.data else "\n"
 
 

@@ -86,7 +86,7 @@ def apply_fixes(rule: Rule, text: str) -> str | None:
     """An example after all fixes that one rule proposes; None if it proposes none."""
     with laid_out(rule, text) as source:
         found = diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
-        edits = [edit for one in found if one.fix for edit in one.fix.edits]
+        edits = list(dict.fromkeys(edit for one in found if one.fix for edit in one.fix.edits))
         if not edits:
             return None
         folder = os.path.dirname(source.path)

@@ -11,7 +11,7 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from itertools import zip_longest
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit import atomic
 from urdfkit.config import Config
@@ -21,6 +21,7 @@ from urdfkit.engine import check
 from urdfkit.errors import UnreadableFile, UnwritableFile
 from urdfkit.fixer import apply_edits, encoded, overlap
 from urdfkit.ownership import Ownership
+from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 
@@ -39,7 +40,7 @@ _LAST = ("INE", "XAC014")
 _Key = tuple[str, str, str]
 
 
-class FixedFile(NamedTuple):
+class FixedFile(Record):
     """A file that fixes change.
 
     Attributes:
@@ -64,7 +65,7 @@ class FixedFile(NamedTuple):
         )
 
 
-class Left(NamedTuple):
+class Left(Record):
     """A finding that fixes did not mend, and why.
 
     Attributes:
@@ -76,7 +77,7 @@ class Left(NamedTuple):
     reason: str
 
 
-class Fixes(NamedTuple):
+class Fixes(Record):
     """What mending some descriptions came to; nothing is written before ``write``.
 
     Attributes:

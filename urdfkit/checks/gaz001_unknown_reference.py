@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -24,13 +26,20 @@ BAD = """\
     <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
   </inertial>
 </link>
-<gazebo reference="wheel_link">
+<gazebo reference="whel">
   <mu1>0.8</mu1>
 </gazebo>"""
-GOOD = BAD.replace("wheel_link", "wheel")
+GOOD = BAD.replace("whel", "wheel")
+FIXED = GOOD
 
 
-@rule("GAZ001", "unknown-reference", Severity.ERROR, help="name a link or a joint of this robot")
+@rule(
+    "GAZ001",
+    "unknown-reference",
+    Severity.ERROR,
+    help="name a link or a joint of this robot",
+    fixable=True,
+)
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
@@ -48,4 +57,10 @@ def check(subject: Subject) -> Iterator[Finding]:
                 reference,
                 f"Gazebo drops {lost}: there is no link or joint '{reference.value}'",
                 f"did you mean '{meant}'?" if meant else "",
+                _fix(reference, meant) if meant else None,
             )
+
+
+def _fix(reference: Attribute, meant: str) -> Fix | None:
+    edits = replace_value(reference, meant)
+    return Fix(f"rename '{reference.value}' to '{meant}'", edits) if edits else None

@@ -9,15 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.plugins import Reference
     from urdfkit.subject import Subject
 
 BAD = """\
-<link name="arm">
+<link name="arm_link">
   <inertial>
     <mass value="1"/>
     <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
@@ -25,11 +27,12 @@ BAD = """\
 </link>
 <gazebo>
   <plugin name="pose" filename="libgazebo_ros_p3d.so">
-    <bodyName>arm_link</bodyName>
+    <bodyName>arm_lnk</bodyName>
     <topicName>arm_pose</topicName>
   </plugin>
 </gazebo>"""
-GOOD = BAD.replace("arm_link", "arm")
+GOOD = BAD.replace("arm_lnk", "arm_link")
+FIXED = GOOD
 
 
 @rule(
@@ -38,6 +41,7 @@ GOOD = BAD.replace("arm_link", "arm")
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="name a link of this robot",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = {*subject.model.links_by_name, *subject.gazebo.added, "world"}
@@ -54,4 +58,11 @@ def check(subject: Subject) -> Iterator[Finding]:
                 reference.item.at,
                 f"{use.title} looks for link '{reference.name}', which does not exist{outcome}",
                 f"did you mean '{meant}'?" if meant else "",
+                _fix(reference, meant) if meant else None,
             )
+
+
+def _fix(reference: Reference, meant: str) -> Fix | None:
+    at, name = reference.item.at, reference.name
+    edits = rewrite(at, meant) if reference.item.text == name else None
+    return Fix(f"rename '{name}' to '{meant}'", edits) if edits else None

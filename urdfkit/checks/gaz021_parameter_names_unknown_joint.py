@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.plugins import Reference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -36,10 +38,11 @@ BAD = """\
 </joint>
 <gazebo>
   <plugin name="states" filename="libgazebo_ros_joint_state_publisher.so">
-    <jointName>wheel</jointName>
+    <jointName>wheel_jont</jointName>
   </plugin>
 </gazebo>"""
-GOOD = BAD.replace("<jointName>wheel<", "<jointName>wheel_joint<")
+GOOD = BAD.replace("wheel_jont", "wheel_joint")
+FIXED = GOOD
 
 
 @rule(
@@ -48,6 +51,7 @@ GOOD = BAD.replace("<jointName>wheel<", "<jointName>wheel_joint<")
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="name a joint of this robot",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = {*subject.model.joints_by_name, *subject.gazebo.added}
@@ -64,4 +68,11 @@ def check(subject: Subject) -> Iterator[Finding]:
                 reference.item.at,
                 f"{use.title} looks for joint '{reference.name}', which does not exist{outcome}",
                 f"did you mean '{meant}'?" if meant else "",
+                _fix(reference, meant) if meant else None,
             )
+
+
+def _fix(reference: Reference, meant: str) -> Fix | None:
+    at, name = reference.item.at, reference.name
+    edits = rewrite(at, meant) if reference.item.text == name else None
+    return Fix(f"rename '{name}' to '{meant}'", edits) if edits else None

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import rewritten
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import insert_before
+from urdfkit.edits import from_macro, insert_before
 from urdfkit.plugins import Reference, Use, fate
 from urdfkit.rules import Finding, Need, rule
 
@@ -96,10 +96,11 @@ def _fixed_joint(subject: Subject, reference: Reference) -> Joint | None:
 
 
 def _fix(use: Use, joint: Joint) -> Fix | None:
+    if from_macro(use.block):  # the name would be that of one call
+        return None
     lines = (
         f'<gazebo reference="{joint.name}">',
         "  <preserveFixedJoint>true</preserveFixedJoint>",
         "</gazebo>",
     )
-    edits = insert_before(use.block, lines)
-    return Fix(f"keep joint '{joint.name}' in Gazebo", edits) if edits else None
+    return Fix(f"keep joint '{joint.name}' in Gazebo", insert_before(use.block, lines))

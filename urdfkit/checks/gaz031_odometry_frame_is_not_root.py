@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ BAD = """\
   </plugin>
 </gazebo>"""
 GOOD = BAD.replace("Frame>base_link<", "Frame>base_footprint<")
+FIXED = GOOD
 
 _FRAMES = ("robotBaseFrame", "robot_base_frame")
 _ODOMETRY = ("odometryFrame", "odometry_frame")
@@ -48,7 +50,13 @@ _ODOMETRY = ("odometryFrame", "odometry_frame")
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
 
 
-@rule("GAZ031", "odometry-frame-is-not-root", Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
+@rule(
+    "GAZ031",
+    "odometry-frame-is-not-root",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    fixable=True,
+)
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
         if use.plugin is None or use.plugin.generation == "gz" or not _sends(use):
@@ -71,7 +79,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.title} sends the transform {frame} -> {name}, and robot_state_publisher "
             f"{parent} -> {name}: a frame has one parent",
             f"name the root link '{root}', or remove the links above '{name}'",
+            _fix(written, root) if len(subject.tree.roots) == 1 else None,
         )
+
+
+def _fix(written: list[Item], root: str) -> Fix | None:
+    edits = rewrite(written[0].at, root) if written else None
+    return Fix(f"name the root link '{root}'", edits) if edits else None
 
 
 def _place(use: Use, written: list[Item]) -> Element | Attribute:

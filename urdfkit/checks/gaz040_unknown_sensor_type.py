@@ -6,16 +6,18 @@ misspelt, or it is that of a product instead of a kind of sensor.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import types
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
 if TYPE_CHECKING:
+    from urdfkit.sensors import Sensor
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -31,6 +33,10 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("lidr", "ray")
+FIXED = BAD.replace("lidr", "lidar")
+
+#: How like a type a word must be to be taken for a slip of it.
+_SLIP = 0.8
 
 
 @rule(
@@ -38,6 +44,7 @@ GOOD = BAD.replace("lidr", "ray")
     "unknown-sensor-type",
     Severity.ERROR,
     help="use a type that Gazebo knows, such as ray, gpu_lidar, camera, imu or contact",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = types()
@@ -46,4 +53,12 @@ def check(subject: Subject) -> Iterator[Finding]:
             at = sensor.at.attributes.get("type", sensor.at)
             what = f"of type '{sensor.type}', which" if sensor.type else "without a type, which"
             hint = did_you_mean(sensor.type, known)
-            yield Finding(at, f"{sensor.who} is {what} no Gazebo knows{hint}")
+            yield Finding(
+                at, f"{sensor.who} is {what} no Gazebo knows{hint}", fix=_fix(sensor, known)
+            )
+
+
+def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
+    kind, meant = sensor.at.attributes.get("type"), nearest(sensor.type, known, _SLIP)
+    edits = replace_value(kind, meant) if kind and meant else None
+    return Fix(f"write {meant}", edits) if edits else None

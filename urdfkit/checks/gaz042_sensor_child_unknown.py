@@ -5,16 +5,18 @@ Gazebo prints a warning and passes over it, so the setting that it was meant for
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import children
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -30,6 +32,10 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("updat_rate", "update_rate")
+FIXED = GOOD
+
+#: How like a tag a word must be to be taken for a slip of it.
+_SLIP = 0.8
 
 
 @rule(
@@ -37,6 +43,7 @@ GOOD = BAD.replace("updat_rate", "update_rate")
     "sensor-child-unknown",
     Severity.WARNING,
     help="mend the name of the tag",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = children()
@@ -44,4 +51,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in sensor.at.children:
             if child.tag not in known and ":" not in child.tag:
                 hint = did_you_mean(child.tag, known)
-                yield Finding(child, f"{sensor.who}: a sensor has no <{child.tag}>{hint}")
+                message = f"{sensor.who}: a sensor has no <{child.tag}>{hint}"
+                yield Finding(child, message, fix=_fix(child, known))
+
+
+def _fix(child: Element, known: Iterable[str]) -> Fix | None:
+    meant = nearest(child.tag, known, _SLIP)
+    edits = rename_element(child, meant) if meant else None
+    return Fix(f"rename it to <{meant}>", edits) if edits else None

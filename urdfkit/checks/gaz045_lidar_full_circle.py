@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from math import pi
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
@@ -40,6 +41,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace(">3.1415926<", ">3.1241<")
+FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 
 
 @rule(
@@ -47,6 +49,7 @@ GOOD = BAD.replace(">3.1415926<", ">3.1241<")
     "lidar-full-circle",
     Severity.WARNING,
     help="end one step before the full circle",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -57,9 +60,12 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         span, count = last.value - first.value, samples.value
         if count > 1 and abs(span - 2 * pi) < pi / (count - 1):
+            text = f"{first.value + 2 * pi * (1 - 1 / count):.6g}"
+            edits = rewrite(last.at, text)
             yield Finding(
                 last,
                 f"{sensor.who}: {count:g} beams over {span:g} rad, a full circle: the first and "
                 f"the last coincide",
-                f"write {first.value + 2 * pi * (1 - 1 / count):.6g}",
+                f"write {text}",
+                Fix(f"write {text}", edits) if edits else None,
             )

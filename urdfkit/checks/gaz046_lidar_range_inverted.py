@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import swap
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
@@ -38,6 +39,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("<min>10</min><max>0.1</max>", "<min>0.1</min><max>10</max>")
+FIXED = GOOD
 
 
 @rule(
@@ -45,6 +47,7 @@ GOOD = BAD.replace("<min>10</min><max>0.1</max>", "<min>0.1</min><max>10</max>")
     "lidar-range-inverted",
     Severity.ERROR,
     help="let the least range be below the greatest",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -52,4 +55,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         greatest = sensor.number(f"{sensor.lidar}/range/max")
         if sensor.lidar and least and greatest and least.value >= greatest.value:
             message = f"{sensor.who}: the least range {least.value:g} m is not below the greatest"
-            yield Finding(least, f"{message}, {greatest.value:g} m")
+            message += f", {greatest.value:g} m"
+            edits = swap(least.at, greatest.at)
+            yield Finding(least, message, fix=Fix("swap the two", edits) if edits else None)

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
@@ -38,6 +39,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("90<", "1.5708<")
+FIXED = BAD.replace("90<", "1.5708<")
 
 _ANGLES = (
     "scan/horizontal/min_angle",
@@ -52,15 +54,19 @@ _ANGLES = (
     "angle-in-degrees",
     Severity.WARNING,
     help="write the angle in radians",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
         for path in _ANGLES:
             angle = sensor.number(f"{sensor.lidar}/{path}") if sensor.lidar else None
             if angle is not None and abs(angle.value) > 2 * pi + 1e-3:
+                text = f"{radians(angle.value):.6g}"
+                edits = rewrite(angle.at, text)
                 yield Finding(
                     angle,
                     f"{sensor.who}: {angle.value:g} rad is more than a full turn",
-                    f"if degrees were meant, write {radians(angle.value):.6g}",
+                    f"if degrees were meant, write {text}",
+                    Fix(f"write {text}", edits) if edits else None,
                     confidence=Confidence.INFERRED,
                 )

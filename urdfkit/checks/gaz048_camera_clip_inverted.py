@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import swap
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 
@@ -28,6 +29,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("<near>10</near><far>0.1</far>", "<near>0.1</near><far>10</far>")
+FIXED = GOOD
 
 
 @rule(
@@ -35,6 +37,7 @@ GOOD = BAD.replace("<near>10</near><far>0.1</far>", "<near>0.1</near><far>10</fa
     "camera-clip-inverted",
     Severity.ERROR,
     help="let near be above 0 and below far",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -42,4 +45,5 @@ def check(subject: Subject) -> Iterator[Finding]:
         far = sensor.number("camera/clip/far")
         if near and far and near.value >= far.value:
             message = f"{sensor.who}: near {near.value:g} m is not below far {far.value:g} m"
-            yield Finding(near, message)
+            edits = swap(near.at, far.at)
+            yield Finding(near, message, fix=Fix("swap the two", edits) if edits else None)

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_text
+from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.sensors import sensors
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -34,6 +36,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("base_colision", "base_collision")
+FIXED = GOOD
 
 
 @rule(
@@ -42,6 +45,7 @@ GOOD = BAD.replace("base_colision", "base_collision")
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="name the collision as Gazebo does; 'urdfkit gazebo' lists the names",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -55,4 +59,11 @@ def check(subject: Subject) -> Iterator[Finding]:
             name = named.text.strip()
             if name not in known and name != "__default__":
                 hint = did_you_mean(name, known)
-                yield Finding(named, f"{sensor.who}: link '{link}' has no collision '{name}'{hint}")
+                message = f"{sensor.who}: link '{link}' has no collision '{name}'{hint}"
+                yield Finding(named, message, fix=_fix(named, name, known))
+
+
+def _fix(named: Element, name: str, known: list[str]) -> Fix | None:
+    meant = Speller(known).meant(name)
+    edits = replace_text(named, meant) if meant else None
+    return Fix(f"write {meant}", edits) if edits else None

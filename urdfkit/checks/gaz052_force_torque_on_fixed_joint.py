@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import insert_before
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.sensors import sensors
 
@@ -39,6 +40,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace("  <sensor", "  <preserveFixedJoint>true</preserveFixedJoint>\n  <sensor")
+FIXED = GOOD
 
 
 @rule(
@@ -47,6 +49,7 @@ GOOD = BAD.replace("  <sensor", "  <preserveFixedJoint>true</preserveFixedJoint>
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     help="add <preserveFixedJoint>true</preserveFixedJoint> to the <gazebo reference> of the joint",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -54,6 +57,9 @@ def check(subject: Subject) -> Iterator[Finding]:
         if sensor.type != "force_torque" or joint is None or joint.kind != "fixed":
             continue
         if joint.name not in {kept.joint.name for kept in subject.gazebo.joints}:
+            line = "<preserveFixedJoint>true</preserveFixedJoint>"
             yield Finding(
-                sensor.at, f"{sensor.who} is on joint '{joint.name}', which Gazebo merges"
+                sensor.at,
+                f"{sensor.who} is on joint '{joint.name}', which Gazebo merges",
+                fix=Fix("keep the joint in Gazebo", insert_before(sensor.at, (line,))),
             )

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
@@ -31,6 +32,7 @@ BAD = """\
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace(">80<", ">1.3963<")
+FIXED = BAD.replace(">80<", ">1.39626<")
 
 
 @rule(
@@ -38,6 +40,7 @@ GOOD = BAD.replace(">80<", ">1.3963<")
     "field-of-view-in-degrees",
     Severity.ERROR,
     help="write the angle in radians",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
@@ -45,6 +48,10 @@ def check(subject: Subject) -> Iterator[Finding]:
             element = camera.child("horizontal_fov")
             value = number(element.text.strip()) if element else None
             if element is not None and value is not None and not 0 < value <= 2 * pi:
-                hint = f"if degrees were meant, write {radians(value):.6g}" if value > 0 else ""
+                text = f"{radians(value):.6g}"
+                hint = f"if degrees were meant, write {text}" if value > 0 else ""
                 message = f"{sensor.who}: a field of view of {value:g} rad is not within 0 to 2 pi"
-                yield Finding(element, message, hint)
+                edits = rewrite(element, text) if value > 0 else None
+                yield Finding(
+                    element, message, hint, Fix(f"write {text}", edits) if edits else None
+                )

@@ -12,11 +12,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
+from urdfkit.edits import insert_first, remove_element
 from urdfkit.rules import Finding, rule
 from urdfkit.shapes import Box, Solid, solid
 
 if TYPE_CHECKING:
+    from urdfkit.model import Link
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -30,8 +32,9 @@ BAD = """\
   </collision>
 </link>"""
 GOOD = BAD.replace(
-    "<collision>", '<collision>\\n    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
+    "<collision>", '<collision>\n    <origin rpy="0 0 1.5707963267948966" xyz="0 0 0.05"/>'
 )
+FIXED = GOOD
 
 #: Common volume by the volume of both bounding boxes together.
 LEAST_OVERLAP = 1 / 3
@@ -48,6 +51,7 @@ MARKER = 0.005
     "collision-far-from-visual",
     Severity.WARNING,
     help="give the collision the <origin> of the visual",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for link in subject.model.links:
@@ -61,10 +65,25 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"link '{link.name}': the bounding boxes of collision and visual have only "
                 f"{overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}"
                 f"{_why(touched, seen)}",
+                fix=_fix(link) if _why(touched, seen) else None,
                 related=(Related(link.visuals[0].at.span, "the visual"),),
                 confidence=Confidence.INFERRED,
                 weight=1 - overlap,
             )
+
+
+def _fix(link: Link) -> Fix | None:
+    """The origin of the visual for the collision, which is the same shape."""
+    collision, visual = link.collisions[0].at, link.visuals[0].at
+    if collision.frame is not visual.frame:  # expressions mean something else there
+        return None
+    old, new = collision.child("origin"), visual.child("origin")
+    title = "give the collision the <origin> of the visual"
+    if new is None:
+        return Fix("remove the <origin> of the collision", remove_element(old)) if old else None
+    if old is None:
+        return Fix(title, insert_first(collision, (new.tag_at.whole_span.text,)))
+    return Fix(title, (Edit(old.tag_at.whole_span, new.tag_at.whole_span.text),))
 
 
 def _overlap(touched: Box, seen: Box) -> float | None:

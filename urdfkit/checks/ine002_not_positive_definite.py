@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia_diagnosis import of_impossible, together, values
+from urdfkit.inertia_diagnosis import of_impossible, replacement, together, values
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ GOOD = BAD.replace(
     'ixy="0.02" ixz="0.01" iyy="0.001" iyz="0" izz="0"',
     'ixy="0.001" ixz="0" iyy="0.02" iyz="0" izz="0.01"',
 )
+FIXED = GOOD
 
 
 @rule(
@@ -39,6 +40,7 @@ GOOD = BAD.replace(
     "not-positive-definite",
     Severity.ERROR,
     help="take the tensor about the centre of mass anew, from the CAD program or from the shape",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
@@ -48,10 +50,12 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _finding(weighed: Weighed, masses: Masses) -> Finding:
     low, *_, high = weighed.moments
+    diagnosis = of_impossible(weighed, masses)
     return Finding(
         weighed.at,
         f"link '{weighed.link.name}' has principal moments of inertia of "
         f"{values(weighed.moments)}; all must be positive",
-        str(of_impossible(weighed, masses)),
+        str(diagnosis),
+        replacement(weighed, diagnosis.tensor),
         weight=-low / max(abs(high), -low),
     )

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia_diagnosis import of_impossible, together
+from urdfkit.inertia_diagnosis import of_impossible, replacement, together
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -24,10 +24,11 @@ BAD = """\
 <link name="arm">
   <inertial>
     <mass value="2"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.15"/>
   </inertial>
 </link>"""
-GOOD = BAD.replace('"0.03"', '"0.015"')
+GOOD = BAD.replace('"0.15"', '"0.015"')
+FIXED = GOOD
 
 
 @rule(
@@ -35,6 +36,7 @@ GOOD = BAD.replace('"0.03"', '"0.015"')
     "triangle-inequality",
     Severity.ERROR,
     help="take the tensor about the centre of mass anew, from the CAD program or from the shape",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
@@ -45,10 +47,12 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _finding(weighed: Weighed, masses: Masses) -> Finding:
     low, middle, high = weighed.moments
     which = "moments" if weighed.is_diagonal else "principal moments"
+    diagnosis = of_impossible(weighed, masses)
     return Finding(
         weighed.at,
         f"link '{weighed.link.name}': of the {which} of inertia, {high:.3g} kg m^2 is more than "
         f"the sum of the others, {low:.3g} + {middle:.3g}",
-        str(of_impossible(weighed, masses)),
+        str(diagnosis),
+        replacement(weighed, diagnosis.tensor),
         weight=(high - low - middle) / high,
     )

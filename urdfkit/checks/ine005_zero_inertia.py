@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia_diagnosis import as_solid, together
+from urdfkit.inertia_diagnosis import as_solid, replacement, together
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base"/>
 <link name="arm">
+  <collision>
+    <geometry><cylinder radius="0.05" length="0.2"/></geometry>
+  </collision>
   <inertial>
     <mass value="0.5"/>
     <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
@@ -32,9 +35,10 @@ BAD = """\
   <parent link="base"/>
   <child link="arm"/>
 </joint>"""
-GOOD = BAD.replace('ixx="0"', 'ixx="0.002"').replace(
-    '"0" iyz="0" izz="0"', '"0.002" iyz="0" izz="0.001"'
+GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
+    '"0" iyz="0" izz="0"', '"0.00197917" iyz="0" izz="0.000625"'
 )
+FIXED = GOOD
 
 
 @rule(
@@ -42,6 +46,7 @@ GOOD = BAD.replace('ixx="0"', 'ixx="0.002"').replace(
     "zero-inertia",
     Severity.ERROR,
     help="compute the tensor from mass and size: urdfkit explain XAC014 has the formulas",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     yield from together(_findings(subject.masses))
@@ -60,6 +65,7 @@ def _findings(masses: Masses) -> Iterator[tuple[Weighed, Finding]]:
                         f"link '{link.name}' of {weighed.mass:g} kg has no moment of inertia and "
                         f"is moved by the {body.joint.kind} joint '{body.joint.name}'",
                         as_solid(weighed) if weighed.is_measured else "",
+                        replacement(weighed, weighed.expected) if weighed.is_measured else None,
                         weight=weighed.mass,
                     ),
                 )

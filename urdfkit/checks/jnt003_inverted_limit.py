@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.edits import swap
 from urdfkit.joints import bounds, unit
 from urdfkit.rules import Finding, rule
 
@@ -59,5 +59,5 @@ def _swapped(limit: Limit) -> Fix | None:
     lower, upper = limit.at.attributes.get("lower"), limit.at.attributes.get("upper")
     if lower is None or upper is None:
         return None
-    first, second = replace_value(lower, upper.value), replace_value(upper, lower.value)
-    return Fix("swap lower and upper", (*first, *second)) if first and second else None
+    edits = swap(lower, upper)
+    return Fix("swap lower and upper", edits) if edits else None

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.ros_control import components, driven_joints, reads_transmissions
@@ -39,9 +40,16 @@ BAD = """\
   </joint>
 </ros2_control>"""
 GOOD = BAD.replace("sholder", "shoulder")
+FIXED = GOOD
 
 
-@rule("RCT001", "unknown-joint", Severity.ERROR, help="correct the name, or add the joint")
+@rule(
+    "RCT001",
+    "unknown-joint",
+    Severity.ERROR,
+    help="correct the name, or add the joint",
+    fixable=True,
+)
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
     speller = Speller(known)
@@ -55,8 +63,14 @@ def check(subject: Subject) -> Iterator[Finding]:
             name,
             f"{owner} names joint '{name.value}', which is not in the model"
             + (f"; did you mean '{meant}'?" if meant else ""),
+            fix=_fix(name, meant) if meant else None,
         )
     yield from _not_in_block(subject)
+
+
+def _fix(name: Attribute, meant: str) -> Fix | None:
+    edits = replace_value(name, meant)
+    return Fix(f"rename '{name.value}' to '{meant}'", edits) if edits else None
 
 
 def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:

@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import hardware, words
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
 from urdfkit.nearest import nearest
 from urdfkit.ros_control import (
     components,
@@ -24,7 +25,7 @@ from urdfkit.ros_control import (
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
+    from urdfkit.document import Attribute, Element
     from urdfkit.ros_control import Component, Interface, Part
     from urdfkit.subject import Subject
 
@@ -47,12 +48,19 @@ BAD = """\
   </joint>
 </ros2_control>"""
 GOOD = BAD.replace("positon", "position")
+FIXED = GOOD
 
 #: What a simulated joint tells.
 _SIMULATED_STATES = ("position", "velocity", "effort")
 
 
-@rule("RCT004", "unknown-interface", Severity.WARNING, help="correct the name of the interface")
+@rule(
+    "RCT004",
+    "unknown-interface",
+    Severity.WARNING,
+    help="correct the name of the interface",
+    fixable=True,
+)
 def check(subject: Subject) -> Iterator[Finding]:
     for component in components(subject.model):
         for part in component.parts:
@@ -81,7 +89,7 @@ def _of_ros2(component: Component, part: Part, interface: Interface) -> Iterator
         for word in words("interfaces", kind)
     ]
     if meant := _slip(name, standard):
-        yield Finding(at, f"{who} is nearly '{meant}'")
+        yield Finding(at, f"{who} is nearly '{meant}'", fix=_fix(at, meant))
 
 
 def _of_ros1(subject: Subject) -> Iterator[Finding]:
@@ -96,7 +104,7 @@ def _of_ros1(subject: Subject) -> Iterator[Finding]:
             who = f"joint '{joint.get('name') or ''}': hardware interface '{name}'"
             meant = "" if name in known else _slip(name, known)
             if meant:
-                yield Finding(element, f"{who} is nearly '{meant}'")
+                yield Finding(element, f"{who} is nearly '{meant}'", fix=_fix(element, meant))
             elif name and simulated and name not in simulable:
                 yield Finding(
                     element,
@@ -116,6 +124,11 @@ def _has_default_simulation(subject: Subject) -> bool:
 
 def _is_default(kind: Element) -> bool:
     return kind.text.strip() in ("", "gazebo_ros_control/DefaultRobotHWSim")
+
+
+def _fix(at: Element | Attribute, meant: str) -> Fix | None:
+    edits = rewrite(at, meant)
+    return Fix(f"write {meant}", edits) if edits else None
 
 
 def _slip(name: str, standard: list[str]) -> str:

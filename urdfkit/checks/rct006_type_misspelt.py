@@ -10,13 +10,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import component_types
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.grammar import is_expression
-from urdfkit.nearest import did_you_mean
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -38,9 +40,12 @@ BAD = """\
   </joint>
 </ros2_control>"""
 GOOD = BAD.replace('"System"', '"system"')
+FIXED = GOOD
 
 
-@rule("RCT006", "type-misspelt", Severity.ERROR, help="write system, actuator or sensor")
+@rule(
+    "RCT006", "type-misspelt", Severity.ERROR, help="write system, actuator or sensor", fixable=True
+)
 def check(subject: Subject) -> Iterator[Finding]:
     known = component_types()
     for component in components(subject.model):
@@ -52,4 +57,11 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 kind,
                 f"{component.called} has type '{kind.value}', not {', '.join(known)}{hint}",
+                fix=_fix(kind, known),
             )
+
+
+def _fix(kind: Attribute, known: list[str]) -> Fix | None:
+    meant = nearest(kind.value, known)
+    edits = replace_value(kind, meant) if meant else None
+    return Fix(f"write {meant}", edits) if edits else None

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import insert_before, replace_value
+from urdfkit.edits import from_macro, insert_before, replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
@@ -66,7 +66,6 @@ def _fix(joint: Joint, link: Attribute, meant: str) -> Fix | None:
     if meant:
         edits = replace_value(link, meant)
         return Fix(f"rename '{link.value}' to '{meant}'", edits) if edits else None
-    if link.value != "world":
+    if link.value != "world" or from_macro(joint.at):
         return None
-    edits = insert_before(joint.at, ('<link name="world"/>',))
-    return Fix('add <link name="world"/>', edits) if edits else None
+    return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))

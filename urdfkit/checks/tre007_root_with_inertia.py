@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import insert_before
+from urdfkit.edits import from_macro, insert_before
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -67,7 +67,12 @@ def _empty_root(root: Link, model: RobotModel) -> Fix | None:
     name = f"{root.name}_root"
     joint = f"{name}_joint"
     literal = root.at.attributes["name"].literal
-    if not literal or name in model.links_by_name or joint in model.joints_by_name:
+    if (
+        not literal
+        or from_macro(root.at)
+        or name in model.links_by_name
+        or joint in model.joints_by_name
+    ):
         return None
     lines = (
         f'<link name="{name}"/>',
@@ -76,5 +81,4 @@ def _empty_root(root: Link, model: RobotModel) -> Fix | None:
         f'  <child link="{root.name}"/>',
         "</joint>",
     )
-    edits = insert_before(root.at, lines)
-    return Fix(f"add an empty link '{name}' above '{root.name}'", edits) if edits else None
+    return Fix(f"add an empty link '{name}' above '{root.name}'", insert_before(root.at, lines))

@@ -12,11 +12,15 @@ from collections.abc import Iterator
 from math import hypot
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Edit, Fix, Severity
+from urdfkit.edits import insert_before, replace_value
+from urdfkit.model import number
 from urdfkit.rules import Finding, rule
+from urdfkit.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.model import Body
+    from urdfkit.document import Element
+    from urdfkit.model import Body, Joint
     from urdfkit.spatial import Frame, Rotation, Vector
     from urdfkit.subject import Subject
     from urdfkit.tree import KinematicTree
@@ -33,6 +37,7 @@ BAD = """\
   <child link="base_link"/>
 </joint>"""
 GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
+FIXED = GOOD
 
 #: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
 TOLERANCE = 0.005
@@ -46,6 +51,7 @@ MAX_FOOTPRINTS = 10
     "footprint-not-on-ground",
     Severity.WARNING,
     help="let the joint between base_footprint and base_link lift the robot by that height",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     tree = subject.tree
@@ -63,7 +69,28 @@ def check(subject: Subject) -> Iterator[Finding]:
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
                 f"'{name}', which by convention lies on the ground",
+                fix=_lifted(joints[0], -height) if tree.children[name] == joints[:1] else None,
             )
+
+
+def _lifted(joint: Joint, height: float) -> Fix | None:
+    """The joint below the footprint, higher by that much in m."""
+    edits = _higher(joint.at, height)
+    return Fix(f"lift the robot by {height:.6g} m", edits) if edits else None
+
+
+def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
+    origin = joint.child("origin")
+    if origin is None:
+        line = f'<origin xyz="0 0 {height:.6g}"/>'
+        return insert_before(joint.children[0], (line,)) if joint.children else None
+    written = origin.attributes.get("xyz")
+    if written is None:
+        at = origin.tag_at.name_span
+        return (Edit(Span(at.source, at.end, at.end), f' xyz="0 0 {height:.6g}"'),)
+    parts = written.value.split()
+    z = number(parts[2]) if len(parts) == 3 else None
+    return None if z is None else replace_value(written, f"{parts[0]} {parts[1]} {z + height:.6g}")
 
 
 def _lowest(tree: KinematicTree, footprint: str, robot: list[str]) -> tuple[float, str] | None:

@@ -12,11 +12,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rename_element
+from urdfkit.edits import remove_element, rename_element
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -40,10 +41,19 @@ def check(subject: Subject) -> Iterator[Finding]:
     for element, _, _, meant in subject.deviations.get("URD001", ()):
         assert element.parent is not None
         message = f"{owner(element.parent)}: <{element.parent.tag}> has no element <{element.tag}>"
-        edits = rename_element(element, meant) if meant else None
         yield Finding(
             element,
             f"{message}; did you mean <{meant}>?" if meant else message,
             f"rename it to <{meant}>" if meant else "",
-            Fix(f"rename <{element.tag}> to <{meant}>", edits) if edits else None,
+            _fix(element, meant),
         )
+
+
+def _fix(element: Element, meant: str) -> Fix | None:
+    """Another name, or nothing in the place of an element that holds nothing."""
+    if meant:
+        edits = rename_element(element, meant)
+        return Fix(f"rename <{element.tag}> to <{meant}>", edits) if edits else None
+    if element.children or element.text.strip():
+        return None  # what somebody wrote there may belong elsewhere
+    return Fix(f"remove the <{element.tag}>", remove_element(element))

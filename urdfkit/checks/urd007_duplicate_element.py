@@ -8,10 +8,12 @@ mass. Remove the one that is not meant, or put a second shape into a visual or c
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import zip_longest
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
+from urdfkit.edits import remove_element
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import SHAPES
@@ -22,21 +24,13 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base">
   <collision>
-    <geometry>
-      <box size="0.4 0.3 0.1"/>
-      <sphere radius="0.1"/>
-    </geometry>
-  </collision>
-</link>"""
-GOOD = """\
-<link name="base">
-  <collision>
+    <origin xyz="0 0 0.05"/>
     <geometry><box size="0.4 0.3 0.1"/></geometry>
-  </collision>
-  <collision>
-    <geometry><sphere radius="0.1"/></geometry>
+    <origin xyz="0 0 0.05" />
   </collision>
 </link>"""
+GOOD = BAD.replace('    <origin xyz="0 0 0.05" />\n', "")
+FIXED = GOOD
 
 
 @rule(
@@ -44,6 +38,7 @@ GOOD = """\
     "duplicate-element",
     Severity.WARNING,
     help="remove the one that is not meant",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for element, *_ in subject.deviations.get("URD007", ()):
@@ -55,7 +50,26 @@ def check(subject: Subject) -> Iterator[Finding]:
         else:
             message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; readers take "
             message += "the first shape"
-        yield Finding(element, message, related=(Related(first.span, "the first"),))
+        related = (Related(first.span, "the first"),)
+        yield Finding(element, message, fix=_fix(element, first), related=related)
+
+
+def _fix(element: Element, first: Element) -> Fix | None:
+    """Away with what only says once more what the first says."""
+    if not _is_same(element, first):
+        return None
+    return Fix("remove the copy", remove_element(element), safe=True)
+
+
+def _is_same(one: Element, other: Element) -> bool:
+    """True if two elements hold the same, element by element."""
+    pairs = zip_longest(one.walk(), other.walk())
+    return all(a and b and _content(a) == _content(b) for a, b in pairs)
+
+
+def _content(element: Element) -> tuple[object, ...]:
+    values = {name: attribute.value.split() for name, attribute in element.attributes.items()}
+    return (element.tag, values, element.text.strip(), len(element.children))
 
 
 def _first(element: Element, parent: Element) -> Element:

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.catalog.extensions import extensions
+from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
+from urdfkit.edits import STEP, insert_after, insert_last, lines_of, remove_elements
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 
@@ -28,25 +30,72 @@ GOOD = """\
 <gazebo reference="wheel">
   <mu1>0.5</mu1>
 </gazebo>"""
+FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
 
-@rule("URD008", "gazebo-tag-misplaced", Severity.WARNING)
+@rule("URD008", "gazebo-tag-misplaced", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
-    for element, *_ in subject.deviations.get("URD008", ()):
+    misplaced = [element for element, *_ in subject.deviations.get("URD008", ())]
+    fixes = _fixes(subject, misplaced)
+    for element in misplaced:
         assert element.parent is not None
         yield Finding(
             element,
             f"{owner(element.parent)}: Gazebo never sees the <{element.tag}> in "
             f"<{element.parent.tag}>, which URDF readers pass over",
             f"move it into {_block(element)}",
+            fixes.get(element),
         )
+
+
+def _fixes(subject: Subject, misplaced: list[Element]) -> dict[Element, Fix]:
+    """The move of all tags of one link or joint at once, for each of those tags."""
+    groups: dict[Element, list[Element]] = {}
+    for element in misplaced:
+        owner = _owner(element)
+        if owner is not None and _is_for(element, owner) and element.frame is owner.frame:
+            groups.setdefault(owner, []).append(element)
+    fixes: dict[Element, Fix] = {}
+    for owner, elements in groups.items():
+        if fix := _moved(subject, owner, elements):
+            fixes |= dict.fromkeys(elements, fix)
+    return fixes
+
+
+def _is_for(element: Element, owner: Element) -> bool:
+    """True if Gazebo reads a tag in the block of such an owner."""
+    extension = extensions().get(element.tag)
+    return extension is not None and extension.on in (owner.tag, "both")
+
+
+def _moved(subject: Subject, owner: Element, elements: list[Element]) -> Fix | None:
+    """Into the block that there is for the owner, else into a new one behind it."""
+    name = owner.attributes.get("name")
+    if name is None or name.written_in is not None:
+        return None
+    blocks = [one for one in subject.model.gazebo if one.get("reference") == name.value]
+    if any(block.child(element.tag) for block in blocks for element in elements):
+        return None  # one of two values would win
+    removals = remove_elements(elements)
+    lines = [line for element in elements for line in lines_of(element)]
+    title = f'move it into <gazebo reference="{name.value}">'
+    if fit := [b for b in blocks if b.frame is owner.frame and b.tag_at.source is name.span.source]:
+        return Fix(title, (*removals, *insert_last(fit[0], lines)))
+    block = (f'<gazebo reference="{name.span.text}">', *(STEP + line for line in lines))
+    return Fix(title, (*removals, *insert_after(owner, (*block, "</gazebo>"))))
 
 
 def _block(element: Element) -> str:
     """The block that it belongs in."""
-    owners = [ancestor for ancestor in _ancestors(element) if ancestor.tag in ("link", "joint")]
-    name = owners[-1].get("name") if owners else None
+    owner = _owner(element)
+    name = owner.get("name") if owner else None
     return f'<gazebo reference="{name}">' if name else "a <gazebo> block"
+
+
+def _owner(element: Element) -> Element | None:
+    """The link or joint that an element is in."""
+    owners = [ancestor for ancestor in _ancestors(element) if ancestor.tag in ("link", "joint")]
+    return owners[-1] if owners else None
 
 
 def _ancestors(element: Element) -> Iterator[Element]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import VERSIONS
 
@@ -18,11 +19,23 @@ if TYPE_CHECKING:
 
 BAD = '<robot name="cart" version="2.3">\n  <link name="base"/>\n</robot>\n'
 GOOD = BAD.replace(' version="2.3"', "")
+FIXED = BAD.replace("2.3", "1.0")
 
 
-@rule("URD011", "unknown-version", Severity.ERROR, help='leave it out, or write version="1.0"')
+@rule(
+    "URD011",
+    "unknown-version",
+    Severity.ERROR,
+    help='leave it out, or write version="1.0"',
+    fixable=True,
+)
 def check(subject: Subject) -> Iterator[Finding]:
     for _, attribute, *_ in subject.deviations.get("URD011", ()):
         assert attribute is not None
         known = ", ".join(VERSIONS)
-        yield Finding(attribute, f"version '{attribute.value}' of URDF does not exist; {known} do")
+        edits = replace_value(attribute, VERSIONS[0])
+        yield Finding(
+            attribute,
+            f"version '{attribute.value}' of URDF does not exist; {known} do",
+            fix=Fix(f'write version="{VERSIONS[0]}"', edits) if edits else None,
+        )

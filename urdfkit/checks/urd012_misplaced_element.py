@@ -85,5 +85,4 @@ def _moved(element: Element, parent: Element) -> Fix | None:
         return None
     if visual.tag != "visual" or visual.child("material") or len(parent.all("material")) > 1:
         return None
-    edits = move_after(element, parent)
-    return Fix("move the <material> out of the <geometry>", edits) if edits else None
+    return Fix("move the <material> out of the <geometry>", move_after(element, parent))

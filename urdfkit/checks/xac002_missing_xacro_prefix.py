@@ -10,10 +10,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit import schema
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -27,6 +29,7 @@ BAD = """\
 </robot>
 """
 GOOD = BAD.replace("<arm", "<xacro:arm")
+FIXED = GOOD
 
 
 @rule(
@@ -35,6 +38,7 @@ GOOD = BAD.replace("<arm", "<xacro:arm")
     Severity.ERROR,
     needs=(Need.XACRO, Need.MODEL),
     help="write the tag, and its end tag, with the prefix: <xacro:...>",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     # A <robot> is a robot, whatever macros are called.
@@ -47,6 +51,13 @@ def check(subject: Subject) -> Iterator[Finding]:
                 if not inner.open:
                     stack.append((child, inner))
             elif child.tag in macros:
-                yield Finding(child, f"<{child.tag}> is a macro, called without its prefix")
+                message = f"<{child.tag}> is a macro, called without its prefix"
+                yield Finding(child, message, fix=_fix(child))
             elif child.tag in schema.XACRO_TAGS:
-                yield Finding(child, f"<{child.tag}> is a tag of xacro, without its prefix")
+                message = f"<{child.tag}> is a tag of xacro, without its prefix"
+                yield Finding(child, message, fix=_fix(child))
+
+
+def _fix(element: Element) -> Fix | None:
+    edits = rename_element(element, f"xacro:{element.tag}")
+    return Fix(f"write <xacro:{element.tag}>", edits) if edits else None

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import remove_spans
 from urdfkit.includes import is_included
 from urdfkit.rules import Finding, Need, Written, rule
 
@@ -21,10 +22,12 @@ if TYPE_CHECKING:
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:property name="width" value="0.3"/>
-  <link name="base"/>
+  <xacro:property name="side" value="left"/>
+  <link name="${side}_base"/>
 </robot>
 """
-GOOD = BAD.replace('"base"', '"base_${width}"')
+GOOD = BAD.replace("${side}_base", "${side}_${width}")
+FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
 
 @rule(
@@ -33,6 +36,7 @@ GOOD = BAD.replace('"base"', '"base_${width}"')
     Severity.WARNING,
     needs=(Need.XACRO, Need.FILES),
     help="delete it, or use it where it was meant",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     xacro = subject.xacro
@@ -48,4 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for definition in unused:
             place = Written(definition.tag.span, definition.frame)
             name = definition.name.removeprefix("**")
-            yield Finding(place, f"property '{name}' is never used")
+            edits = remove_spans([definition.tag.whole_span])
+            yield Finding(
+                place, f"property '{name}' is never used", fix=Fix("delete the property", edits)
+            )
