@@ -28,7 +28,8 @@ def overlooked(one: Subject) -> set[str]:
 
 
 def test_the_rules_about_masses_wait_to_be_called() -> None:
-    assert {code for code in codes() if code.startswith("INE")} == TOLD_BY_MASSES
+    of_masses = {code for code in codes() if code.startswith("INE")}
+    assert of_masses | {"XAC014"} == TOLD_BY_MASSES
 
 
 @pytest.mark.parametrize("code", codes())
