@@ -104,10 +104,11 @@ class Files:
 
     def path(self, shape: Shape) -> str | None:
         """The file that a shape names; None if it is no mesh, or there is no such file."""
-        if shape.filename is None:
-            return None
-        source = _tag(shape.filename).source.path
-        return self.resolver.locate(shape.filename.value, source, self.top).path
+        return self.find(shape.filename) if shape.filename else None
+
+    def find(self, name: Placed[str]) -> str | None:
+        """The file that a mesh or a texture names; None if there is no such file."""
+        return self.resolver.locate(name.value, _tag(name).source.path, self.top).path
 
     @cached_property
     def missing(self) -> tuple[MeshReference, ...]:

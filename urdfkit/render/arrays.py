@@ -1,0 +1,35 @@
+"""The arrays that pictures are made of; single precision, for speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+Integers = NDArray[np.int32]
+Indices = NDArray[np.intp]
+Keys = NDArray[np.uint64]
+Bools = NDArray[np.bool_]
+Bytes = NDArray[np.uint8]
+
+
+def unit(vectors: Floats) -> Floats:
+    """Vectors (n, 3) at length 1; those without a direction stay 0."""
+    norms = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
+    np.maximum(norms, np.float32(1e-30), out=norms)
+    result: Floats = vectors / norms[:, None]
+    return result
+
+
+def dot(left: Floats, right: Floats) -> Floats:
+    """Products of the rows of two (n, 3), or of the rows of one with a vector."""
+    result: Floats = left[:, 0] * right[..., 0]
+    result += left[:, 1] * right[..., 1]
+    result += left[:, 2] * right[..., 2]
+    return result
+
+
+def cross(left: Floats, right: Floats) -> Floats:
+    """Cross products of the rows of two (n, 3); faster than numpy's for many."""
+    (a, b, c), (d, e, f) = left.T, right.T
+    return np.stack((b * f - c * e, c * d - a * f, a * e - b * d), axis=1)

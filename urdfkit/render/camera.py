@@ -1,0 +1,225 @@
+"""Where a picture is taken from. World coordinates in m, z upwards; +x is a robot's front."""
+
+from __future__ import annotations
+
+from math import cos, radians, sin, tan
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.render.arrays import Floats, Integers
+
+Matrix = NDArray[np.float64]
+
+#: Azimuth (from +x towards +y) and elevation of the named views, in degrees.
+VIEWS = {
+    "iso": (38.0, 22.0),
+    "front": (0.0, 0.0),
+    "back": (180.0, 0.0),
+    "left": (90.0, 0.0),
+    "right": (-90.0, 0.0),
+    "top": (0.0, 90.0),
+    "bottom": (0.0, -90.0),
+}
+#: Vertical angle of view in degrees: a long lens, which bends a robot little.
+FIELD = 28.0
+#: Part of the picture that stays free on each side.
+MARGIN = 0.09
+
+
+class NoSuchView(UrdfkitError):
+    """A view that has no name, or numbers that make none."""
+
+
+class Camera(NamedTuple):
+    """A camera.
+
+    Attributes:
+        eye: its place.
+        axes: rows are the directions right, up and backwards, in the world.
+        size: width and height of the picture in pixels.
+        field: vertical angle of view in degrees.
+        extent: height in m of what an orthographic picture shows; 0 for a perspective one.
+        near: distance in m of the plane before which nothing is drawn.
+    """
+
+    eye: tuple[float, float, float]
+    axes: tuple[tuple[float, ...], ...]
+    size: tuple[int, int]
+    field: float = FIELD
+    extent: float = 0.0
+    near: float = 0.01
+
+    @property
+    def is_orthographic(self) -> bool:
+        return self.extent > 0
+
+    @property
+    def scale(self) -> float:
+        """Pixels per m (orthographic), or per m at a depth of 1 m (perspective)."""
+        height = self.size[1]
+        return height / self.extent if self.extent else height / 2 / tan(radians(self.field) / 2)
+
+    def to_view(self, rotation: Matrix, position: Matrix) -> tuple[Floats, Floats]:
+        """A frame of the world as rotation and position in the frame of the camera.
+
+        There x goes to the right, y upwards and z towards the viewer.
+        """
+        axes = np.asarray(self.axes)
+        return (
+            (axes @ rotation).astype(np.float32),
+            (axes @ (position - np.asarray(self.eye))).astype(np.float32),
+        )
+
+    def project(self, points: Floats) -> tuple[Floats, Floats, Floats]:
+        """Points (n, 3) of the camera's frame in the picture.
+
+        Returns:
+            x and y in pixels from the upper left corner, and the nearness: positive, larger
+            for what is nearer, and linear in the picture on any plane.
+        """
+        width, height = self.size
+        x, y, z = points.T
+        if self.is_orthographic:
+            factor = np.float32(self.scale)
+            nearness = z + np.float32(_far(self))
+        else:
+            nearness = 1 / -z
+            factor = np.float32(self.scale) * nearness
+        return x * factor + np.float32(width / 2), np.float32(height / 2) - y * factor, nearness
+
+    def positions(self, x: Floats, y: Floats, nearness: Floats) -> Floats:
+        """Points (n, 3) of the camera's frame, from what `project` returns."""
+        width, height = self.size
+        if self.is_orthographic:
+            depth = np.float32(_far(self)) - nearness
+            factor = np.full_like(depth, 1 / self.scale)
+        else:
+            depth = 1 / nearness
+            factor = depth * np.float32(1 / self.scale)
+        return np.stack(
+            ((x - np.float32(width / 2)) * factor, (np.float32(height / 2) - y) * factor, -depth),
+            axis=1,
+        )
+
+    def places(
+        self, column: Integers, row: Integers, depth: Floats
+    ) -> tuple[Floats, Floats, Floats]:
+        """x, y and z in the camera's frame of what lies at some depth at the middle of pixels."""
+        width, height = self.size
+        factor = np.float32(1 / self.scale)
+        if not self.is_orthographic:
+            factor = depth * factor
+        across = column.astype(np.float32)
+        across -= np.float32(width / 2 - 0.5)
+        down = row.astype(np.float32)
+        down -= np.float32(height / 2 - 0.5)
+        return across * factor, -down * factor, -depth
+
+    def rays(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+        """Origins and directions (n, 3) of what is seen at pixels, in the camera's frame."""
+        ahead = np.full_like(x, -1)
+        across = (x - np.float32(self.size[0] / 2)) / np.float32(self.scale)
+        upwards = (np.float32(self.size[1] / 2) - y) / np.float32(self.scale)
+        zero = np.zeros_like(x)
+        if self.is_orthographic:
+            return np.stack((across, upwards, zero), 1), np.stack((zero, zero, ahead), 1)
+        return np.zeros((len(x), 3), np.float32), np.stack((across, upwards, ahead), 1)
+
+
+def _far(camera: Camera) -> float:
+    """A depth that everything in an orthographic picture is before; its nearness is 0."""
+    return camera.near * 800
+
+
+def looking(
+    points: Floats,
+    view: str = "iso",
+    *,
+    azimuth: float | None = None,
+    elevation: float | None = None,
+    distance: float | None = None,
+    size: tuple[int, int] = (1280, 720),
+    orthographic: bool = False,
+) -> Camera:
+    """A camera that has points in its picture.
+
+    Args:
+        points: (n, 3), in the world.
+        view: a name of `VIEWS`.
+        azimuth: instead of the view's, in degrees from +x towards +y.
+        elevation: instead of the view's, in degrees above the horizon.
+        distance: from the middle of the points, in m; as near as they all can be seen if None.
+        size: of the picture, in pixels.
+        orthographic: without perspective.
+
+    Raises:
+        NoSuchView: the view has no name here, or a number is out of bounds.
+    """
+    if view not in VIEWS:
+        raise NoSuchView(f"there is no view '{view}', only {', '.join(VIEWS)}")
+    if distance is not None and not 0 < distance < 1e6:
+        raise NoSuchView(f"a distance of {distance:g} m: write one above 0")
+    axes = _axes(
+        VIEWS[view][0] if azimuth is None else azimuth,
+        VIEWS[view][1] if elevation is None else elevation,
+    )
+    seen = np.asarray(points, dtype=np.float64) @ axes.T
+    if not len(seen):
+        seen = np.zeros((1, 3))
+    lowest, highest = seen.min(axis=0), seen.max(axis=0)
+    reach = max(float(np.linalg.norm(highest - lowest)) / 2, 1e-3)
+    middle = (lowest + highest) / 2
+    aspect = size[0] / size[1]
+    if orthographic:
+        wide, high, _ = highest - lowest
+        extent = max(high, wide / aspect, reach / 50) / (1 - 2 * MARGIN)
+        eye = middle + (0, 0, 3 * reach)
+        return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
+    eye = _eye(seen, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
+    if distance is not None:
+        eye = np.array((middle[0], middle[1], middle[2] + distance))
+    near = max(reach / 1000, (eye[2] - highest[2]) / 2)
+    return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
+
+
+def _axes(azimuth: float, elevation: float) -> Matrix:
+    """Right, up and backwards of a camera that looks at the middle from an angle."""
+    a, e = radians(azimuth), radians(elevation)
+    backwards = (cos(e) * cos(a), cos(e) * sin(a), sin(e))
+    right = (-sin(a), cos(a), 0.0)
+    return np.array((right, np.cross(backwards, right), backwards))
+
+
+def _eye(seen: Matrix, slope: float, aspect: float) -> Matrix:
+    """The nearest place from which points (n, 3) fit between the four planes of a frustum.
+
+    Each pair of planes, left and right or upper and lower, gives the least depth and the offset
+    at which both touch a point.
+
+    Args:
+        seen: in the axes of the camera.
+        slope: of the upper plane.
+        aspect: width by height.
+    """
+    x, y, z = seen.T
+    eye, depths = np.zeros(3), []
+    for axis, along, tangent in ((0, x, slope * aspect), (1, y, slope)):
+        first, second = np.max(z + along / tangent), np.max(z - along / tangent)
+        eye[axis] = tangent * (first - second) / 2
+        depths.append((first + second) / 2)
+    eye[2] = max(*depths, np.max(z) + 1e-3)
+    return eye
+
+
+def _tuple(vector: Matrix) -> tuple[float, float, float]:
+    x, y, z = (float(part) for part in vector)
+    return (x, y, z)
+
+
+def _rows(axes: Matrix) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(float(part) for part in row) for row in axes)
+
+

@@ -1,0 +1,386 @@
+"""A scene and a camera become a picture.
+
+Three passes over bands of rows, so that memory does not grow with the height of a picture:
+which surfaces the pixels see, how much light reaches them, and their colours. Nothing depends on
+the order of the bands, so the bytes are the same for any number of threads.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Bools, Bytes, Floats, Indices
+from urdfkit.render.camera import Camera
+from urdfkit.render.fragments import Fragments, Surface, fragments, surface
+from urdfkit.render.ground import Ground, ground, world_rays
+from urdfkit.render.light import Rig, ShadowMap, rig, shadow_map, sunlight
+from urdfkit.render.looks import Look
+from urdfkit.render.occlusion import openness
+from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
+from urdfkit.render.scene import Scene
+from urdfkit.render.shading import Lit, shaded
+from urdfkit.render.soup import Soup, soup
+from urdfkit.render.textures import pyramid, sample, srgb_to_linear
+from urdfkit.render.work import Workers
+
+#: Rows of pixels of a band.
+BAND = 60
+#: Surfaces that are seen through one another; those behind are left out.
+LAYERS = 4
+#: The depth of nothing, in m.
+FAR = np.float32(1e9)
+#: How far around them surfaces hide the sky from one another, as a part of the robot's size.
+REACH = 0.09
+#: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
+_NEAR = 0.012
+
+
+class Quality(NamedTuple):
+    """How much work a picture is worth.
+
+    Attributes:
+        samples: of a pixel, for smooth edges.
+        sky, sun: samples of what hides the sky and the sun; none are taken for 0.
+    """
+
+    samples: int
+    sky: int
+    sun: int
+
+
+QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 14, 10), "high": Quality(16, 40, 32)}
+
+#: Two colours, above and below, sRGB from 0 to 1.
+Background = tuple[tuple[float, float, float], tuple[float, float, float]]
+STUDIO: Background = ((0.965, 0.97, 0.978), (0.862, 0.878, 0.9))
+
+
+class _Band(NamedTuple):
+    """What the first pass finds out about a band."""
+
+    opaque: tuple[Fragments, Surface]
+    clear: tuple[tuple[Fragments, Surface], ...]
+
+
+def draw(
+    scene: Scene,
+    camera: Camera,
+    *,
+    quality: str = "default",
+    background: Background | None = STUDIO,
+    floor: bool = True,
+    threads: int | None = None,
+) -> Bytes:
+    """Draw a scene.
+
+    Args:
+        scene: what there is to see.
+        camera: that sees it.
+        quality: a name of `QUALITIES`.
+        background: colours; None for a transparent one.
+        floor: whether there is a ground that catches shadows.
+        threads: how many work on it; the picture does not depend on it.
+
+    Returns:
+        (h, w, 4), red green blue alpha, sRGB, not premultiplied.
+    """
+    return _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor).picture(background)
+
+
+class _Drawing:
+    """One picture on its way."""
+
+    def __init__(
+        self, scene: Scene, camera: Camera, quality: Quality, workers: Workers, floor: bool
+    ) -> None:
+        self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
+        self.rig: Rig = rig(camera)
+        everything = soup(scene, camera)
+        self.looks = [item.look for item in scene.items]
+        alphas = np.array([look.rgba[3] for look in self.looks] or [1.0], dtype=np.float32)
+        solid = alphas[everything.item] > 0.98 if len(everything.item) else _no_bools()
+        world = scene.points()
+        self.size = float(np.ptp(world, axis=0).max()) if len(world) else 1.0
+        self.sun: ShadowMap = shadow_map(everything, solid, self.rig, workers)
+        self.floor: Ground | None = None
+        if floor and solid.any():
+            self.floor = self._ground(everything, solid)
+        x, y, near = camera.project(everything.points)
+        self.screen: Projected
+        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
+        self.soup: Soup = everything._replace(
+            faces=everything.faces[chosen],
+            item=everything.item[chosen],
+            flat=everything.flat[chosen],
+        )
+        self.solid: Bools = solid[chosen]
+        self.offsets = rooks(quality.samples)
+
+    def picture(self, background: Background | None) -> Bytes:
+        width, height = self.camera.size
+        bands: dict[int, _Band] = {}
+        depth = np.full((height, width), FAR, dtype=np.float32)
+
+        def see(first: int, last: int) -> None:
+            bands[first] = self._see(first, last, depth)
+
+        self.workers.bands(height, BAND, see)
+        sky, sun = np.ones_like(depth), np.ones_like(depth)
+
+        def light(first: int, _last: int) -> None:
+            self._light(bands[first].opaque, depth, sky, sun)
+
+        self.workers.bands(height, BAND, light)
+        result = np.empty((height, width, 4), dtype=np.uint8)
+
+        def colour(first: int, last: int) -> None:
+            result[first:last] = self._colour(
+                bands.pop(first), first, last, depth, sky, sun, background
+            )
+
+        self.workers.bands(height, BAND, colour)
+        return result
+
+    def _ground(self, everything: Soup, solid: Bools) -> Ground:
+        faces = everything.faces[solid]
+        axes = np.asarray(self.camera.axes, dtype=np.float32)
+        used, index = np.unique(faces, return_inverse=True)
+        points = everything.points[used] @ axes + np.asarray(self.camera.eye, dtype=np.float32)
+        return ground(points, index.reshape(-1, 3), self.sun, self.rig, self.camera)
+
+    # -- the first pass: what is seen --
+
+    def _see(self, first: int, last: int, depth: Floats) -> _Band:
+        """The surfaces of a band; their depth goes to the picture's."""
+        grid = Grid(self.camera.size[0], first, last, self.offsets)
+        solid, clear = np.flatnonzero(self.solid), np.flatnonzero(~self.solid)
+        opaque = nearest(self.screen, solid, grid)
+        found = self._surfaces(fragments(opaque, grid, self.soup, self.camera))
+        self._fill_depth(*found, first, last, depth)
+        layers = []
+        below = None
+        if len(clear):
+            for _ in range(LAYERS):
+                below = nearest(self.screen, clear, grid, above=opaque, below=below)
+                if not below.any():
+                    break
+                layers.append(
+                    self._surfaces(fragments(below, grid, self.soup, self.camera))
+                )
+        return _Band(found, tuple(layers))
+
+    def _surfaces(self, some: Fragments) -> tuple[Fragments, Surface]:
+        return some, surface(some, self.soup, self.screen, self.camera)
+
+    def _fill_depth(
+        self, some: Fragments, there: Surface, first: int, last: int, depth: Floats
+    ) -> None:
+        """The depth of the largest fragment of each pixel, else that of the floor."""
+        width = self.camera.size[0]
+        flat = depth.reshape(-1)
+        order = np.argsort(some.weight, kind="stable")
+        flat[some.pixel[order]] = -there.position[order, 2]
+        if self.floor is None:
+            return
+        empty = np.flatnonzero(flat[first * width : last * width] == FAR) + first * width
+        row, column = np.divmod(empty, width)
+        x, y = column + np.float32(0.5), row + np.float32(0.5)
+        position, ahead = world_rays(self.camera, x.astype(np.float32), y.astype(np.float32))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            way = (np.float32(self.floor.height) - position[:, 2]) / ahead[:, 2]
+        flat[empty] = np.where((way > 0) & (way < FAR), way, FAR)
+
+    # -- the second pass: how much light there is --
+
+    def _light(
+        self, opaque: tuple[Fragments, Surface], depth: Floats, sky: Floats, sun: Floats
+    ) -> None:
+        """How much light reaches the surfaces that are largest in their pixels; grainy."""
+        some, there = opaque
+        shown = np.flatnonzero(depth.reshape(-1)[some.pixel] == -there.position[:, 2])
+        pixel, position = some.pixel[shown], there.position[shown]
+        width = self.camera.size[0]
+        if self.quality.sky:
+            sky.reshape(-1)[pixel] = openness(
+                depth,
+                self.camera,
+                position,
+                there.normal[shown],
+                pixel,
+                REACH * self.size,
+                self.quality.sky,
+            )
+        if self.quality.sun:
+            sun.reshape(-1)[pixel] = sunlight(
+                self.sun, position, there.flat[shown], pixel, width, self.quality.sun
+            )
+
+    # -- the third pass: colours --
+
+    def _colour(
+        self,
+        band: _Band,
+        first: int,
+        last: int,
+        depth: Floats,
+        sky: Floats,
+        sun: Floats,
+        background: Background | None,
+    ) -> Bytes:
+        """The pixels of a band."""
+        width, height = self.camera.size
+        pixels = np.arange(first * width, last * width)
+        smooth = [self._mean(values, depth, first, last) for values in (sky, sun)]
+        some, there = band.opaque
+        place = self._matching(some, there, depth[first:last], first * width)
+        lit = Lit(sun=smooth[1][place], sky=smooth[0][place])
+        light, cover = self._sum(some, self._shade(some, there, lit), first, last)
+        row, column = np.divmod(pixels, width)
+        dark = np.zeros(len(pixels), dtype=np.float32)
+        if self.floor is not None:
+            open_ = np.flatnonzero(cover < 1)
+            dark[open_] = self.floor.darkness(
+                self.camera,
+                column[open_].astype(np.float32) + np.float32(0.5),
+                row[open_].astype(np.float32) + np.float32(0.5),
+            )
+        free = 1 - cover
+        if background is None:
+            alpha = cover + free * dark
+        else:
+            alpha = np.ones_like(cover)
+            light += (free * (1 - dark))[:, None] * _gradient(background, row, height)
+        for few, on in reversed(band.clear):
+            ones = np.ones(len(few.pixel), dtype=np.float32)
+            opacity = np.array([look.rgba[3] for look in self.looks], dtype=np.float32)
+            seen = few._replace(weight=few.weight * opacity[self.soup.item[few.number]])
+            over, part = self._sum(seen, self._shade(few, on, Lit(ones, ones)), first, last)
+            light = over + light * (1 - part)[:, None]
+            alpha = part + alpha * (1 - part)
+        return _encoded(light, alpha).reshape(last - first, width, 4)
+
+    def _shade(self, some: Fragments, there: Surface, lit: Lit) -> Floats:
+        """The light that fragments send, (k, 3)."""
+        item = self.soup.item[some.number]
+        rgb = np.array([look.rgba[:3] for look in self.looks] or [(1, 1, 1)], dtype=np.float32)
+        albedo = srgb_to_linear(rgb)[item]
+        if there.color is not None:
+            albedo = albedo * srgb_to_linear(there.color[:, :3])
+        for index, look in enumerate(self.looks):
+            if look.texture is not None:
+                of_it = np.flatnonzero(item == index)
+                if len(of_it):
+                    albedo[of_it] *= self._textured(look, some, there, of_it)
+        return shaded(
+            albedo,
+            there.position,
+            there.normal,
+            lit,
+            self.rig,
+            parallel=self.camera.is_orthographic,
+        )
+
+    def _textured(self, look: Look, some: Fragments, there: Surface, of_it: Indices) -> Floats:
+        """What a texture shows on fragments, (k, 3)."""
+        assert look.texture is not None
+        levels = pyramid(look.texture)
+        if levels is None:
+            return np.ones((len(of_it), 3), dtype=np.float32)
+        faces = self.soup.faces[some.number[of_it]]
+        uv = [self.soup.uv[faces[:, corner]] for corner in range(3)]
+        xy = [
+            np.stack((self.screen.x[faces[:, i]], self.screen.y[faces[:, i]]), axis=1)
+            for i in range(3)
+        ]
+        ratio = _area(*uv) / np.maximum(_area(*xy), np.float32(1e-6))
+        return sample(levels, there.uv[of_it], np.sqrt(ratio))[:, :3]
+
+    def _sum(
+        self, some: Fragments, light: Floats, first: int, last: int
+    ) -> tuple[Floats, Floats]:
+        """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,)."""
+        width = self.camera.size[0]
+        count = (last - first) * width
+        place = some.pixel - first * width
+        result = np.empty((count, 3), dtype=np.float32)
+        for channel in range(3):
+            result[:, channel] = np.bincount(place, light[:, channel] * some.weight, count)
+        return result, np.bincount(place, some.weight, count).astype(np.float32)
+
+    def _mean(self, values: Floats, depth: Floats, first: int, last: int) -> Floats:
+        """The mean of light over each lattice square around the pixels of a band, (p,)."""
+        height, width = depth.shape
+        rows = np.clip(np.arange(first - 2, last + 1), 0, height - 1)
+        columns = np.clip(np.arange(-2, width + 1), 0, width - 1)
+        around, distances = values[rows][:, columns], depth[rows][:, columns]
+        own = depth[first:last]
+        total, count = np.zeros_like(own), np.zeros_like(own)
+        near = np.float32(_NEAR * self.size)
+        for down in range(4):
+            for across in range(4):
+                there = distances[down : down + last - first, across : across + width]
+                alike = np.abs(there - own) < near
+                total += around[down : down + last - first, across : across + width] * alike
+                count += alike
+        return (total / count).reshape(-1)
+
+    def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Indices:
+        """The pixel of a band beside each fragment whose depth is nearest to that; its own first.
+
+        Args:
+            some: the fragments.
+            there: their surfaces.
+            depth: of the pixels of the band.
+            start: the number of the first of them.
+        """
+        flat = depth.reshape(-1)
+        own = -there.position[:, 2]
+        place = some.pixel - start
+        gap = np.abs(flat[place] - own)
+        off = np.flatnonzero(gap > np.float32(_NEAR * self.size))
+        width = depth.shape[1]
+        for step in (-1, 1, -width, width):
+            beside = np.clip(some.pixel[off] - start + step, 0, len(flat) - 1)
+            distance = np.abs(flat[beside] - own[off])
+            better = distance < gap[off]
+            place[off[better]] = beside[better]
+            gap[off[better]] = distance[better]
+        return place
+
+
+def _no_bools() -> Bools:
+    return np.zeros(0, dtype=bool)
+
+
+def _area(a: Floats, b: Floats, c: Floats) -> Floats:
+    u, v = b - a, c - a
+    return np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+def _gradient(background: Background, row: Indices, height: int) -> Floats:
+    above, below = srgb_to_linear(np.array(background, dtype=np.float32))
+    part = ((row + np.float32(0.5)) / np.float32(height)).astype(np.float32)[:, None]
+    mixed: Floats = above + (below - above) * part
+    return mixed
+
+
+def _encoded(light: Floats, alpha: Floats) -> Bytes:
+    """sRGB with alpha, of light that is multiplied with its alpha."""
+    plain = light / np.maximum(alpha, np.float32(1e-6))[:, None]
+    steps = np.float32(len(_TABLE) - 1)
+    index = (np.clip(plain, 0, 1) * steps + np.float32(0.5)).astype(np.int32)
+    result = np.empty((len(light), 4), dtype=np.uint8)
+    result[:, :3] = _TABLE[index]
+    result[:, 3] = np.rint(np.clip(alpha, 0, 1) * 255)
+    return result
+
+
+def _table() -> Bytes:
+    light = np.arange(1 << 14) / ((1 << 14) - 1)
+    value = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    return np.rint(value * 255).astype(np.uint8)
+
+
+_TABLE = _table()

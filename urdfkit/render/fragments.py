@@ -1,0 +1,209 @@
+"""From samples to fragments: what is shaded is a piece of one surface in one pixel."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Bools, Floats, Indices, Integers, Keys, dot, unit
+from urdfkit.render.camera import Camera
+from urdfkit.render.raster import Grid, Projected, split
+from urdfkit.render.soup import Soup
+
+#: Faces that meet at a smaller angle are shaded as one in a pixel (the cosine).
+_ALIKE = 0.94
+#: Samples further apart in depth than so many times what the slope explains are two surfaces.
+_STEP = 3.0
+
+
+class Fragments(NamedTuple):
+    """Pieces of surfaces, in the order of the pixels.
+
+    Attributes:
+        pixel: (k,), row times width plus column.
+        number: (k,), of the triangle.
+        weight: (k,), the part of the pixel that it covers.
+        x, y: (k,), where in the picture it is shaded.
+    """
+
+    pixel: Indices
+    number: Integers
+    weight: Floats
+    x: Floats
+    y: Floats
+
+
+class Surface(NamedTuple):
+    """Fragments on their triangles, in the frame of the camera.
+
+    Attributes:
+        position: (k, 3).
+        normal: (k, 3), unit vectors, turned to the viewer.
+        flat: (k, 3), of the face itself, likewise.
+        uv: (k, 2).
+        color: (k, 4); None if no vertex has any.
+    """
+
+    position: Floats
+    normal: Floats
+    flat: Floats
+    uv: Floats
+    color: Floats | None
+
+
+def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
+    """The fragments of a band.
+
+    Consecutive samples of a pixel that see one surface make one fragment, which is shaded once.
+
+    Args:
+        keys: of the samples of the band.
+        grid: that they lie on.
+        whole: the triangles.
+        camera: that sees them.
+    """
+    samples, rows = len(grid.offsets), grid.last - grid.first
+    numbers, nearness = split(keys)
+    numbers = numbers.reshape(rows, samples, grid.width)
+    first = numbers[:, 0]
+    same = np.ones_like(first, dtype=bool)
+    for sample in range(1, samples):
+        same &= numbers[:, sample] == first
+    plain = np.flatnonzero(same & (first >= 0))
+    mixed = np.flatnonzero(~same)
+    row, column = np.divmod(plain, grid.width)
+    one = Fragments(
+        plain,
+        first.reshape(-1)[plain],
+        np.ones(len(plain), dtype=np.float32),
+        column.astype(np.float32) + np.float32(0.5),
+        (row + grid.first).astype(np.float32) + np.float32(0.5),
+    )
+    row, column = np.divmod(mixed, grid.width)
+    place = (row * samples * grid.width + column)[:, None] + np.arange(samples) * grid.width
+    several = _runs(
+        mixed,
+        numbers.reshape(-1)[place],
+        nearness.reshape(-1)[place],
+        grid,
+        whole,
+        camera,
+    )
+    parts = [np.concatenate(pair) for pair in zip(one, several, strict=True)]
+    order = np.argsort(parts[0], kind="stable")
+    pixel, number, weight, x, y = (part[order] for part in parts)
+    return Fragments(pixel + grid.first * grid.width, number, weight, x, y)
+
+
+def _runs(
+    pixels: Indices, numbers: Integers, nearness: Floats, grid: Grid, whole: Soup, camera: Camera
+) -> Fragments:
+    """The fragments of pixels whose samples see several triangles.
+
+    Args:
+        pixels: (p,), in the band.
+        numbers: (p, s), of the triangles.
+        nearness: (p, s).
+        grid: of the samples.
+        whole: the triangles.
+        camera: that sees them.
+    """
+    count, samples = numbers.shape
+    starts = np.ones((count, samples), dtype=bool)
+    starts[:, 1:] = _differ(numbers, nearness, whole, camera)
+    begin = np.flatnonzero(starts)
+    length = np.diff(begin, append=count * samples)
+    full = numbers.reshape(-1)[begin] >= 0
+    begin, length = begin[full], length[full]
+    middle = begin + length // 2
+    pixel, sample = np.divmod(middle, samples)
+    row, column = np.divmod(pixels[pixel], grid.width)
+    whole_pixel = length == samples
+    half = np.float32(0.5)
+    across = np.where(whole_pixel, half, grid.offsets[sample])
+    down = np.where(whole_pixel, half, (sample + half) / np.float32(samples))
+    return Fragments(
+        pixels[pixel],
+        numbers.reshape(-1)[middle],
+        (length / samples).astype(np.float32),
+        column.astype(np.float32) + across.astype(np.float32),
+        (row + grid.first).astype(np.float32) + down.astype(np.float32),
+    )
+
+
+def _differ(numbers: Integers, nearness: Floats, whole: Soup, camera: Camera) -> Bools:
+    """Where a sample sees another surface than the sample before it in the pixel, (p, s - 1)."""
+    left, right = numbers[:, :-1].reshape(-1), numbers[:, 1:].reshape(-1)
+    result = (left < 0) != (right < 0)
+    doubtful = np.flatnonzero((left != right) & (left >= 0) & (right >= 0))
+    left, right = left[doubtful], right[doubtful]
+    near = nearness[:, :-1].reshape(-1)[doubtful], nearness[:, 1:].reshape(-1)[doubtful]
+    here, there = whole.flat[left], whole.flat[right]
+    if camera.is_orthographic:
+        depths, footprint = near, np.float32(1 / camera.scale)
+        gap = np.abs(depths[0] - depths[1])
+    else:
+        gap = np.abs(1 / near[0] - 1 / near[1])
+        footprint = np.float32(1 / camera.scale) / near[0]
+    facing = np.maximum(np.minimum(np.abs(here[:, 2]), np.abs(there[:, 2])), np.float32(0.1))
+    result[doubtful] = (
+        (whole.item[left] != whole.item[right])
+        | (np.abs(dot(here, there)) < _ALIKE)
+        | (gap > _STEP * footprint / facing)
+    )
+    return result.reshape(numbers[:, 1:].shape)
+
+
+def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> Surface:
+    """Where fragments lie and how their surfaces are turned; perspective is accounted for.
+
+    Args:
+        some: the fragments.
+        whole: the triangles.
+        screen: their vertices in the picture.
+        camera: that sees them.
+    """
+    corners = [whole.faces[some.number, corner] for corner in range(3)]
+    x = [screen.x[index] for index in corners]
+    y = [screen.y[index] for index in corners]
+    parts = []
+    for i, j in ((1, 2), (2, 0), (0, 1)):
+        parts.append((x[i] - some.x) * (y[j] - some.y) - (x[j] - some.x) * (y[i] - some.y))
+    area = parts[0] + parts[1] + parts[2]
+    area = np.where(area == 0, np.float32(1), area)
+    # A fragment may be shaded a little outside of its triangle.
+    weights = [np.clip(part / area, 0, 1) for part in parts]
+    total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-12))
+    near = [screen.nearness[index] for index in corners]
+    nearness = sum(w * n for w, n in zip(weights, near, strict=True)) / total
+    if not camera.is_orthographic:
+        weights = [w * n for w, n in zip(weights, near, strict=True)]
+        total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-30))
+    weights = [(w / total)[:, None] for w in weights]
+
+    def blend(values: Floats) -> Floats:
+        result: Floats = sum(w * values[i] for w, i in zip(weights, corners, strict=True))
+        return result
+
+    position = camera.positions(some.x, some.y, nearness)
+    towards = _towards(position, camera)
+    flat = whole.flat[some.number]
+    flat = np.where(dot(flat, towards)[:, None] < 0, -flat, flat)
+    normal = blend(whole.normals)
+    normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
+    normal = unit(np.where(np.abs(normal).max(axis=1, keepdims=True) < 0.1, flat, normal))
+    return Surface(
+        position,
+        normal,
+        flat,
+        blend(whole.uv),
+        None if whole.colors is None else blend(whole.colors),
+    )
+
+
+def _towards(position: Floats, camera: Camera) -> Floats:
+    """Unit vectors to the viewer."""
+    if camera.is_orthographic:
+        return np.broadcast_to(np.array((0, 0, 1), dtype=np.float32), position.shape)
+    return unit(-position)

@@ -1,0 +1,162 @@
+"""The floor of the studio: it is not seen itself, only the shadows on it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Floats
+from urdfkit.render.camera import Camera
+from urdfkit.render.light import TEXELS, Rig, ShadowMap
+from urdfkit.render.raster import Grid, nearest, projected, split
+
+#: Cells of the edge of the floor's map.
+CELLS = 320
+#: The map reaches beyond the robot on each side by this part of its size.
+BEYOND = 0.75
+#: How dark the sun's shadow and the robot's nearness make the floor.
+SUN, CONTACT = 0.34, 0.5
+#: How high above the floor a surface still darkens it, the blur of it, and how much; the first
+#: two as parts of the robot's size.
+LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
+
+
+class Ground(NamedTuple):
+    """A level floor.
+
+    Attributes:
+        height: in the world, in m.
+        origin: x and y of the map's corner in the world.
+        cell: edge of a cell in m.
+        shade: (c, c), from 0, not darkened, to 1, black.
+    """
+
+    height: float
+    origin: tuple[float, float]
+    cell: float
+    shade: Floats
+
+    def darkness(self, camera: Camera, x: Floats, y: Floats) -> Floats:
+        """How dark the floor is where pixels see it, (k,), from 0 to 1; 0 where they do not."""
+        position, ahead = world_rays(camera, x, y)
+        dark = np.zeros(len(x), dtype=np.float32)
+        down = np.flatnonzero(ahead[:, 2] < -1e-4)
+        if position[0, 2] <= self.height or not len(down):
+            return dark
+        way = (np.float32(self.height) - position[down, 2]) / ahead[down, 2]
+        column = (position[down, 0] + way * ahead[down, 0] - np.float32(self.origin[0])) / self.cell
+        row = (position[down, 1] + way * ahead[down, 1] - np.float32(self.origin[1])) / self.cell
+        dark[down] = _bilinear(self.shade, column - np.float32(0.5), row - np.float32(0.5))
+        return dark
+
+
+def world_rays(camera: Camera, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+    """Origins and directions (k, 3) in the world of what is seen at pixels."""
+    axes = np.asarray(camera.axes, dtype=np.float32)
+    origins, ahead = camera.rays(x, y)
+    return origins @ axes + np.asarray(camera.eye, dtype=np.float32), ahead @ axes
+
+
+def ground(points: Floats, faces: Floats, map_: ShadowMap, rig: Rig, camera: Camera) -> Ground:
+    """The floor under a robot that stands on it with its lowest point.
+
+    Args:
+        points: (n, 3), of what casts shadows, in the world.
+        faces: (m, 3).
+        map_: what the sun sees.
+        rig: the lamps.
+        camera: in whose frame the two are given.
+    """
+    lowest, highest = points.min(axis=0), points.max(axis=0)
+    height, size = float(lowest[2]), float((highest - lowest).max())
+    edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
+    middle = (lowest + highest)[:2] / 2
+    origin = (float(middle[0] - edge / 2), float(middle[1] - edge / 2))
+    cell = edge / CELLS
+    across = origin[0] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
+    along = origin[1] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
+    x, y = np.meshgrid(across, along)
+    floor = np.stack((x, y, np.full_like(x, height)), axis=-1).reshape(-1, 3)
+    shade = 1 - (1 - CONTACT * _contact(points, faces, origin, cell, height, size)) * (
+        1 - SUN * _sun(floor, map_, camera, size).reshape(CELLS, CELLS)
+    )
+    return Ground(height, origin, cell, (shade * _fade()).astype(np.float32))
+
+
+def _contact(
+    points: Floats, faces: Floats, origin: tuple[float, float], cell: float, height: float,
+    size: float,
+) -> Floats:
+    """How much of the sky the robot hides from the floor, roughly: heights, blurred."""
+    x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
+    top = height + 2 * size
+    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS)
+    grid = Grid(CELLS, 0, CELLS, np.array((0.5,), dtype=np.float32))
+    numbers, nearness = split(nearest(screen, np.arange(len(screen.top)), grid))
+    above = np.where(numbers >= 0, np.float32(top - height) - nearness, np.float32(np.inf))
+    hidden = np.zeros((CELLS, CELLS), dtype=np.float32)
+    for reach, blur, weight in LAYERS:
+        near = np.clip(1 - above / np.float32(reach * size), 0, 1)
+        hidden = hidden + np.float32(weight) * blurred(near, blur * size / cell)
+    return np.minimum(hidden, 1)
+
+
+def _sun(floor: Floats, map_: ShadowMap, camera: Camera, size: float) -> Floats:
+    """How much of the sun the robot hides from points on the floor: blurred with its distance."""
+    rotation, position = camera.to_view(np.eye(3), np.zeros(3))
+    column, row, level = map_.coordinates(floor @ rotation.T + position)
+    covered = (map_.nearness > 0).astype(np.float32)
+    texels = size * map_.scale
+    sharp, soft = blurred(covered, 0.006 * texels), blurred(covered, 0.035 * texels)
+    high = blurred(map_.nearness, 0.012 * texels) / np.maximum(
+        blurred(covered, 0.012 * texels), np.float32(1e-3)
+    )
+    inside = (column > 0) & (column < TEXELS) & (row > 0) & (row < TEXELS)
+    x, y = column - np.float32(0.5), row - np.float32(0.5)
+    way = np.clip((_bilinear(high, x, y) - level) / np.float32(size), 0, 1)
+    mixed = _bilinear(sharp, x, y) * (1 - way) + _bilinear(soft, x, y) * way
+    return np.where(inside, mixed, 0)
+
+
+def _fade() -> Floats:
+    """1 in the middle of the map, 0 at its edge."""
+    from_middle = np.abs((np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) / CELLS * 2 - 1)
+    distance = np.sqrt(from_middle[:, None] ** 2 + from_middle**2)
+    ramp = np.clip((1 - distance) / np.float32(0.35), 0, 1)
+    return ramp * ramp * (3 - 2 * ramp)
+
+
+def blurred(values: Floats, radius: float) -> Floats:
+    """An image under a soft blur: three moving means each way come near a bell curve."""
+    half = max(1, round(radius))
+    for axis in (0, 1, 0, 1, 0, 1):
+        values = _mean(values, half, axis)
+    return values
+
+
+def _mean(values: Floats, half: int, axis: int) -> Floats:
+    padding = [(0, 0), (0, 0)]
+    padding[axis] = (half + 1, half)
+    sums = np.cumsum(np.pad(values, padding), axis=axis, dtype=np.float64)
+    window = 2 * half + 1
+    if axis == 0:
+        mean = (sums[window:] - sums[:-window]) / window
+    else:
+        mean = (sums[:, window:] - sums[:, :-window]) / window
+    return mean.astype(np.float32)
+
+
+def _bilinear(image: Floats, column: Floats, row: Floats) -> Floats:
+    """An image between its cells; its border continues as 0."""
+    height, width = image.shape
+    inside = (column > -1) & (column < width) & (row > -1) & (row < height)
+    x = np.clip(column, 0, width - 1.001)
+    y = np.clip(row, 0, height - 1.001)
+    left, low = x.astype(np.int32), y.astype(np.int32)
+    across, along = x - left, y - low
+    flat = image.reshape(-1)
+    start = low * np.int32(width) + left
+    lower = flat[start] * (1 - across) + flat[start + 1] * across
+    upper = flat[start + width] * (1 - across) + flat[start + width + 1] * across
+    return np.where(inside, lower * (1 - along) + upper * along, 0)

@@ -1,0 +1,155 @@
+"""The lamps of the studio, and the shadows that the sun casts."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Bools, Floats, Indices
+from urdfkit.render.camera import Camera
+from urdfkit.render.raster import Grid, nearest, projected, split
+from urdfkit.render.soup import Soup
+from urdfkit.render.work import Workers
+
+#: Texels of the edge of the shadow map.
+TEXELS = 1024
+#: Radius of the blur of a shadow's edge, as a part of the map.
+SOFTNESS = 0.009
+#: Places of a pixel in a square of so many, each with a pattern of samples of its own.
+LATTICE = 4
+
+
+class Rig(NamedTuple):
+    """Directions to the lamps, unit vectors in the frame of the camera.
+
+    The sun stands above the camera's left shoulder, a weak lamp at its right; so every view is
+    lit alike, and a robot that turns before the camera turns in the light.
+    """
+
+    sun: Floats
+    fill: Floats
+    up: Floats
+
+
+def rig(camera: Camera) -> Rig:
+    """The lamps for a camera."""
+    up = np.asarray(camera.axes)[:, 2]
+    above = up if up[2] > -0.2 else np.array((0.0, 1.0, 0.0))  # from below the robot is lit, too
+    sun = 1.0 * above + np.array((-0.55, 0.12, 0.62))
+    fill = 0.25 * above + np.array((0.9, 0.0, 0.45))
+    return Rig(*((v / np.linalg.norm(v)).astype(np.float32) for v in (sun, fill, up)))
+
+
+class ShadowMap(NamedTuple):
+    """What the sun sees.
+
+    Attributes:
+        axes: rows are the directions across, along and to the sun, in the camera's frame.
+        origin: (3,), of the map, in these axes.
+        scale: texels per m.
+        nearness: (t, t), height in m of the nearest surface; 0 where there is none.
+    """
+
+    axes: Floats
+    origin: Floats
+    scale: float
+    nearness: Floats
+
+    def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
+        """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""
+        x, y, z = (points @ self.axes.T - self.origin).T
+        factor = np.float32(self.scale)
+        return x * factor, y * factor, z
+
+
+def shadow_map(whole: Soup, casts: Bools, rig: Rig, workers: Workers) -> ShadowMap:
+    """The shadow map of some triangles.
+
+    Args:
+        whole: the triangles.
+        casts: (m,), which of them cast a shadow.
+        rig: the lamps.
+        workers: that do it.
+    """
+    axes = _axes(rig)
+    seen = whole.points @ axes.T
+    faces = whole.faces[casts]
+    used = seen[np.unique(faces)] if len(faces) else np.zeros((1, 3), dtype=np.float32)
+    lowest, highest = used.min(axis=0), used.max(axis=0)
+    extent = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
+    middle = (lowest + highest) / 2
+    origin = np.array((middle[0] - extent / 2, middle[1] - extent / 2, lowest[2]))
+    origin[2] -= max(float(highest[2] - lowest[2]), 1e-6) * 0.01  # so that heights are above 0
+    scale = TEXELS / extent
+    result = ShadowMap(
+        axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
+    )
+    x, y, z = result.coordinates(whole.points)
+    screen, _ = projected(x, y, z, faces, TEXELS)
+    everything = np.arange(len(screen.top))
+    offsets = np.array((0.5,), dtype=np.float32)
+
+    def band(first: int, last: int) -> None:
+        keys = nearest(screen, everything, Grid(TEXELS, first, last, offsets))
+        numbers, nearness = split(keys)
+        result.nearness[first:last] = np.where(numbers >= 0, nearness, 0)
+
+    workers.bands(TEXELS, 128, band)
+    return result
+
+
+def _axes(rig: Rig) -> Floats:
+    across = np.cross(rig.up, rig.sun)
+    norm = float(np.linalg.norm(across))
+    across = across / norm if norm > 1e-6 else np.array((1.0, 0.0, 0.0))
+    return np.stack((across, np.cross(rig.sun, across), rig.sun)).astype(np.float32)
+
+
+def sunlight(map_: ShadowMap, points: Floats, normals: Floats, pixel: Indices, width: int,
+             taps: int) -> Floats:
+    """How much of the sun surfaces see, (k,), from 0 to 1; grainy in a lattice of pixels.
+
+    Args:
+        map_: the shadow map.
+        points: (k, 3), in the camera's frame.
+        normals: (k, 3).
+        pixel: (k,), row times width plus column.
+        width: of the picture.
+        taps: samples of each.
+    """
+    texel = np.float32(1 / map_.scale)
+    column, row, height = map_.coordinates(points + normals * (2 * texel))
+    slope = np.float32(1.5) * texel * np.float32(SOFTNESS * TEXELS)
+    height += slope * np.float32(0.35)
+    offsets = spiral(taps) * np.float32(SOFTNESS * TEXELS)
+    place = lattice(pixel, width)
+    lit = np.zeros(len(points), dtype=np.float32)
+    limit = np.float32(TEXELS - 1)
+    flat = map_.nearness.reshape(-1)
+    for tap in range(taps):
+        x = np.clip(column + offsets[place, tap, 0], 0, limit).astype(np.int32)
+        y = np.clip(row + offsets[place, tap, 1], 0, limit).astype(np.int32)
+        lit += flat[y * np.int32(TEXELS) + x] <= height
+    return lit / np.float32(taps)
+
+
+def lattice(pixel: Indices, width: int) -> Indices:
+    """The place of pixels in their squares, from 0 to 15."""
+    row, column = np.divmod(pixel, width)
+    result: Indices = row % LATTICE * LATTICE + column % LATTICE
+    return result
+
+
+def spiral(taps: int) -> Floats:
+    """Points of a disc of radius 1, evenly spread, one turn of them for each place of a lattice.
+
+    Returns:
+        (16, taps, 2)
+    """
+    golden = np.pi * (3 - np.sqrt(5))
+    radius = np.sqrt((np.arange(taps) + 0.5) / taps)
+    # Neighbours in the lattice are turned by unlike angles.
+    turn = (np.arange(LATTICE**2) * 7 % LATTICE**2) * (2 * np.pi / LATTICE**2)
+    angle = np.arange(taps) * golden + turn[:, None]
+    return np.stack((radius * np.cos(angle), radius * np.sin(angle)), axis=-1).astype(np.float32)

@@ -1,0 +1,87 @@
+"""How the surfaces of a robot look."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from urdfkit.catalog.materials import materials
+from urdfkit.colours import Colours
+from urdfkit.meshes import geometry
+from urdfkit.model import Body, Material
+from urdfkit.subject import Subject
+
+Colour = tuple[float, float, float, float]
+
+
+class Look(NamedTuple):
+    """The colour or the texture of a surface.
+
+    Attributes:
+        rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
+        texture: path of an image, or its bytes; None without one.
+    """
+
+    rgba: Colour
+    texture: str | bytes | None = None
+
+
+#: For what says nothing about its looks.
+PLAIN = Look((0.72, 0.74, 0.77, 1.0))
+#: For the box that stands for a missing mesh; the name is drawn as stripes.
+STRIPES = "urdfkit:stripes"
+PLACEHOLDER = Look((1.0, 1.0, 1.0, 1.0), STRIPES)
+#: Collisions are seen through.
+COLLISION = Look((0.93, 0.42, 0.12, 0.45))
+
+
+class Looks:
+    """The looks of one model.
+
+    A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
+    the link's Gazebo material counts.
+    """
+
+    def __init__(self, subject: Subject) -> None:
+        self._subject = subject
+        self._colours = Colours(subject.model)
+        self._gazebo = {
+            block.get("reference"): material.text.strip()
+            for block in subject.model.gazebo
+            if (material := block.child("material"))
+        }
+
+    def of(self, link: str, role: str, body: Body, embedded: geometry.Material | None) -> Look:
+        """The look of triangles.
+
+        Args:
+            link: name of the link.
+            role: ``visual`` or ``collision``.
+            body: the visual or collision.
+            embedded: the material in the mesh file.
+        """
+        if role == "collision":
+            return COLLISION
+        own = self._colours.of(body)
+        if own is not None:
+            return self._written(own)
+        if embedded is not None:
+            return Look(embedded.rgba, embedded.texture)
+        if link in self._gazebo:
+            known = materials().get(self._gazebo[link])
+            if known and known.rgba:
+                return Look(_colour(known.rgba))
+        return PLAIN
+
+    def _written(self, material: Material) -> Look:
+        """What a ``<material>`` says; a texture that is missing leaves the colour."""
+        texture = None
+        if material.texture is not None:
+            texture = self._subject.files.find(material.texture)
+        if material.rgba is None:
+            return Look(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
+        return Look(_colour(material.rgba.value), texture)
+
+
+def _colour(values: tuple[float, ...]) -> Colour:
+    r, g, b, a = (min(max(part, 0.0), 1.0) for part in (*values, 1.0, 1.0, 1.0, 1.0)[:4])
+    return (r, g, b, a)

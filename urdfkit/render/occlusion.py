@@ -1,0 +1,72 @@
+"""Ambient occlusion: how much of the sky the surroundings of a point in the picture hide.
+
+McGuire, Mara, Luebke: Scalable Ambient Obscurance, 2012, equation 1 of section 3, with exact
+positions instead of a pyramid of them, and the authors' falloff.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.render.arrays import Floats, Indices
+from urdfkit.render.camera import Camera
+from urdfkit.render.light import lattice, spiral
+
+#: Largest radius in pixels, as a part of the picture's height.
+MAX_RADIUS = 0.12
+#: Nothing nearer than this part of the radius hides anything: surfaces do not hide themselves.
+BIAS = 0.015
+STRENGTH = 1.5
+
+
+def openness(
+    depth: Floats,
+    camera: Camera,
+    points: Floats,
+    normals: Floats,
+    pixel: Indices,
+    radius: float,
+    taps: int,
+) -> Floats:
+    """How much of the sky points see, (k,), from 0 to 1; grainy in a lattice of pixels.
+
+    Args:
+        depth: (h, w), in m, of what is seen at the middle of each pixel; huge for nothing.
+        camera: that sees it.
+        points: (k, 3), in the camera's frame.
+        normals: (k, 3).
+        pixel: (k,), where they are in the picture.
+        radius: in m; what is further away hides nothing.
+        taps: samples of each.
+    """
+    height, width = depth.shape
+    flat = depth.reshape(-1)
+    row, column = np.divmod(pixel.astype(np.int32), np.int32(width))
+    reach = np.full(len(pixel), radius * camera.scale, dtype=np.float32)
+    if not camera.is_orthographic:
+        reach /= flat[pixel]
+    np.minimum(reach, np.float32(MAX_RADIUS * height), out=reach)
+    offsets = spiral(taps)
+    place = lattice(pixel, width)
+    px, py, pz = np.ascontiguousarray(points.T)
+    nx, ny, nz = np.ascontiguousarray(normals.T)
+    square = np.float32(radius * radius)
+    bias = np.float32(BIAS * radius)
+    hidden = np.zeros(len(points), dtype=np.float32)
+    for tap in range(taps):
+        x = column + (offsets[place, tap, 0] * reach).astype(np.int32)
+        y = row + (offsets[place, tap, 1] * reach).astype(np.int32)
+        np.clip(x, 0, width - 1, out=x)
+        np.clip(y, 0, height - 1, out=y)
+        qx, qy, qz = camera.places(x, y, flat[y * np.int32(width) + x])
+        qx -= px
+        qy -= py
+        qz -= pz
+        distance = qx * qx + qy * qy + qz * qz
+        rise = qx * nx + qy * ny + qz * nz
+        rise -= bias
+        np.maximum(rise, 0, out=rise)
+        falloff = np.maximum(square - distance, 0)
+        hidden += falloff * falloff * falloff * rise / (distance + np.float32(1e-4) * square)
+    factor = np.float32(5 * STRENGTH * radius / (taps * radius**6))
+    return np.maximum(1 - hidden * factor, 0)

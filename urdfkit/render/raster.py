@@ -1,0 +1,256 @@
+"""Which triangle is nearest at every sample of a picture: scanlines, on numpy.
+
+A sample is won by the largest key: the bits of its nearness, and below them the number of the
+triangle. Positive floats are in order as integers, so one ``maximum.at`` does what a depth buffer
+does, and what comes out does not depend on the order of the work.
+
+Both triangles at an edge compute where a row crosses it from the same two points in the same
+order, from above to below, so they neither overlap nor leave a gap.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Bools, Floats, Indices, Integers, Keys
+
+#: Samples that are worked on at a time: bounds memory whatever lies on top of what.
+MAX_SAMPLES = 1 << 20
+#: Empty samples have this key, and triangles count from 1.
+EMPTY = np.uint64(0)
+_LOW, _HIGH = (0, 1) if sys.byteorder == "little" else (1, 0)
+
+
+class Projected(NamedTuple):
+    """Triangles in a picture.
+
+    Attributes:
+        x, y: (n,), vertices in pixels from the upper left corner.
+        nearness: (n,), positive, larger for what is nearer, linear in the picture.
+        corners: three times (m,), the indices of the vertices.
+        top, bottom: (m,), the least and the greatest y of each triangle.
+    """
+
+    x: Floats
+    y: Floats
+    nearness: Floats
+    corners: tuple[Integers, Integers, Integers]
+    top: Floats
+    bottom: Floats
+
+
+def projected(
+    x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
+) -> tuple[Projected, Indices]:
+    """Triangles that may be in a picture of some width, and their numbers among all."""
+    a, b, c = (np.ascontiguousarray(faces[:, corner]) for corner in range(3))
+    xa, xb, xc = x[a], x[b], x[c]
+    inside = (np.minimum(np.minimum(xa, xb), xc) < width) & (
+        np.maximum(np.maximum(xa, xb), xc) > 0
+    )
+    ya, yb, yc = y[a], y[b], y[c]
+    top, bottom = np.minimum(np.minimum(ya, yb), yc), np.maximum(np.maximum(ya, yb), yc)
+    inside &= bottom > top
+    chosen = np.flatnonzero(inside)
+    corners = (a[chosen], b[chosen], c[chosen])
+    return Projected(x, y, nearness, corners, top[chosen], bottom[chosen]), chosen
+
+
+class Grid(NamedTuple):
+    """Samples of a band of a picture.
+
+    Every pixel has ``len(offsets)`` rows of samples, one sample in each row, at an offset of its
+    own from the left: rooks on a board that threaten one another nowhere. Edges of all
+    directions come out as smooth as with the square of that many samples.
+
+    Attributes:
+        width: of the picture in pixels.
+        first, last: rows of pixels, the last one excluded.
+        offsets: (s,), of the samples of a pixel, from 0 to 1.
+    """
+
+    width: int
+    first: int
+    last: int
+    offsets: Floats
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows of samples, samples in each."""
+        return (self.last - self.first) * len(self.offsets), self.width
+
+
+def rooks(samples: int) -> Floats:
+    """Offsets of the samples of a pixel, far from one another: the golden ratio's order."""
+    order = np.argsort((np.arange(samples) * 0.6180339887498949) % 1.0, kind="stable")
+    return ((np.argsort(order) + 0.5) / samples).astype(np.float32)
+
+
+def nearest(
+    triangles: Projected,
+    chosen: Indices,
+    grid: Grid,
+    *,
+    above: Keys | None = None,
+    below: Keys | None = None,
+) -> Keys:
+    """The keys of the samples of a band.
+
+    Args:
+        triangles: of the picture.
+        chosen: numbers of those to draw.
+        grid: the samples.
+        above: keys that must be beaten to be seen at all; those of what is opaque.
+        below: keys that must not be reached; those of the layer before.
+
+    Returns:
+        Keys in the shape of the grid; the lower half is the number of the triangle, from 1.
+    """
+    rows, width = grid.shape
+    keys = np.zeros(rows * width, dtype=np.uint64) if above is None else above.copy()
+    keys = keys.reshape(-1)
+    count = len(grid.offsets)
+    touching = chosen[
+        (triangles.bottom[chosen] > grid.first) & (triangles.top[chosen] < grid.last)
+    ]
+    for some in _slices(_rows(triangles, touching, grid)[1], MAX_SAMPLES // 4):
+        spans = _spans(triangles, touching[some], grid, count)
+        for few in _slices(spans.length, MAX_SAMPLES):
+            places, values = _samples(Spans(*(part[few] for part in spans)))
+            if below is not None:
+                seen = values < below.reshape(-1)[places]
+                places, values = places[seen], values[seen]
+            np.maximum.at(keys, places, values)
+    if above is not None:
+        keys[keys == above.reshape(-1)] = EMPTY
+    return keys.reshape(rows, width)
+
+
+def split(keys: Keys) -> tuple[Integers, Floats]:
+    """The numbers of the triangles, -1 for none, and their nearness."""
+    halves = keys.view(np.uint32).reshape(*keys.shape, 2)
+    return halves[..., _LOW].astype(np.int32) - 1, halves[..., _HIGH].copy().view(np.float32)
+
+
+class Spans(NamedTuple):
+    """Pieces of sample rows that one triangle covers."""
+
+    place: Indices
+    length: Indices
+    nearness: Floats
+    step: Floats
+    number: Integers
+
+
+def _rows(triangles: Projected, numbers: Indices, grid: Grid) -> tuple[Indices, Indices]:
+    """The first sample row of each triangle in a band, and how many rows it has there."""
+    count = np.float32(len(grid.offsets))
+    half = np.float32(0.5)
+    first = np.ceil(triangles.top[numbers] * count - half)
+    last = np.ceil(triangles.bottom[numbers] * count - half)
+    first = np.maximum(first, grid.first * count).astype(np.intp)
+    last = np.minimum(last, grid.last * count).astype(np.intp)
+    return first, np.maximum(last - first, 0)
+
+
+def _spans(triangles: Projected, numbers: Indices, grid: Grid, count: int) -> Spans:
+    """The spans of some triangles."""
+    first, rows = _rows(triangles, numbers, grid)
+    some = rows > 0
+    first, rows, numbers = first[some], rows[some], numbers[some]
+    upper, middle, lower = _sorted(triangles, numbers, count)
+    (x0, y0, n0), (x1, y1, n1), (x2, y2, n2) = upper, middle, lower
+    height = y2 - y0
+    long_slope = (x2 - x0) / height
+    with np.errstate(divide="ignore", invalid="ignore"):
+        upper_slope = np.nan_to_num((x1 - x0) / (y1 - y0), posinf=0, neginf=0)
+        lower_slope = np.nan_to_num((x2 - x1) / (y2 - y1), posinf=0, neginf=0)
+        # The nearness is linear: its gradient along a row, from where the middle's row crosses
+        # the long edge to the middle.
+        across = x1 - (x0 + (y1 - y0) * long_slope)
+        rise = n1 - (n0 + (y1 - y0) * ((n2 - n0) / height))
+        gradient = np.nan_to_num(rise / across, posinf=0, neginf=0)
+    along = (n2 - n0) / height
+    least, most = np.minimum(np.minimum(n0, n1), n2), np.maximum(np.maximum(n0, n1), n2)
+
+    which = np.repeat(np.arange(len(numbers)), rows)
+    row = np.arange(len(which)) + np.repeat(first - (np.cumsum(rows) - rows), rows)
+    at = row.astype(np.float32)
+    down = at - y0[which]
+    long_x = x0[which] + down * long_slope[which]
+    short_x = np.where(
+        at < y1[which],
+        x0[which] + down * upper_slope[which],
+        x1[which] + (at - y1[which]) * lower_slope[which],
+    )
+    offset = grid.offsets[row % count]
+    limit = np.float32(grid.width)
+    start = np.clip(np.ceil(np.minimum(long_x, short_x) - offset), 0, limit)
+    end = np.clip(np.ceil(np.maximum(long_x, short_x) - offset), 0, limit)
+    seen = np.flatnonzero(end > start)
+    which, row, start, end = which[seen], row[seen], start[seen], end[seen]
+    base = n0[which] + down[seen] * along[which]
+    slope, lowest, highest = gradient[which], least[which], most[which]
+    first_x = start + offset[seen] - long_x[seen]
+    length = end - start
+    here = np.clip(base + slope * first_x, lowest, highest)
+    there = np.clip(base + slope * (first_x + length - 1), lowest, highest)
+    place = (row - grid.first * count) * grid.width + start.astype(np.intp)
+    step = (there - here) / np.maximum(length - 1, 1)
+    return Spans(place, length.astype(np.intp), here, step, numbers[which].astype(np.int32))
+
+
+def _samples(spans: Spans) -> tuple[Indices, Keys]:
+    """The samples in some spans: their places in the band, and keys."""
+    starts = np.cumsum(spans.length) - spans.length
+    count = int(spans.length.sum())
+    places = np.arange(count)
+    places += np.repeat(spans.place - starts, spans.length)
+    along = np.arange(count, dtype=np.int32)
+    along -= np.repeat(starts.astype(np.int32), spans.length)
+    nearness = np.repeat(spans.step, spans.length)
+    nearness *= along
+    nearness += np.repeat(spans.nearness, spans.length)
+    keys = np.empty((count, 2), dtype=np.uint32)
+    keys[:, _HIGH] = np.maximum(nearness, np.float32(1e-30)).view(np.uint32)
+    keys[:, _LOW] = np.repeat((spans.number + 1).astype(np.uint32), spans.length)
+    return places, keys.view(np.uint64).reshape(-1)
+
+
+def _sorted(
+    triangles: Projected, numbers: Indices, count: int
+) -> list[tuple[Floats, Floats, Floats]]:
+    """x, y and nearness of the corners, upper ones first; y in sample rows from a first sample."""
+    points = []
+    for corner in triangles.corners:
+        index = corner[numbers]
+        y = triangles.y[index] * np.float32(count) - np.float32(0.5)
+        points.append((triangles.x[index], y, triangles.nearness[index]))
+    for i, j in ((0, 1), (1, 2), (0, 1)):
+        swap = points[i][1] > points[j][1]
+        points[i], points[j] = (
+            _pick(swap, points[j], points[i]),
+            _pick(swap, points[i], points[j]),
+        )
+    return points
+
+
+def _pick(
+    where: Bools, these: tuple[Floats, ...], those: tuple[Floats, ...]
+) -> tuple[Floats, Floats, Floats]:
+    x, y, nearness = (np.where(where, a, b) for a, b in zip(these, those, strict=True))
+    return x, y, nearness
+
+
+def _slices(counts: Indices, limit: int) -> Iterator[slice]:
+    """Pieces of a list whose counts sum to the limit at most, or that are one item."""
+    ends = np.cumsum(counts)
+    start, total = 0, 0
+    while start < len(counts):
+        end = max(int(np.searchsorted(ends, total + limit, side="right")), start + 1)
+        yield slice(start, end)
+        start, total = end, int(ends[end - 1])

@@ -1,0 +1,249 @@
+"""What a picture shows: the triangles of a robot, link by link, and where the links are."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from urdfkit import kinematics
+from urdfkit.meshes.geometry import Part
+from urdfkit.model import Body, Link, Shape
+from urdfkit.render import primitives
+from urdfkit.render.arrays import Floats, Integers
+from urdfkit.render.looks import PLACEHOLDER, Look, Looks
+from urdfkit.render.normals import smooth
+from urdfkit.spatial import Frame
+from urdfkit.subject import Subject
+
+#: The edge of the box that stands for a mesh of which nothing is known, as a part of the robot.
+PLACEHOLDER_SIZE = 0.12
+
+
+class Item(NamedTuple):
+    """Triangles of one look that move with one link.
+
+    Attributes:
+        link: name of the link.
+        role: ``visual``, ``collision``, or the layer that it belongs to.
+        label: what it shows: the name of a mesh file or the kind of a shape.
+        look: its colour or texture.
+        vertices: (n, 3), in the frame of the link, in m.
+        faces: (m, 3), indices of vertices, counter-clockwise from outside.
+        normals: (n, 3), unit vectors; None if every face is flat.
+        uv: (n, 2), texture coordinates with v upwards; None without a texture.
+        colors: (n, 4), of the vertices, instead of the colour of the look; None without them.
+    """
+
+    link: str
+    role: str
+    label: str
+    look: Look
+    vertices: Floats
+    faces: Integers
+    normals: Floats | None = None
+    uv: Floats | None = None
+    colors: Floats | None = None
+
+
+class Missing(NamedTuple):
+    """A mesh that a placeholder stands for.
+
+    Attributes:
+        link: name of the link.
+        role: ``visual`` or ``collision``.
+        filename: of the mesh, as written.
+        reason: why it cannot be drawn.
+    """
+
+    link: str
+    role: str
+    filename: str
+    reason: str
+
+
+class Scene(NamedTuple):
+    """A robot in a configuration.
+
+    Attributes:
+        items: what there is to draw.
+        frames: where each link is, by its name.
+        missing: the meshes that placeholders stand for.
+    """
+
+    items: tuple[Item, ...]
+    frames: Mapping[str, Frame]
+    missing: tuple[Missing, ...] = ()
+
+    def points(self, *roles: str) -> Floats:
+        """All vertices in the world, (n, 3), in m; of some roles only if they are named."""
+        found = [
+            placed(item.vertices, self.frames[item.link])
+            for item in self.items
+            if not roles or item.role in roles
+        ]
+        return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
+
+
+def build(
+    subject: Subject,
+    positions: Mapping[str, float] | None = None,
+    roles: tuple[str, ...] = ("visual",),
+) -> Scene:
+    """The scene of a description.
+
+    Links that no root leads to are left out: they are nowhere.
+
+    Args:
+        subject: the description.
+        positions: of joints, in rad or m; the others are at 0.
+        roles: of ``visual`` and ``collision``, what to show.
+
+    Raises:
+        Unavailable: the description cannot be read.
+    """
+    frames = kinematics.frames(subject.tree, positions or {})
+    looks = Looks(subject)
+    items: list[Item] = []
+    absent: list[tuple[Link, str, Body, str]] = []
+    for link in subject.model.links_by_name.values():
+        if link.name not in frames:
+            continue
+        for role in roles:
+            for body in link.visuals if role == "visual" else link.collisions:
+                found = tuple(_items(subject, looks, link.name, role, body))
+                items += found
+                if not found and body.shape and body.shape.kind == "mesh":
+                    absent.append((link, role, body, subject.meshes.reason(body.shape)))
+    scene = Scene(tuple(items), frames)
+    if not absent:
+        return scene
+    size = _placeholder_size(scene)
+    return Scene(
+        (*items, *(_placeholder(link, role, body, size) for link, role, body, _ in absent)),
+        frames,
+        tuple(
+            Missing(link.name, role, _filename(body.shape), reason)
+            for link, role, body, reason in absent
+        ),
+    )
+
+
+def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> Iterator[Item]:
+    """What one visual or collision shows; nothing if its mesh is not to be had."""
+    shape = body.shape
+    if shape is None:
+        return
+    if shape.kind == "mesh":
+        mesh = subject.meshes.mesh(shape)
+        if mesh is None:
+            return
+        label = os.path.basename(_filename(shape))
+        for part in mesh.parts:
+            look = looks.of(link, role, body, part.material)
+            yield _part(link, role, label, look, part, body.origin, _scale(shape, mesh.unit))
+        return
+    triangles = _primitive(shape)
+    if triangles is not None:
+        vertices, faces, normals, uv = triangles
+        yield Item(
+            link,
+            role,
+            shape.kind,
+            looks.of(link, role, body, None),
+            placed(vertices, body.origin),
+            faces,
+            None if normals is None else turned(normals, body.origin),
+            uv,
+        )
+
+
+def _part(
+    link: str, role: str, label: str, look: Look, part: Part, origin: Frame, scale: Floats
+) -> Item:
+    """A part of a mesh, scaled and in the frame of its link; mirrored ones are turned inside out."""
+    vertices = (part.vertices * scale).astype(np.float32)
+    faces = part.faces.astype(np.int32)
+    if np.prod(scale) < 0:
+        faces = faces[:, ::-1]
+    normals, uv, colors = part.normals, part.uv, part.colors
+    if normals is None:
+        corners = smooth(vertices, faces)
+        if corners is not None:
+            index = faces.reshape(-1)
+            vertices, normals = vertices[index], corners
+            uv = None if uv is None else uv[index]
+            colors = None if colors is None else colors[index]
+            faces = np.arange(len(index), dtype=np.int32).reshape(-1, 3)
+    else:
+        normals = normals / np.where(scale == 0, 1, scale)
+    return Item(
+        link,
+        role,
+        label,
+        look,
+        placed(vertices, origin),
+        faces,
+        None if normals is None else turned(normals.astype(np.float32), origin),
+        None if uv is None else uv.astype(np.float32),
+        None if colors is None else colors.astype(np.float32),
+    )
+
+
+def _primitive(shape: Shape) -> primitives.Triangles | None:
+    """None for a shape that has no size, or is none of URDF's."""
+    if shape.kind == "box" and shape.size:
+        return primitives.box(*shape.size)
+    if shape.kind == "sphere" and shape.radius is not None:
+        return primitives.sphere(shape.radius)
+    if shape.radius is not None and shape.length is not None:
+        if shape.kind == "cylinder":
+            return primitives.cylinder(shape.radius, shape.length)
+        if shape.kind == "capsule":
+            return primitives.capsule(shape.radius, shape.length)
+    return None
+
+
+def _placeholder(link: Link, role: str, body: Body, size: float) -> Item:
+    """A marked box where a mesh should be: as large as the link's other shapes, if it has any."""
+    assert body.shape is not None
+    halves = [b.shape.half_extents for b in (*link.collisions, *link.visuals) if b.shape]
+    known = next((half for half in halves if half), None)
+    x, y, z = (2 * part for part in known) if known else (size, size, size)
+    vertices, faces, _, uv = primitives.box(x, y, z)
+    label = f"missing: {os.path.basename(_filename(body.shape))}"
+    return Item(
+        link.name, role, label, PLACEHOLDER, placed(vertices, body.origin), faces, None, uv
+    )
+
+
+def _placeholder_size(scene: Scene) -> float:
+    points = scene.points()
+    if not len(points):
+        places = np.array([frame.position for frame in scene.frames.values()], dtype=np.float32)
+        reach = float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
+        return PLACEHOLDER_SIZE * reach if reach > 0 else 0.1
+    return PLACEHOLDER_SIZE * float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def _scale(shape: Shape, unit: float) -> NDArray[np.float64]:
+    return np.array(shape.scale) * unit
+
+
+def _filename(shape: Shape | None) -> str:
+    return shape.filename.value if shape and shape.filename else ""
+
+
+def placed(points: Floats, frame: Frame) -> Floats:
+    """Points (n, 3) of a frame in its parent."""
+    return turned(points, frame) + np.asarray(frame.position, dtype=np.float32)
+
+
+def turned(vectors: Floats, frame: Frame) -> Floats:
+    """Directions (n, 3) of a frame in its parent."""
+    return vectors @ np.asarray(frame.rotation, dtype=np.float32).T
+
+

@@ -1,0 +1,76 @@
+"""What colour a surface has in the light of the studio."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.render.arrays import Floats, dot, unit
+from urdfkit.render.light import Rig
+
+#: Light of the lamps, of the sky above and of the floor below; linear, red green blue.
+SUN = np.array((1.02, 0.99, 0.94), dtype=np.float32)
+FILL = np.array((0.12, 0.125, 0.135), dtype=np.float32)
+SKY = np.array((0.50, 0.52, 0.55), dtype=np.float32)
+FLOOR = np.array((0.27, 0.265, 0.26), dtype=np.float32)
+#: What a surface reflects straight on, and how sharp the highlight is.
+REFLECTANCE, SHININESS = 0.04, 42.0
+#: No paint is blacker.
+DARKEST = 0.012
+#: Above this brightness highlights are bent towards white.
+KNEE = 0.72
+
+
+class Lit(NamedTuple):
+    """What reaches a surface.
+
+    Attributes:
+        sun: (k,), the part of the sun that it sees.
+        sky: (k,), the part of the sky.
+    """
+
+    sun: Floats
+    sky: Floats
+
+
+def shaded(
+    albedo: Floats, position: Floats, normal: Floats, lit: Lit, rig: Rig, *, parallel: bool
+) -> Floats:
+    """The light that surfaces send to the viewer, (k, 3), from 0 to 1.
+
+    Args:
+        albedo: (k, 3), linear.
+        position: (k, 3), in the frame of the camera.
+        normal: (k, 3), unit vectors there.
+        lit: what reaches them.
+        rig: the lamps.
+        parallel: True if the picture is orthographic.
+    """
+    if parallel:
+        viewer = np.broadcast_to(np.array((0, 0, 1), dtype=np.float32), position.shape)
+    else:
+        viewer = unit(-position)
+    sun = np.maximum(dot(normal, rig.sun), 0) * lit.sun
+    fill = np.maximum(dot(normal, rig.fill), 0) * lit.sky
+    upwards = dot(normal, rig.up) * np.float32(0.5) + np.float32(0.5)
+    ambient = (FLOOR + (SKY - FLOOR) * upwards[:, None]) * lit.sky[:, None]
+    light = ambient + sun[:, None] * SUN + fill[:, None] * FILL
+    colour = np.maximum(albedo, np.float32(DARKEST)) * light
+
+    facing = np.clip(dot(normal, viewer), 0, 1)
+    grazing = np.float32(REFLECTANCE) + np.float32(1 - REFLECTANCE) * (1 - facing) ** 5
+    halfway = unit(viewer + rig.sun)
+    highlight = np.maximum(dot(normal, halfway), 0) ** np.float32(SHININESS)
+    mirrored = dot(viewer, rig.up) * np.float32(-1) + 2 * facing * dot(normal, rig.up)
+    above = np.clip(mirrored * np.float32(0.5) + np.float32(0.5), 0, 1)
+    gloss = np.float32(0.16) * highlight * sun + np.float32(0.32) * grazing * above * lit.sky
+    return tone(colour + gloss[:, None])
+
+
+def tone(light: Floats) -> Floats:
+    """Amounts of light within 0 to 1: as they are below the knee, bent above it."""
+    over = np.maximum(light - np.float32(KNEE), 0)
+    room = np.float32(1 - KNEE)
+    bent = np.float32(KNEE) + room * (over / (over + room))
+    return np.where(light > KNEE, bent, light)
