@@ -55,3 +55,7 @@ class PackageNotFound(UrdfkitError):
         super().__init__(f"package '{name}' not found; searched: {', '.join(searched)}")
         self.name = name
         self.searched = searched
+
+
+class MissingLibrary(UrdfkitError):
+    """A library that this needs is not installed; the message says how to install it."""

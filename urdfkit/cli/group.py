@@ -24,6 +24,7 @@ COMMANDS = (
     "gazebo",
     "mesh",
     "migrate",
+    "render",
     "diff",
     "init",
     "doctor",

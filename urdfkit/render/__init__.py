@@ -1,1 +1,45 @@
-"""Pictures of robots, without a display, a graphics card or a graphics library."""
+"""Pictures of robots, without a display, a graphics card or a graphics library.
+
+>>> from urdfkit.loading import read
+>>> from urdfkit.render import build, picture
+>>> scene = build(read("models/good/gripper.urdf"))
+>>> picture(scene, ["iso", "top"], size=(640, 360)).size
+(640, 360)
+
+`build` makes a robot a `Scene` of triangles, and `picture` an image of it; `looking` gives a
+`Camera` that has a scene in view, and `draw` the pixels that it sees.
+"""
+
+from __future__ import annotations
+
+from urdfkit.errors import MissingLibrary
+
+try:
+    from urdfkit.render.camera import VIEWS, Camera, looking
+    from urdfkit.render.draw import QUALITIES, STUDIO, Background, draw
+    from urdfkit.render.looks import Look
+    from urdfkit.render.picture import PictureError, colour, picture, save
+    from urdfkit.render.scene import Item, Missing, Scene, build
+except ImportError as error:
+    raise MissingLibrary(
+        f"pictures need {error.name}, which is not installed: pip install 'urdfkit[render]'"
+    ) from error
+
+__all__ = [
+    "QUALITIES",
+    "STUDIO",
+    "VIEWS",
+    "Background",
+    "Camera",
+    "Item",
+    "Look",
+    "Missing",
+    "PictureError",
+    "Scene",
+    "build",
+    "colour",
+    "draw",
+    "looking",
+    "picture",
+    "save",
+]

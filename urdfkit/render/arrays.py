@@ -1,13 +1,14 @@
-"""The arrays that pictures are made of; single precision, for speed."""
+"""The arrays that pictures are made of; single precision wherever there are many, for speed."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float32]
-Integers = NDArray[np.int32]
-Indices = NDArray[np.intp]
+Floats = NDArray[np.floating[Any]]
+Integers = NDArray[np.integer[Any]]
 Keys = NDArray[np.uint64]
 Bools = NDArray[np.bool_]
 Bytes = NDArray[np.uint8]

@@ -176,7 +176,7 @@ def looking(
     if orthographic:
         wide, high, _ = highest - lowest
         extent = max(high, wide / aspect, reach / 50) / (1 - 2 * MARGIN)
-        eye = middle + (0, 0, 3 * reach)
+        eye = middle + np.array((0, 0, 3 * reach))
         return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
     eye = _eye(seen, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
     if distance is not None:
@@ -221,5 +221,3 @@ def _tuple(vector: Matrix) -> tuple[float, float, float]:
 
 def _rows(axes: Matrix) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(float(part) for part in row) for row in axes)
-
-

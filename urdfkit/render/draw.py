@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Bytes, Floats, Indices
+from urdfkit.render.arrays import Bools, Bytes, Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground, world_rays
@@ -166,9 +166,7 @@ class _Drawing:
                 below = nearest(self.screen, clear, grid, above=opaque, below=below)
                 if not below.any():
                     break
-                layers.append(
-                    self._surfaces(fragments(below, grid, self.soup, self.camera))
-                )
+                layers.append(self._surfaces(fragments(below, grid, self.soup, self.camera)))
         return _Band(found, tuple(layers))
 
     def _surfaces(self, some: Fragments) -> tuple[Fragments, Surface]:
@@ -282,7 +280,7 @@ class _Drawing:
             parallel=self.camera.is_orthographic,
         )
 
-    def _textured(self, look: Look, some: Fragments, there: Surface, of_it: Indices) -> Floats:
+    def _textured(self, look: Look, some: Fragments, there: Surface, of_it: Integers) -> Floats:
         """What a texture shows on fragments, (k, 3)."""
         assert look.texture is not None
         levels = pyramid(look.texture)
@@ -297,9 +295,7 @@ class _Drawing:
         ratio = _area(*uv) / np.maximum(_area(*xy), np.float32(1e-6))
         return sample(levels, there.uv[of_it], np.sqrt(ratio))[:, :3]
 
-    def _sum(
-        self, some: Fragments, light: Floats, first: int, last: int
-    ) -> tuple[Floats, Floats]:
+    def _sum(self, some: Fragments, light: Floats, first: int, last: int) -> tuple[Floats, Floats]:
         """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,)."""
         width = self.camera.size[0]
         count = (last - first) * width
@@ -326,7 +322,7 @@ class _Drawing:
                 count += alike
         return (total / count).reshape(-1)
 
-    def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Indices:
+    def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Integers:
         """The pixel of a band beside each fragment whose depth is nearest to that; its own first.
 
         Args:
@@ -359,7 +355,7 @@ def _area(a: Floats, b: Floats, c: Floats) -> Floats:
     return np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
 
 
-def _gradient(background: Background, row: Indices, height: int) -> Floats:
+def _gradient(background: Background, row: Integers, height: int) -> Floats:
     above, below = srgb_to_linear(np.array(background, dtype=np.float32))
     part = ((row + np.float32(0.5)) / np.float32(height)).astype(np.float32)[:, None]
     mixed: Floats = above + (below - above) * part
@@ -380,7 +376,8 @@ def _encoded(light: Floats, alpha: Floats) -> Bytes:
 def _table() -> Bytes:
     light = np.arange(1 << 14) / ((1 << 14) - 1)
     value = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-    return np.rint(value * 255).astype(np.uint8)
+    table: Bytes = np.rint(value * 255).astype(np.uint8)
+    return table
 
 
 _TABLE = _table()

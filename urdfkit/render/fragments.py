@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Indices, Integers, Keys, dot, unit
+from urdfkit.render.arrays import Bools, Floats, Integers, Keys, dot, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, Projected, split
 from urdfkit.render.soup import Soup
@@ -27,7 +27,7 @@ class Fragments(NamedTuple):
         x, y: (k,), where in the picture it is shaded.
     """
 
-    pixel: Indices
+    pixel: Integers
     number: Integers
     weight: Floats
     x: Floats
@@ -90,14 +90,15 @@ def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
         whole,
         camera,
     )
-    parts = [np.concatenate(pair) for pair in zip(one, several, strict=True)]
-    order = np.argsort(parts[0], kind="stable")
-    pixel, number, weight, x, y = (part[order] for part in parts)
+    order = np.argsort(np.concatenate((one.pixel, several.pixel)), kind="stable")
+    pixel, number, weight, x, y = (
+        np.concatenate((left, right))[order] for left, right in zip(one, several, strict=True)
+    )
     return Fragments(pixel + grid.first * grid.width, number, weight, x, y)
 
 
 def _runs(
-    pixels: Indices, numbers: Integers, nearness: Floats, grid: Grid, whole: Soup, camera: Camera
+    pixels: Integers, numbers: Integers, nearness: Floats, grid: Grid, whole: Soup, camera: Camera
 ) -> Fragments:
     """The fragments of pixels whose samples see several triangles.
 
@@ -152,7 +153,8 @@ def _differ(numbers: Integers, nearness: Floats, whole: Soup, camera: Camera) ->
         | (np.abs(dot(here, there)) < _ALIKE)
         | (gap > _STEP * footprint / facing)
     )
-    return result.reshape(numbers[:, 1:].shape)
+    differ: Bools = result.reshape(numbers[:, 1:].shape)
+    return differ
 
 
 def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> Surface:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats
+from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, Rig, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
@@ -58,7 +58,7 @@ def world_rays(camera: Camera, x: Floats, y: Floats) -> tuple[Floats, Floats]:
     return origins @ axes + np.asarray(camera.eye, dtype=np.float32), ahead @ axes
 
 
-def ground(points: Floats, faces: Floats, map_: ShadowMap, rig: Rig, camera: Camera) -> Ground:
+def ground(points: Floats, faces: Integers, map_: ShadowMap, rig: Rig, camera: Camera) -> Ground:
     """The floor under a robot that stands on it with its lowest point.
 
     Args:
@@ -85,7 +85,11 @@ def ground(points: Floats, faces: Floats, map_: ShadowMap, rig: Rig, camera: Cam
 
 
 def _contact(
-    points: Floats, faces: Floats, origin: tuple[float, float], cell: float, height: float,
+    points: Floats,
+    faces: Integers,
+    origin: tuple[float, float],
+    cell: float,
+    height: float,
     size: float,
 ) -> Floats:
     """How much of the sky the robot hides from the floor, roughly: heights, blurred."""
@@ -124,7 +128,8 @@ def _fade() -> Floats:
     from_middle = np.abs((np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) / CELLS * 2 - 1)
     distance = np.sqrt(from_middle[:, None] ** 2 + from_middle**2)
     ramp = np.clip((1 - distance) / np.float32(0.35), 0, 1)
-    return ramp * ramp * (3 - 2 * ramp)
+    smooth: Floats = ramp * ramp * (3 - 2 * ramp)
+    return smooth
 
 
 def blurred(values: Floats, radius: float) -> Floats:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Indices
+from urdfkit.render.arrays import Bools, Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import Soup
@@ -106,8 +106,9 @@ def _axes(rig: Rig) -> Floats:
     return np.stack((across, np.cross(rig.sun, across), rig.sun)).astype(np.float32)
 
 
-def sunlight(map_: ShadowMap, points: Floats, normals: Floats, pixel: Indices, width: int,
-             taps: int) -> Floats:
+def sunlight(
+    map_: ShadowMap, points: Floats, normals: Floats, pixel: Integers, width: int, taps: int
+) -> Floats:
     """How much of the sun surfaces see, (k,), from 0 to 1; grainy in a lattice of pixels.
 
     Args:
@@ -131,13 +132,14 @@ def sunlight(map_: ShadowMap, points: Floats, normals: Floats, pixel: Indices, w
         x = np.clip(column + offsets[place, tap, 0], 0, limit).astype(np.int32)
         y = np.clip(row + offsets[place, tap, 1], 0, limit).astype(np.int32)
         lit += flat[y * np.int32(TEXELS) + x] <= height
-    return lit / np.float32(taps)
+    part: Floats = lit / np.float32(taps)
+    return part
 
 
-def lattice(pixel: Indices, width: int) -> Indices:
+def lattice(pixel: Integers, width: int) -> Integers:
     """The place of pixels in their squares, from 0 to 15."""
     row, column = np.divmod(pixel, width)
-    result: Indices = row % LATTICE * LATTICE + column % LATTICE
+    result: Integers = row % LATTICE * LATTICE + column % LATTICE
     return result
 
 

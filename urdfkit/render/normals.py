@@ -6,7 +6,7 @@ from math import cos, radians
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Indices, Integers, cross, dot, unit
+from urdfkit.render.arrays import Floats, Integers, cross, dot, unit
 
 #: Faces that meet at a smaller angle are parts of one curved surface.
 CREASE = cos(radians(35))
@@ -55,7 +55,7 @@ def _angles(points: Floats) -> Floats:
     return np.arccos(np.clip(np.stack(cosines, axis=1), -1, 1))
 
 
-def _same_point(points: Floats) -> Indices:
+def _same_point(points: Floats) -> Integers:
     """Numbers that are equal for equal points."""
     bits = np.ascontiguousarray(points + np.float32(0)).view(np.uint32).astype(np.uint64)
     mixed = bits[:, 0] * np.uint64(0x9E3779B97F4A7C15)
@@ -64,7 +64,7 @@ def _same_point(points: Floats) -> Indices:
     return np.unique(mixed ^ (mixed >> np.uint64(31)), return_inverse=True)[1].reshape(-1)
 
 
-def _pairs(groups: Indices) -> tuple[Indices, Indices]:
+def _pairs(groups: Integers) -> tuple[Integers, Integers]:
     """Every ordered pair of different members of one group; large groups give none."""
     order = np.argsort(groups, kind="stable")
     sizes = np.bincount(groups)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Indices
+from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import lattice, spiral
 
@@ -24,7 +24,7 @@ def openness(
     camera: Camera,
     points: Floats,
     normals: Floats,
-    pixel: Indices,
+    pixel: Integers,
     radius: float,
     taps: int,
 ) -> Floats:
@@ -69,4 +69,5 @@ def openness(
         falloff = np.maximum(square - distance, 0)
         hidden += falloff * falloff * falloff * rise / (distance + np.float32(1e-4) * square)
     factor = np.float32(5 * STRENGTH * radius / (taps * radius**6))
-    return np.maximum(1 - hidden * factor, 0)
+    seen: Floats = np.maximum(1 - hidden * factor, 0)
+    return seen

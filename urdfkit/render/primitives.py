@@ -59,9 +59,7 @@ def capsule(radius: float, length: float) -> Triangles:
     """A cylinder along z with half a sphere at each end; the length is that of the cylinder."""
     angles = np.linspace(0, pi / 2, RINGS + 1)
     r, z = radius * np.cos(angles), radius * np.sin(angles)
-    outline = np.concatenate((r[::-1], r)), np.concatenate(
-        (-z[::-1] - length / 2, z + length / 2)
-    )
+    outline = np.concatenate((r[::-1], r)), np.concatenate((-z[::-1] - length / 2, z + length / 2))
     slopes = np.concatenate((r[::-1], r)), np.concatenate((-z[::-1], z))
     vertices, faces = _lathe(*outline)
     normals, _ = _lathe(*slopes)

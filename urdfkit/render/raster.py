@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Indices, Integers, Keys
+from urdfkit.render.arrays import Bools, Floats, Integers, Keys
 
 #: Samples that are worked on at a time: bounds memory whatever lies on top of what.
 MAX_SAMPLES = 1 << 20
@@ -45,13 +45,11 @@ class Projected(NamedTuple):
 
 def projected(
     x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
-) -> tuple[Projected, Indices]:
+) -> tuple[Projected, Integers]:
     """Triangles that may be in a picture of some width, and their numbers among all."""
     a, b, c = (np.ascontiguousarray(faces[:, corner]) for corner in range(3))
     xa, xb, xc = x[a], x[b], x[c]
-    inside = (np.minimum(np.minimum(xa, xb), xc) < width) & (
-        np.maximum(np.maximum(xa, xb), xc) > 0
-    )
+    inside = (np.minimum(np.minimum(xa, xb), xc) < width) & (np.maximum(np.maximum(xa, xb), xc) > 0)
     ya, yb, yc = y[a], y[b], y[c]
     top, bottom = np.minimum(np.minimum(ya, yb), yc), np.maximum(np.maximum(ya, yb), yc)
     inside &= bottom > top
@@ -92,7 +90,7 @@ def rooks(samples: int) -> Floats:
 
 def nearest(
     triangles: Projected,
-    chosen: Indices,
+    chosen: Integers,
     grid: Grid,
     *,
     above: Keys | None = None,
@@ -114,13 +112,11 @@ def nearest(
     keys = np.zeros(rows * width, dtype=np.uint64) if above is None else above.copy()
     keys = keys.reshape(-1)
     count = len(grid.offsets)
-    touching = chosen[
-        (triangles.bottom[chosen] > grid.first) & (triangles.top[chosen] < grid.last)
-    ]
+    touching = chosen[(triangles.bottom[chosen] > grid.first) & (triangles.top[chosen] < grid.last)]
     for some in _slices(_rows(triangles, touching, grid)[1], MAX_SAMPLES // 4):
         spans = _spans(triangles, touching[some], grid, count)
         for few in _slices(spans.length, MAX_SAMPLES):
-            places, values = _samples(Spans(*(part[few] for part in spans)))
+            places, values = _samples(spans.some(few))
             if below is not None:
                 seen = values < below.reshape(-1)[places]
                 places, values = places[seen], values[seen]
@@ -139,14 +135,20 @@ def split(keys: Keys) -> tuple[Integers, Floats]:
 class Spans(NamedTuple):
     """Pieces of sample rows that one triangle covers."""
 
-    place: Indices
-    length: Indices
+    place: Integers
+    length: Integers
     nearness: Floats
     step: Floats
     number: Integers
 
+    def some(self, few: slice) -> Spans:
+        """A part of them."""
+        return Spans(
+            self.place[few], self.length[few], self.nearness[few], self.step[few], self.number[few]
+        )
 
-def _rows(triangles: Projected, numbers: Indices, grid: Grid) -> tuple[Indices, Indices]:
+
+def _rows(triangles: Projected, numbers: Integers, grid: Grid) -> tuple[Integers, Integers]:
     """The first sample row of each triangle in a band, and how many rows it has there."""
     count = np.float32(len(grid.offsets))
     half = np.float32(0.5)
@@ -157,7 +159,7 @@ def _rows(triangles: Projected, numbers: Indices, grid: Grid) -> tuple[Indices, 
     return first, np.maximum(last - first, 0)
 
 
-def _spans(triangles: Projected, numbers: Indices, grid: Grid, count: int) -> Spans:
+def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> Spans:
     """The spans of some triangles."""
     first, rows = _rows(triangles, numbers, grid)
     some = rows > 0
@@ -204,7 +206,7 @@ def _spans(triangles: Projected, numbers: Indices, grid: Grid, count: int) -> Sp
     return Spans(place, length.astype(np.intp), here, step, numbers[which].astype(np.int32))
 
 
-def _samples(spans: Spans) -> tuple[Indices, Keys]:
+def _samples(spans: Spans) -> tuple[Integers, Keys]:
     """The samples in some spans: their places in the band, and keys."""
     starts = np.cumsum(spans.length) - spans.length
     count = int(spans.length.sum())
@@ -222,7 +224,7 @@ def _samples(spans: Spans) -> tuple[Indices, Keys]:
 
 
 def _sorted(
-    triangles: Projected, numbers: Indices, count: int
+    triangles: Projected, numbers: Integers, count: int
 ) -> list[tuple[Floats, Floats, Floats]]:
     """x, y and nearness of the corners, upper ones first; y in sample rows from a first sample."""
     points = []
@@ -246,7 +248,7 @@ def _pick(
     return x, y, nearness
 
 
-def _slices(counts: Indices, limit: int) -> Iterator[slice]:
+def _slices(counts: Integers, limit: int) -> Iterator[slice]:
     """Pieces of a list whose counts sum to the limit at most, or that are one item."""
     ends = np.cumsum(counts)
     start, total = 0, 0

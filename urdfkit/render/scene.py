@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from urdfkit import kinematics
 from urdfkit.meshes.geometry import Part
@@ -19,8 +18,8 @@ from urdfkit.render.normals import smooth
 from urdfkit.spatial import Frame
 from urdfkit.subject import Subject
 
-#: The edge of the box that stands for a mesh of which nothing is known, as a part of the robot.
-PLACEHOLDER_SIZE = 0.12
+#: The least edge of the box that stands for a missing mesh, as a part of the robot.
+PLACEHOLDER_SIZE = 0.045
 
 
 class Item(NamedTuple):
@@ -121,9 +120,10 @@ def build(
     scene = Scene(tuple(items), frames)
     if not absent:
         return scene
-    size = _placeholder_size(scene)
+    least = PLACEHOLDER_SIZE * _reach(scene)
+    boxes = (_placeholder(subject, link, role, body, least) for link, role, body, _ in absent)
     return Scene(
-        (*items, *(_placeholder(link, role, body, size) for link, role, body, _ in absent)),
+        (*items, *boxes),
         frames,
         tuple(
             Missing(link.name, role, _filename(body.shape), reason)
@@ -164,12 +164,14 @@ def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> 
 def _part(
     link: str, role: str, label: str, look: Look, part: Part, origin: Frame, scale: Floats
 ) -> Item:
-    """A part of a mesh, scaled and in the frame of its link; mirrored ones are turned inside out."""
+    """A part of a mesh, scaled, in the frame of its link; its faces turned if it is mirrored."""
     vertices = (part.vertices * scale).astype(np.float32)
     faces = part.faces.astype(np.int32)
     if np.prod(scale) < 0:
         faces = faces[:, ::-1]
-    normals, uv, colors = part.normals, part.uv, part.colors
+    normals: Floats | None = part.normals
+    uv: Floats | None = part.uv
+    colors: Floats | None = part.colors
     if normals is None:
         corners = smooth(vertices, faces)
         if corners is not None:
@@ -207,29 +209,37 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
     return None
 
 
-def _placeholder(link: Link, role: str, body: Body, size: float) -> Item:
-    """A marked box where a mesh should be: as large as the link's other shapes, if it has any."""
-    assert body.shape is not None
+def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> Item:
+    """A marked box where a mesh should be.
+
+    It is as large as a shape that the link has beside; else it reaches to the joints that hang
+    on the link.
+    """
     halves = [b.shape.half_extents for b in (*link.collisions, *link.visuals) if b.shape]
     known = next((half for half in halves if half), None)
-    x, y, z = (2 * part for part in known) if known else (size, size, size)
-    vertices, faces, _, uv = primitives.box(x, y, z)
+    if known:
+        vertices, faces, _, uv = primitives.box(*(2 * part for part in known))
+        vertices = placed(vertices, body.origin)
+    else:
+        joints = [joint.origin.position for joint in subject.tree.children[link.name]]
+        ends = np.array([(0.0, 0.0, 0.0), *joints])
+        lowest, highest = ends.min(axis=0), ends.max(axis=0)
+        extent = np.maximum(highest - lowest, least)
+        vertices, faces, _, uv = primitives.box(*extent)
+        vertices = vertices + ((lowest + highest) / 2).astype(np.float32)
     label = f"missing: {os.path.basename(_filename(body.shape))}"
-    return Item(
-        link.name, role, label, PLACEHOLDER, placed(vertices, body.origin), faces, None, uv
-    )
+    return Item(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv)
 
 
-def _placeholder_size(scene: Scene) -> float:
-    points = scene.points()
-    if not len(points):
-        places = np.array([frame.position for frame in scene.frames.values()], dtype=np.float32)
-        reach = float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
-        return PLACEHOLDER_SIZE * reach if reach > 0 else 0.1
-    return PLACEHOLDER_SIZE * float(np.linalg.norm(np.ptp(points, axis=0)))
+def _reach(scene: Scene) -> float:
+    """The size of what is known of a robot, in m."""
+    places = [frame.position for frame in scene.frames.values()]
+    points = np.concatenate((scene.points(), np.array(places, dtype=np.float32).reshape(-1, 3)))
+    reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
+    return reach or 1.0
 
 
-def _scale(shape: Shape, unit: float) -> NDArray[np.float64]:
+def _scale(shape: Shape, unit: float) -> Floats:
     return np.array(shape.scale) * unit
 
 
@@ -239,11 +249,11 @@ def _filename(shape: Shape | None) -> str:
 
 def placed(points: Floats, frame: Frame) -> Floats:
     """Points (n, 3) of a frame in its parent."""
-    return turned(points, frame) + np.asarray(frame.position, dtype=np.float32)
+    moved: Floats = turned(points, frame) + np.asarray(frame.position, dtype=np.float32)
+    return moved
 
 
 def turned(vectors: Floats, frame: Frame) -> Floats:
     """Directions (n, 3) of a frame in its parent."""
-    return vectors @ np.asarray(frame.rotation, dtype=np.float32).T
-
-
+    result: Floats = vectors @ np.asarray(frame.rotation, dtype=np.float32).T
+    return result

@@ -40,9 +40,7 @@ def soup(scene: Scene, camera: Camera) -> Soup:
     colored = any(item.colors is not None for item in scene.items)
     for index, thing in enumerate(scene.items):
         frame = scene.frames[thing.link]
-        rotation, position = camera.to_view(
-            np.asarray(frame.rotation), np.asarray(frame.position)
-        )
+        rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
         count = len(thing.vertices)
         points.append(thing.vertices @ rotation.T + position)
         normals.append(_or(thing.normals, count, 3, 0) @ rotation.T)
@@ -77,10 +75,10 @@ def _or(given: Floats | None, count: int, width: int, value: float) -> Floats:
 
 def _valid(item: Item) -> Integers:
     """The faces whose corners are finite; a bad number in a file hides one triangle only."""
-    finite = np.isfinite(item.vertices).all(axis=1)
-    if finite.all():
+    if np.isfinite(item.vertices).all():
         return item.faces
-    return item.faces[finite[item.faces].all(axis=1)]
+    finite = np.isfinite(item.vertices[item.faces]).all(axis=(1, 2))
+    return item.faces[finite]
 
 
 def _with_flat(whole: Soup) -> Soup:
@@ -117,12 +115,10 @@ def _cut_some(
     start, count = len(kept.points), len(faces)
     kept, ab = _between(kept, a, b, plane), (start + np.arange(count)).astype(np.int32)
     kept, ac = _between(kept, a, c, plane), ab + np.int32(count)
-    if single:
-        new, items = (np.stack((ab, b, c), 1), np.stack((ab, c, ac), 1)), (item, item)
-    else:
-        new, items = (np.stack((a, ab, ac), 1),), (item,)
+    new = [(ab, b, c), (ab, c, ac)] if single else [(a, ab, ac)]
     return kept._replace(
-        faces=np.concatenate((kept.faces, *new)), item=np.concatenate((kept.item, *items))
+        faces=np.concatenate((kept.faces, *(np.stack(corners, 1) for corners in new))),
+        item=np.concatenate((kept.item, *(item for _ in new))),
     )
 
 

@@ -21,7 +21,8 @@ def srgb_to_linear(values: Floats) -> Floats:
     """Colours as written to amounts of light (IEC 61966-2-1)."""
     low = values / np.float32(12.92)
     high = ((values + np.float32(0.055)) / np.float32(1.055)) ** np.float32(2.4)
-    return np.where(values <= 0.04045, low, high).astype(np.float32)
+    linear: Floats = np.where(values <= 0.04045, low, high).astype(np.float32)
+    return linear
 
 
 @lru_cache(maxsize=64)

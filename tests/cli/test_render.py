@@ -1,0 +1,86 @@
+"""The render command: a picture in a file, and what cannot be drawn by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+SMALL = ["--size", "160x90", "--quality", "draft"]
+
+
+def test_a_picture_is_written_and_a_missing_mesh_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.png"
+    assert main(["render", MODEL, "-o", str(path), *SMALL]) == 0
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("note: drawn as a striped box: the visual mesh of 'laser_frame'")
+    with Image.open(path) as image:
+        assert image.size == (160, 90)
+        r, g, b = np.moveaxis(np.asarray(image.convert("RGB")), -1, 0)
+    assert ((r > 140) & (g > 60) & (b < 60)).sum() > 10  # its orange
+
+
+@pytest.mark.parametrize("suffix", ["png", "webp", "jpg"])
+def test_the_same_robot_gives_the_same_bytes(suffix: str, tmp_path: Path) -> None:
+    paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]
+    for path in paths:
+        assert main(["render", ARM, "-o", str(path), *SMALL]) == 0
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_a_transparent_background_keeps_the_shadow(tmp_path: Path) -> None:
+    path = tmp_path / "robot.png"
+    assert main(["render", ARM, "-o", str(path), *SMALL, "--background", "transparent"]) == 0
+    with Image.open(path) as image:
+        alphas = np.unique(np.asarray(image)[..., 3])
+    assert {0, 255} < set(alphas.tolist())
+
+
+def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
+    paths = [tmp_path / "zero.png", tmp_path / "bent.png"]
+    assert main(["render", ARM, "-o", str(paths[0]), *SMALL]) == 0
+    assert main(["render", ARM, "-o", str(paths[1]), *SMALL, "--joint", "elbow=90deg"]) == 0
+    assert paths[0].read_bytes() != paths[1].read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["no.urdf"], "no.urdf"),
+        ([ARM, ARM], "one file"),
+        ([ARM, "--view", "above"], "no view 'above'"),
+        ([ARM, "--size", "big"], "--size big"),
+        ([ARM, "--size", "100000x100000"], "million pixels"),
+        ([ARM, "--size", "1x1"], "16x16"),
+        ([ARM, "--background", "mud"], "no colour"),
+        ([ARM, "--joint", "elbow"], "--joint elbow"),
+        ([ARM, "--joint", "knee=1"], "knee"),
+        ([ARM, "--distance", "0"], "distance"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.png"
+    assert main(["render", *words, "-o", str(path)]) == 2
+    captured = capsys.readouterr()
+    assert captured.err.startswith("error: ")
+    assert reason in captured.err
+    assert not path.exists()
+
+
+def test_a_name_that_is_no_picture_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["render", ARM, "-o", str(tmp_path / "robot.txt"), *SMALL]) == 2
+    assert "write .png" in capsys.readouterr().err

@@ -1,0 +1,134 @@
+"""Pictures of a robot: one view or several on a sheet, ready to be saved."""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Sequence
+
+from PIL import Image, ImageColor
+
+from urdfkit import atomic
+from urdfkit.errors import UrdfkitError
+from urdfkit.render.camera import looking
+from urdfkit.render.draw import STUDIO, Background, draw
+from urdfkit.render.labels import caption
+from urdfkit.render.scene import Scene
+
+#: Pixels of a picture at most; a sheet of paper at 600 dpi has as many.
+MAX_PIXELS = 40_000_000
+#: Grey between the views of a sheet.
+_GAP = 2
+
+
+class PictureError(UrdfkitError):
+    """A picture that cannot be made; the text says why."""
+
+
+def picture(
+    scene: Scene,
+    views: Sequence[str] = ("iso",),
+    *,
+    azimuth: float | None = None,
+    elevation: float | None = None,
+    distance: float | None = None,
+    orthographic: bool = False,
+    size: tuple[int, int] = (1280, 720),
+    quality: str = "default",
+    background: Background | None = STUDIO,
+    floor: bool = True,
+    threads: int | None = None,
+) -> Image.Image:
+    """Draw a robot.
+
+    Args:
+        scene: the robot, as `build` gives it.
+        views: names of `camera.VIEWS`; several make a sheet.
+        azimuth: of the camera instead of the view's, in degrees from the front (+x) to the left.
+        elevation: of the camera instead of the view's, in degrees above the horizon.
+        distance: of the camera from the robot's middle, in m; None to have all of it in view.
+        orthographic: without perspective.
+        size: of the picture, in pixels.
+        quality: ``draft``, ``default`` or ``high``.
+        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
+        floor: whether there is a ground that catches shadows.
+        threads: that work on it, as many as processors if None; the bytes do not depend on it.
+
+    Raises:
+        NoSuchView: a view has no name, or a number is out of bounds.
+        PictureError: the size is out of bounds.
+    """
+    columns, rows = _grid(len(views))
+    cell = (size[0] // columns, size[1] // rows)
+    if min(cell) < 16 or size[0] * size[1] > MAX_PIXELS:
+        raise PictureError(
+            f"a picture of {size[0]}x{size[1]} pixels: write a size from 16x16 to "
+            f"{MAX_PIXELS // 1_000_000} million pixels"
+        )
+    whole = Image.new("RGBA", size, (0, 0, 0, 0) if background is None else (190, 195, 202, 255))
+    for number, view in enumerate(views):
+        camera = looking(
+            scene.points(),
+            view,
+            azimuth=azimuth,
+            elevation=elevation,
+            distance=distance,
+            size=cell if len(views) == 1 else (cell[0] - _GAP, cell[1] - _GAP),
+            orthographic=orthographic,
+        )
+        image = Image.fromarray(
+            draw(
+                scene,
+                camera,
+                quality=quality,
+                background=background,
+                floor=floor,
+                threads=threads,
+            )
+        )
+        if len(views) > 1:
+            caption(image, view)
+        whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
+    return whole if background is None else whole.convert("RGB")
+
+
+def colour(word: str) -> tuple[float, float, float]:
+    """A colour by its name in HTML or as ``#rrggbb``, each part from 0 to 1.
+
+    Raises:
+        PictureError: it is none.
+    """
+    try:
+        r, g, b = ImageColor.getrgb(word)[:3]
+    except ValueError as error:
+        raise PictureError(f"'{word}' is no colour; write a name, or #rrggbb") from error
+    return r / 255, g / 255, b / 255
+
+
+def _grid(count: int) -> tuple[int, int]:
+    """Columns and rows of a sheet."""
+    columns = 1
+    while columns * columns < count:
+        columns += 1
+    return columns, -(-count // columns)
+
+
+def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
+    """Write a picture, whole or not at all, in the format that the suffix names.
+
+    Raises:
+        PictureError: Pillow writes no such format.
+        UnwritableFile: the file cannot be written.
+    """
+    suffix = os.path.splitext(os.fspath(path))[1].lower()
+    form = Image.registered_extensions().get(suffix)
+    if form is None or form not in Image.SAVE:
+        raise PictureError(f"{os.fspath(path)}: no picture is called '{suffix}'; write .png")
+    if form == "JPEG":
+        image = image.convert("RGB")
+    buffer = io.BytesIO()
+    try:
+        image.save(buffer, form, compress_level=4) if form == "PNG" else image.save(buffer, form)
+    except (OSError, ValueError, KeyError) as error:
+        raise PictureError(f"{os.fspath(path)}: {error}") from error
+    atomic.write(path, buffer.getvalue())
