@@ -28,6 +28,7 @@ COMMANDS = (
     "diff",
     "init",
     "doctor",
+    "lsp",
 )
 
 

@@ -1,0 +1,181 @@
+"""Definitions, references and renaming, in texts that expand and in texts that do not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import urdfkit
+from tests.conftest import MODELS
+from tests.lsp.edited import MISSION, XACRO, Edited, mission
+from urdfkit.fixer import apply_edits
+from urdfkit.lsp.navigation import CannotRename, definitions, references, rename
+from urdfkit.lsp.workspace import Workspace
+from urdfkit.source import Span
+
+MACRO = XACRO.format(
+    """<xacro:property name="mass" value="2"/>
+<xacro:arg name="side" default="left"/>
+<xacro:macro name="leg" params="prefix mass:=1 *block">
+  <link name="${prefix}_leg"><inertial><mass value="${mass}"/></inertial></link>
+  <joint name="${prefix}_hip" type="fixed">
+    <parent link="base"/><child link="${prefix}_leg"/>
+    <xacro:insert_block name="block"/>
+  </joint>
+</xacro:macro>
+<link name="base"><inertial><mass value="${2 * mass}"/></inertial></link>
+<xacro:leg prefix="left" mass="3"><origin xyz="0 0 0"/></xacro:leg>
+<xacro:leg prefix="right"><origin xyz="0 0 0"/></xacro:leg>
+<gazebo reference="left_leg"><material>Gazebo/Red</material></gazebo>
+<transmission name="t"><joint name="left_hip"/></transmission>
+<material name="$(arg side)"/>"""
+)
+
+
+LEG = "${prefix}_leg"
+
+
+def edited(tmp_path: Path, before: str, after: str = "", text: str = MACRO) -> Edited:
+    assert before + after in text
+    return Edited(tmp_path / "r.xacro", text.replace(before + after, f"{before}|{after}", 1))
+
+
+def lines(spans: list[Span]) -> list[tuple[int, str]]:
+    return sorted((span.line, span.text) for span in spans)
+
+
+def found(file: Edited) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
+    """Definitions, and all places that are no definitions."""
+    at = (file.robot, file.page, file.offset)
+    return lines(definitions(*at)), lines(references(*at, definitions=False))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "given", "used"),
+    [
+        ('link="ba', "se", [(11, "base")], [(7, "base")]),
+        ("<xacro:le", 'g prefix="left"', [(4, "leg")], [(n, "leg") for n in (12, 12, 13, 13)]),
+        # A parameter hides the property in its macro, and nowhere else.
+        ('mass value="${ma', 's', [(4, "mass")], [(5, "mass"), (12, "mass")]),
+        ("2 * ma", "ss", [(2, "mass")], [(11, "mass")]),
+        ("pref", 'ix="right"', [(4, "prefix")], [(n, "prefix") for n in (5, 6, 7, 12, 13)]),
+        ('insert_block name="blo', "ck", [(4, "block")], [(8, "block")]),
+        ("$(arg si", "de", [(3, "side")], [(16, "side")]),
+        # One call of the macro makes the link: its definition is in the macro.
+        ('reference="left', "_leg", [(5, LEG)], [(7, LEG), (14, "left_leg")]),
+        ('joint name="left', "_hip", [(6, "${prefix}_hip")], [(15, "left_hip")]),
+    ],
+)  # fmt: skip
+def test_where_a_name_is_given_and_used(tmp_path, before, after, given, used) -> None:
+    assert found(edited(tmp_path, before, after)) == (given, used)
+
+
+def test_a_text_that_is_broken_still_has_names(tmp_path: Path) -> None:
+    broken = MACRO.replace("</robot>", '<joint name="x"><parent link="ba').replace(
+        "2 * mass", "2 *"
+    )
+    file = edited(tmp_path, 'link="ba', "se", text=broken)
+    assert file.robot.document is None
+    assert found(file)[0] == [(11, "base")]
+
+
+def test_a_name_of_an_included_file(tmp_path: Path) -> None:
+    (tmp_path / "legs.xacro").write_text(MACRO.replace("<xacro:leg ", "<xacro:leg_ "))
+    text = XACRO.format('<xacro:include filename="legs.xacro"/>\n<xacro:leg prefix="a"/>')
+    file = Edited(tmp_path / "r.xacro", text.replace("<xacro:leg ", "<xacro:l|eg "))
+    (span,) = definitions(file.robot, file.page, file.offset)
+    assert (Path(span.source.path).name, span.line) == ("legs.xacro", 4)
+    file.type(text.replace("legs.xacro", "legs|.xacro"))
+    (span,) = definitions(file.robot, file.page, file.offset)
+    assert Path(span.source.path).name == "legs.xacro"
+
+
+def test_the_mesh_and_its_package_can_be_opened() -> None:
+    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+    text = arm.read_text()
+    assert "package://two_link_arm/" in text
+    file = Edited(arm, text.replace("package://two", "package://tw|o", 1))
+    (span,) = definitions(file.robot, file.page, file.offset)
+    assert Path(span.source.path) == arm.parents[1] / "package.xml"
+    mesh = text.partition("package://two_link_arm/")[2].partition('"')[0]
+    file.type(text.replace(mesh, f"{mesh[:5]}|{mesh[5:]}", 1))
+    (span,) = definitions(file.robot, file.page, file.offset)
+    assert Path(span.source.path) == arm.parents[1] / mesh
+
+
+def test_nothing_is_at_a_place_without_a_name(tmp_path: Path) -> None:
+    assert found(edited(tmp_path, "<rob", "ot")) == ([], [])
+
+
+# --- renaming
+
+
+def renamed(file: Edited, new: str) -> str:
+    edits = rename(file.robot, file.page, file.offset, new)
+    assert {edit.span.source.path for edit in edits} == {file.path}
+    return apply_edits(file.page.source.data, edits).decode()
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "new"),
+    [
+        ('link="ba', "se", "trunk"),
+        ("<xacro:le", 'g prefix="left"', "limb"),
+        ('mass value="${ma', "s", "weight"),
+        ("2 * ma", "ss", "kilos"),
+        ("params=", '"prefix', "name_of"),
+        ("$(arg si", "de", "hand"),
+    ],
+)
+def test_renaming_changes_no_robot(tmp_path: Path, before: str, after: str, new: str) -> None:
+    """The names of links aside, what it expands to stays the same."""
+    file = edited(tmp_path, before, after)
+    if after == '"prefix':
+        file = edited(tmp_path, 'params="', "prefix")
+    before_text = _expanded(tmp_path, MACRO)
+    text = renamed(file, new)
+    assert text != MACRO
+    assert _expanded(tmp_path, text) == before_text.replace(
+        '"base"', f'"{new}"' if new == "trunk" else '"base"'
+    )
+
+
+def _expanded(folder: Path, text: str) -> str:
+    (folder / "x.xacro").write_text(text)
+    return urdfkit.expand(folder / "x.xacro").text().replace("x.xacro", "")
+
+
+def test_renaming_a_link_of_the_mission_renames_it_everywhere() -> None:
+    file = Edited(MISSION, mission('<link name="base_', 'link"'))
+    text = renamed(file, "chassis")
+    file.type(text)
+    assert file.robot.model is not None
+    assert "chassis" in file.robot.model.links_by_name
+    codes = [d.code for d in file.workspace.check(file.path).diagnostics[file.path]]
+    untouched = Workspace()
+    untouched.set_text(file.path, MISSION.read_bytes())
+    assert codes == [d.code for d in untouched.check(file.path).diagnostics[file.path]]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "new", "why"),
+    [
+        ('reference="left', "_leg", "x", "_leg' at r.xacro:5 is made by an expression"),
+        ('link="ba', "se", "left_leg", "there is a link 'left_leg' already"),
+        ('link="ba', "se", "<a>", "cannot be a name"),
+        ('link="ba', "se", " ", "cannot be a name"),
+        ("2 * ma", "ss", "a b", "no name for a property"),
+        ("<rob", "ot", "x", "no name here"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_renamed_is_refused(tmp_path, before, after, new, why) -> None:
+    file = edited(tmp_path, before, after)
+    with pytest.raises(CannotRename, match=why):
+        rename(file.robot, file.page, file.offset, new)
+
+
+def test_a_name_that_is_given_nowhere_is_not_renamed(tmp_path: Path) -> None:
+    file = edited(tmp_path, "sq", "rt", text=MACRO.replace("2 * mass", "sqrt(mass)"))
+    with pytest.raises(CannotRename, match="'sqrt' is given nowhere"):
+        rename(file.robot, file.page, file.offset, "x")

@@ -1,0 +1,316 @@
+"""The server as a program, talked to by a real client over standard input and output."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import random
+import sys
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("pygls")
+from lsprotocol import types as lsp
+from pygls.lsp.client import LanguageClient
+
+import urdfkit
+from tests.conftest import ROOT
+from tests.lsp.edited import MISSION
+from urdfkit.lsp.text import to_uri
+
+
+#: Seconds that a test waits for anything.
+PATIENCE = 30
+
+
+class Editor:
+    """A client with some open files."""
+
+    def __init__(self) -> None:
+        self.client: Any = LanguageClient("editor", "1")
+        self.found: dict[str, list[lsp.Diagnostic]] = {}
+        self.messages: list[str] = []
+        self.versions: dict[str, int] = {}
+        self._news = asyncio.Condition()
+        self.initialized: Any = None
+
+        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(self._take)
+        self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(self._hear)
+
+    async def _take(self, params: lsp.PublishDiagnosticsParams) -> None:
+        async with self._news:
+            self.found[params.uri] = list(params.diagnostics)
+            self._news.notify_all()
+
+    def _hear(self, params: lsp.ShowMessageParams) -> None:
+        self.messages.append(params.message)
+
+    async def start(self, encoding: str | None = None) -> None:
+        await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
+        general = lsp.GeneralClientCapabilities(
+            position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
+        )
+        capabilities = lsp.ClientCapabilities(general=general)
+        params = lsp.InitializeParams(capabilities=capabilities)
+        self.initialized = await self.client.initialize_async(params)
+        self.client.initialized(lsp.InitializedParams())
+
+    async def stop(self) -> int | None:
+        """Leave, and return the exit code of the server."""
+        await self.client.shutdown_async(None)
+        self.client.exit(None)
+        await asyncio.wait_for(self.client._server.wait(), PATIENCE)
+        await self.client.stop()
+        code: int | None = self.client._server.returncode
+        return code
+
+    def open(self, path: Path, text: str) -> lsp.TextDocumentIdentifier:
+        uri = to_uri(str(path))
+        self.versions[uri] = 1
+        item = lsp.TextDocumentItem(uri, "xacro", 1, text)
+        self.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
+        return lsp.TextDocumentIdentifier(uri)
+
+    def change(self, uri: str, *changes: Any) -> None:
+        self.versions[uri] += 1
+        self.client.text_document_did_change(
+            lsp.DidChangeTextDocumentParams(
+                lsp.VersionedTextDocumentIdentifier(self.versions[uri], uri), list(changes)
+            )
+        )
+
+    def retype(self, uri: str, text: str) -> None:
+        self.change(uri, lsp.TextDocumentContentChangeWholeDocument(text))
+
+    async def until(self, uri: str, wanted: Callable[[list[lsp.Diagnostic]], bool]) -> None:
+        """Wait for findings."""
+        async with self._news:
+            await asyncio.wait_for(
+                self._news.wait_for(lambda: uri in self.found and wanted(self.found[uri])), PATIENCE
+            )
+
+
+def talk(conversation: Callable[[Editor], Awaitable[None]], encoding: str | None = None) -> None:
+    """A whole session; it ends in good order."""
+
+    async def session() -> None:
+        editor = Editor()
+        await editor.start(encoding)
+        await conversation(editor)
+        assert await editor.stop() == 0
+
+    asyncio.run(session())
+
+
+def position(text: str, needle: str, skip: int = 0) -> lsp.Position:
+    """Behind some characters of a piece of ASCII text."""
+    at = text.index(needle) + skip
+    return lsp.Position(text.count("\n", 0, at), at - text.rfind("\n", 0, at) - 1)
+
+
+def codes(found: list[lsp.Diagnostic]) -> list[str]:
+    return [str(one.code) for one in found]
+
+
+TEXT = MISSION.read_text(encoding="utf-8")
+
+
+def test_findings_while_typing() -> None:
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(MISSION, TEXT)
+        expected = [found.code for found in urdfkit.check(MISSION).diagnostics]
+        await editor.until(file.uri, lambda found: codes(found) == expected)
+        pi = next(one for one in editor.found[file.uri] if one.code == "XAC007")
+        assert pi.severity == lsp.DiagnosticSeverity.Information
+        assert pi.source == "urdfkit"
+        assert pi.range == lsp.Range(lsp.Position(8, 2), lsp.Position(8, 47))
+        # One character of it, as an editor sends it.
+        at = position(TEXT, 'value="3.1415926"', 7)
+        end = lsp.Position(at.line, at.character + 9)
+        editor.change(file.uri, lsp.TextDocumentContentChangePartial(lsp.Range(at, end), "${pi}"))
+        await editor.until(file.uri, lambda found: "XAC007" not in codes(found))
+        # Findings of what the text broke, then the others again.
+        editor.retype(file.uri, TEXT.replace("</robot>", "<link nam"))
+        await editor.until(file.uri, lambda found: "XML001" in codes(found))
+        editor.retype(file.uri, TEXT)
+        await editor.until(file.uri, lambda found: codes(found) == expected)
+
+    talk(conversation)
+
+
+def test_calls_of_a_macro_are_related_places() -> None:
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(MISSION, TEXT)
+        await editor.until(file.uri, lambda found: "INE006" in codes(found))
+        wheel = next(one for one in editor.found[file.uri] if one.code == "INE006")
+        places = wheel.related_information or []
+        assert [place.location.range.start.line for place in places] == [30, 90, 111, 132, 153]
+        assert "link 'wheel_4'" in places[-1].message
+
+    talk(conversation)
+
+
+def test_every_question_has_an_answer() -> None:
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(MISSION, TEXT)
+        await editor.until(file.uri, lambda found: "XAC007" in codes(found))
+        client, link = editor.client, position(TEXT, '<parent link="base_link"', 16)
+
+        shown = await client.text_document_hover_async(lsp.HoverParams(file, link))
+        assert shown.contents.value.startswith("**link** `base_link`\n- 8.2 kg")
+
+        given = await client.text_document_definition_async(lsp.DefinitionParams(file, link))
+        assert [(one.uri, one.range.start.line) for one in given] == [(file.uri, 52)]
+
+        used = await client.text_document_references_async(
+            lsp.ReferenceParams(lsp.ReferenceContext(True), file, link)
+        )
+        assert len(used) == TEXT.count('"base_link"')
+
+        tree = await client.text_document_document_symbol_async(lsp.DocumentSymbolParams(file))
+        assert (tree[0].name, tree[0].children[0].children[0].name) == ("dummy", "base_footprint")
+
+        offered = await client.text_document_completion_async(lsp.CompletionParams(file, link))
+        assert {"base_link", "wheel_1"} <= {item.label for item in offered}
+
+        ready = await client.text_document_prepare_rename_async(lsp.PrepareRenameParams(file, link))
+        assert ready.placeholder == "base_link"
+        edit = await client.text_document_rename_async(lsp.RenameParams(file, link, "chassis"))
+        assert len(edit.changes[file.uri]) == TEXT.count('"base_link"')
+        refused = await client.text_document_rename_async(lsp.RenameParams(file, link, "wheel_1"))
+        assert refused is None
+        assert editor.messages == ["there is a link 'wheel_1' already"]
+
+        here = position(TEXT, 'name="PI"')
+        offered = await client.text_document_code_action_async(
+            lsp.CodeActionParams(file, lsp.Range(here, here), lsp.CodeActionContext([]))
+        )
+        fix, accept = offered
+        assert (fix.title, fix.kind, fix.is_preferred) == ("Use the built-in pi", "quickfix", False)
+        assert [change.new_text for change in fix.edit.changes[file.uri]] == ["${pi}"]
+        assert accept.title == "Accept XAC007 here, by a comment"
+
+    talk(conversation)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-32"])
+def test_positions_count_as_the_client_counts(tmp_path: Path, encoding: str) -> None:
+    text = '<robot name="轮🦾"><link name="é🦾a"/><link name="é🦾a"/></robot>'
+    unit = {"utf-8": ("utf-8", 1), "utf-16": ("utf-16-le", 2), "utf-32": ("utf-32-le", 4)}[encoding]
+
+    def units(piece: str) -> int:
+        return len(piece.encode(unit[0])) // unit[1]
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "轮.urdf", text)
+        await editor.until(file.uri, lambda found: "NAM001" in codes(found))
+        (found,) = [one for one in editor.found[file.uri] if one.code == "NAM001"]
+        start = text.rindex("é🦾a")
+        assert found.range.start.character == units(text[:start])
+        assert found.range.end.character == units(text[: start + 3])
+        at = lsp.Position(0, units(text[: start + 2]))
+        shown = await editor.client.text_document_hover_async(lsp.HoverParams(file, at))
+        assert shown.contents.value.startswith("**link** `é🦾a`")
+
+    talk(conversation, encoding)
+
+
+def test_nothing_that_is_typed_ends_the_server(tmp_path: Path) -> None:
+    """Damaged texts, and at each every question at any place: all are answered, none fails."""
+    chance = random.Random(11)
+    junk = ["<", ">", '"', "${", "$(", "}", "</", "<!--", "&", "\x00", "\r", "轮", "]]>", "<xacro:"]
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "r.xacro", TEXT)
+        for _ in range(40):
+            text = TEXT
+            for _ in range(chance.randrange(1, 4)):
+                at, until = sorted(chance.choices(range(len(text)), k=2))
+                until = min(until, at + 200)
+                text = text[:at] + chance.choice(junk) + text[until:]
+            editor.retype(file.uri, text)
+            line = chance.randrange(text.count("\n") + 2)
+            here = lsp.Position(line, chance.randrange(120))
+            client = editor.client
+            await asyncio.wait_for(
+                asyncio.gather(
+                    client.text_document_hover_async(lsp.HoverParams(file, here)),
+                    client.text_document_completion_async(lsp.CompletionParams(file, here)),
+                    client.text_document_definition_async(lsp.DefinitionParams(file, here)),
+                    client.text_document_document_symbol_async(lsp.DocumentSymbolParams(file)),
+                    client.text_document_references_async(
+                        lsp.ReferenceParams(lsp.ReferenceContext(True), file, here)
+                    ),
+                    client.text_document_prepare_rename_async(lsp.PrepareRenameParams(file, here)),
+                    client.text_document_code_action_async(
+                        lsp.CodeActionParams(file, lsp.Range(here, here), lsp.CodeActionContext([]))
+                    ),
+                ),
+                PATIENCE,
+            )
+        editor.retype(file.uri, TEXT)
+        await editor.until(file.uri, lambda found: "XAC007" in codes(found))
+        assert editor.messages == []
+
+    talk(conversation)
+
+
+def test_standard_error_has_no_traceback_after_damage(tmp_path: Path) -> None:
+    """An answer that fails inside is logged there, so silence means that none did."""
+
+    async def session() -> bytes:
+        editor = Editor()
+        await editor.start()
+        file = editor.open(tmp_path / "r.xacro", TEXT)
+        for end in range(0, len(TEXT), 331):
+            editor.retype(file.uri, TEXT[:end])
+            lines = TEXT[:end].split("\n")
+            here = lsp.Position(len(lines) - 1, len(lines[-1]))
+            await editor.client.text_document_completion_async(lsp.CompletionParams(file, here))
+            await editor.client.text_document_hover_async(lsp.HoverParams(file, here))
+        assert await editor.stop() == 0
+        errors: bytes = await editor.client._server.stderr.read()
+        return errors
+
+    assert asyncio.run(session()) == b""
+
+
+def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
+    parts, top = tmp_path / "parts.xacro", tmp_path / "top.xacro"
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    parts.write_text(f'{head}<link name="a"/></robot>')
+    text = f'{head}<xacro:include filename="parts.xacro"/></robot>'
+    top.write_text(text)
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(top, text)
+        await editor.until(file.uri, lambda found: "INE019" in codes(found))
+        parts.write_text(f'{head}<link name="a"/><link name="a"/></robot>')
+        change = lsp.FileEvent(to_uri(str(parts)), lsp.FileChangeType.Changed)
+        editor.client.workspace_did_change_watched_files(lsp.DidChangeWatchedFilesParams([change]))
+        await editor.until(to_uri(str(parts)), lambda found: "NAM001" in codes(found))
+        editor.client.text_document_did_close(lsp.DidCloseTextDocumentParams(file))
+
+    talk(conversation)
+
+
+def test_without_pygls_it_says_what_to_install(tmp_path: Path) -> None:
+    (tmp_path / "pygls").mkdir()
+    (tmp_path / "pygls" / "__init__.py").write_text("raise ModuleNotFoundError(name='pygls')")
+    done = asyncio.run(_run(tmp_path))
+    assert done == (2, "error: urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'\n")
+
+
+async def _run(folder: Path) -> tuple[int | None, str]:
+    environment = {**os.environ, "PYTHONPATH": f"{folder}{os.pathsep}{ROOT}"}
+    process = await asyncio.create_subprocess_exec(
+        *(sys.executable, "-m", "urdfkit", "lsp"),
+        env=environment,
+        stderr=asyncio.subprocess.PIPE,
+        stdin=asyncio.subprocess.DEVNULL,
+    )
+    _, errors = await process.communicate()
+    return process.returncode, errors.decode()

@@ -1,0 +1,159 @@
+"""Which robots are checked when a text changes, and what is told of them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from pathlib import Path
+
+import pytest
+
+import urdfkit
+from tests.conftest import MODELS
+from tests.lsp.edited import MISSION, XACRO, Edited
+from urdfkit.lsp.workspace import Workspace, slow_rules
+
+LEG = XACRO.format(
+    '<xacro:macro name="leg" params="p"><link name="${p}"/>{}</xacro:macro>'
+).replace("{}", "%s")
+
+
+def robots(folder: Path) -> Path:
+    """Two robots that share a file of macros."""
+    (folder / "legs.xacro").write_text(LEG % "")
+    for name in ("one", "two"):
+        (folder / f"{name}.xacro").write_text(
+            XACRO.format(f'<xacro:include filename="legs.xacro"/>\n<xacro:leg p="{name}"/>')
+        )
+    return folder / "legs.xacro"
+
+
+def codes(checked, path: Path) -> list[str]:
+    return [found.code for found in checked.diagnostics.get(os.path.realpath(path), [])]
+
+
+def test_the_findings_are_those_of_the_command_line() -> None:
+    file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
+    checked = file.workspace.check(file.path, thorough=True)
+    assert checked.trouble == ""
+    told = [(f.code, f.span.start, f.message) for f in checked.diagnostics[file.path]]
+    report = urdfkit.check(MISSION)
+    assert told == [(f.code, f.span.start, f.message) for f in report.diagnostics]
+    assert len(told) > 40
+
+
+def test_the_text_counts_and_not_the_file() -> None:
+    text = MISSION.read_text(encoding="utf-8").replace('value="3.1415926"', 'value="${pi}"')
+    file = Edited(MISSION, text)
+    assert "XAC007" not in codes(file.workspace.check(file.path), MISSION)
+    file.workspace.close(file.path)
+    assert "XAC007" in codes(file.workspace.check(file.path), MISSION)
+
+
+def test_a_file_of_macros_is_checked_in_every_robot_that_includes_it(tmp_path: Path) -> None:
+    legs = robots(tmp_path)
+    bad = '<joint name="j_${p}" type="fixed"><parent link="${p}"/><child link="no"/></joint>'
+    file = Edited(legs, LEG % bad)
+    checked = file.workspace.check(file.path)
+    (found,) = [d for d in checked.diagnostics[file.path] if d.code == "REF001"]
+    assert "'no'" in found.message
+    assert codes(checked, tmp_path / "one.xacro") == codes(checked, tmp_path / "two.xacro")
+    file.type(LEG % "")
+    assert codes(file.workspace.check(file.path), legs) == []
+
+
+def test_what_one_robot_finds_stays_when_the_other_is_checked(tmp_path: Path) -> None:
+    legs = robots(tmp_path)
+    two = tmp_path / "two.xacro"
+    workspace = Workspace()
+    bad = "<xacro:if value=\"${p == 'two'}\"><foo/></xacro:if>"
+    file = Edited(legs, LEG % bad, workspace)
+    assert codes(workspace.check(file.path), legs) == ["URD001"]
+    one = Edited(tmp_path / "one.xacro", (tmp_path / "one.xacro").read_text(), workspace)
+    assert codes(workspace.check(one.path), legs) == ["URD001"]
+    two.write_text(two.read_text().replace('p="two"', 'p="three"'))
+    workspace.look_again()
+    assert codes(workspace.check(file.path), legs) == []
+
+
+def test_a_file_that_is_not_on_disk(tmp_path: Path) -> None:
+    file = Edited(tmp_path / "new.urdf", '<robot name="r"></robot>')
+    assert codes(file.workspace.check(file.path), tmp_path / "new.urdf") == ["TRE001"]
+    workspace = Workspace()
+    workspace.set_text("untitled:Untitled-1", b"<robot")
+    checked = workspace.check("untitled:Untitled-1")
+    assert [d.code for found in checked.diagnostics.values() for d in found] == ["XML001"]
+
+
+def test_the_configuration_counts_and_its_slips_are_told(tmp_path: Path) -> None:
+    (tmp_path / "urdfkit.toml").write_text('ignore = ["TRE001"]\n')
+    file = Edited(tmp_path / "r.urdf", '<robot name="r"></robot>')
+    assert codes(file.workspace.check(file.path), tmp_path / "r.urdf") == []
+    (tmp_path / "urdfkit.toml").write_text('ignroe = ["TRE001"]\n')
+    file.workspace.look_again()
+    checked = file.workspace.check(file.path)
+    assert "did you mean 'ignore'" in checked.trouble
+    assert codes(checked, tmp_path / "r.urdf") == ["TRE001"]
+
+
+def test_a_configuration_from_anywhere_gets_no_trust(tmp_path: Path) -> None:
+    (tmp_path / "urdfkit.toml").write_text("trust = true\n")
+    text = XACRO.format("<link name=\"${__import__('os').system('touch hit')}\"/>")
+    file = Edited(tmp_path / "r.xacro", text)
+    checked = file.workspace.check(file.path)
+    assert "XAC009" in codes(checked, tmp_path / "r.xacro")
+    assert "trust" in checked.trouble
+    assert not Path("hit").exists()
+
+
+def test_the_arguments_of_the_configuration_are_given(tmp_path: Path) -> None:
+    text = XACRO.format('<link name="$(arg p)"/>')
+    (tmp_path / "r.xacro").write_text(text)
+    file = Edited(tmp_path / "r.xacro", text)
+    assert "XAC010" in codes(file.workspace.check(file.path), tmp_path / "r.xacro")
+    (tmp_path / "urdfkit.toml").write_text('[[robot]]\nfile = "r.xacro"\narguments = { p = "a" }\n')
+    file.workspace.look_again()
+    assert "XAC010" not in codes(file.workspace.check(file.path), tmp_path / "r.xacro")
+    assert file.robot.model is not None
+    assert [link.name for link in file.robot.model.links] == ["a"]
+
+
+def test_a_folder_that_goes_away_is_no_end(tmp_path: Path) -> None:
+    shutil.copytree(MODELS / "good" / "mobile_base", tmp_path / "mobile_base")
+    path = tmp_path / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+    file = Edited(path, path.read_text())
+    assert codes(file.workspace.check(file.path), path) == []
+    shutil.rmtree(tmp_path / "mobile_base")
+    file.workspace.look_again()
+    file.type(path.name)
+    assert "XML001" in codes(file.workspace.check(file.path), path)
+
+
+@pytest.mark.parametrize("thorough", [False, True])
+def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> None:
+    """Typing the mission's model, 97 characters at a time."""
+    text = MISSION.read_text(encoding="utf-8")
+    file = Edited(MISSION, "")
+    for end in range(0, len(text), 997 if thorough else 97):
+        file.type(text[:end])
+        checked = file.workspace.check(file.path, thorough=thorough)
+        assert checked.trouble == ""
+        assert checked.diagnostics[file.path]
+        assert file.robot.page(file.path).source.data == text[:end].encode()
+
+
+def test_a_key_costs_less_than_100_ms_on_the_missions_model() -> None:
+    """With what is told to the client and its quiet time; see docs/editors.md for the figures."""
+    text = MISSION.read_text(encoding="utf-8")
+    file = Edited(MISSION, text)
+    file.workspace.check(file.path)
+    times = []
+    for number in range(7):
+        changed = text.replace("3.1415926", f"3.14159{number}")
+        start = time.perf_counter()
+        file.type(changed)
+        file.workspace.check(file.path)
+        times.append(time.perf_counter() - start)
+    assert min(times) < 0.1
+    assert slow_rules() == sorted(slow_rules())

@@ -1,0 +1,33 @@
+"""``urdfkit lsp``: the language server for editors."""
+
+from __future__ import annotations
+
+import click
+
+from urdfkit.errors import UrdfkitError
+
+
+class NotInstalled(UrdfkitError):
+    """The extra that brings the protocol is not installed."""
+
+
+@click.command("lsp")
+@click.option(
+    "--stdio", is_flag=True, help="Talk over standard input and output, as it always does."
+)
+def command(stdio: bool) -> int:
+    """Serve an editor: findings while typing, hover, completion, renaming, fixes.
+
+    Editors start it themselves and talk to it over standard input and output. It needs the extra
+    [lsp].
+
+    Exit codes: 0 the editor has gone, 2 the extra is not installed.
+    """
+    try:
+        from urdfkit.lsp.server import serve
+    except ModuleNotFoundError as error:
+        if error.name not in ("lsprotocol", "pygls"):
+            raise
+        raise NotInstalled("urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'") from error
+    serve()
+    return 0

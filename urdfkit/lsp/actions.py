@@ -1,0 +1,58 @@
+"""What an editor offers to do about a finding: its fix, and a comment that accepts it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Diagnostic, Edit, Fix
+from urdfkit.lsp.markup import Page
+from urdfkit.record import Record
+from urdfkit.source import Span
+
+
+class Action(Record):
+    """Something to do about a finding.
+
+    Attributes:
+        title: for the menu.
+        edits: of any files.
+        diagnostic: that it is about.
+        preferred: True if it cannot change what the robot does.
+    """
+
+    title: str
+    edits: tuple[Edit, ...]
+    diagnostic: Diagnostic
+    preferred: bool = False
+
+
+def actions(page: Page, diagnostic: Diagnostic) -> Iterator[Action]:
+    """What can be done about a finding.
+
+    Args:
+        page: the file that it is in.
+        diagnostic: one that holds for the text as it is.
+    """
+    fix: Fix | None = diagnostic.fix
+    if fix is not None:
+        yield Action(_capital(fix.title), fix.edits, diagnostic, fix.safe)
+    if edit := _comment(page, diagnostic):
+        yield Action(f"Accept {diagnostic.code} here, by a comment", (edit,), diagnostic)
+
+
+def _comment(page: Page, diagnostic: Diagnostic) -> Edit | None:
+    """An ignore comment before the element in which the finding is; none before the root."""
+    node = page.node_at(diagnostic.span.start + 1)
+    if node is None or node.parent is None:
+        return None
+    data = page.source.data
+    line = data.rfind(b"\n", 0, node.start) + 1
+    indent = data[line : node.start].decode("utf-8", "replace")
+    newline = "\r\n" if b"\r\n" in data else "\n"
+    separator = " " if indent.strip() else newline + indent
+    text = f"<!-- urdfkit: ignore[{diagnostic.code}] -->{separator}"
+    return Edit(Span(page.source, node.start, node.start), text)
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

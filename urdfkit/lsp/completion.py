@@ -1,0 +1,351 @@
+"""What may be written at the cursor: tags, attributes, names, packages and their files, plugins."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+
+from urdfkit.catalog import extensions, materials, plugins, sensors
+from urdfkit.lsp.markup import Cursor, Node, Page, cursor
+from urdfkit.lsp.names import parameters, path_in
+from urdfkit.lsp.workspace import Robot
+from urdfkit.record import Record
+from urdfkit.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
+
+#: Files and folders of one folder that are offered.
+MAX_FILES = 500
+
+_XACRO_TAGS = {
+    "xacro:arg": ("name", "default"),
+    "xacro:attribute": ("name", "value"),
+    "xacro:call": ("macro",),
+    "xacro:element": ("xacro:name",),
+    "xacro:if": ("value",),
+    "xacro:include": ("filename", "ns", "optional"),
+    "xacro:insert_block": ("name",),
+    "xacro:macro": ("name", "params"),
+    "xacro:property": ("name", "value", "default", "scope"),
+    "xacro:unless": ("value",),
+}
+_IN_EXPRESSION = re.compile(rb"\$\{[^}]*\Z")
+_IN_COMMAND = re.compile(rb"\$\((\w*)(\s+)?[^)]*\Z")
+_IN_PACKAGE = re.compile(rb"(?:package|model)://([\w-]+)/([^\"'<]*)\Z")
+_PACKAGE_NAME = re.compile(rb"(?:package|model)://[\w-]*\Z")
+_IN_FOUND = re.compile(rb"\$\(find\s+([\w-]+)\)/([^\"'<]*)\Z")
+_COMMANDS = ("arg", "dirname", "env", "eval", "find", "optenv")
+_BUILT_IN = ("pi", "radians", "degrees", "sin", "cos", "tan", "sqrt", "load_yaml", "True", "False")
+_WORD = re.compile(rb"[\w.:/-]*\Z")
+_MESHES = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf")
+_FILES = {
+    "mesh": _MESHES,
+    "texture": (".png", ".jpg", ".jpeg", ".bmp", ".tga"),
+    "xacro:include": (".xacro", ".urdf", ".gazebo", ".xml"),
+}
+
+
+class Offer(Record):
+    """Something that may be written.
+
+    Attributes:
+        text: to insert, and the label.
+        kind: ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``folder`` or ``end``.
+        detail: a few words about it.
+        start: offset of the word that it takes the place of; it ends at the cursor.
+        needed: True for what must be there, which is offered first.
+    """
+
+    text: str
+    kind: str
+    detail: str
+    start: int
+    needed: bool = False
+
+
+def complete(robot: Robot, page: Page, offset: int) -> list[Offer]:
+    """Everything that may stand at a place, without regard to what is written of it."""
+    here = cursor(page, offset)
+    before = page.source.data[:offset]
+    found: Iterable[Offer] = ()
+    if here.place == "tag":
+        found = _tags(robot, here)
+    elif here.place == "end" and here.node is not None:
+        found = [Offer(here.node.name, "tag", "end tag", page.end_name_at(offset) or offset)]
+    elif here.place == "attribute":
+        found = _attributes(robot, here)
+    elif here.place in ("value", "text") and here.node is not None:
+        start = here.node.tag_end
+        if here.attribute and here.attribute.value_span:
+            start = here.attribute.value_span.start
+        found = _in_text(robot, page, before[start:], start)
+        if not (found := list(found)) and here.place == "value":
+            found = _values(robot, here)
+        elif not found:
+            found = _contents(robot, here, before)
+    return list({offer.text: offer for offer in found}.values())
+
+
+# ----------------------------------------------------------------------- tags
+
+
+def _tags(robot: Robot, here: Cursor) -> Iterator[Offer]:
+    node = here.node
+    assert node is not None
+    start = node.start + 1
+    for name, detail, needed in _children(robot, node.parent):
+        yield Offer(name, "tag", detail, start, needed)
+    if node.parent:
+        yield Offer(f"/{node.parent.name}>", "end", "end tag", start)
+
+
+def _children(robot: Robot, parent: Node | None) -> Iterator[tuple[str, str, bool]]:
+    """Name, detail and necessity of what may stand in an element."""
+    if parent is None:
+        yield "robot", "the description", True
+        return
+    grammar = grammar_of(parent)
+    given = {child.name for child in parent.children}
+    for name in grammar.children if grammar else ():
+        needed = name in grammar.required and name not in given if grammar else False
+        yield name, "needed" if needed else "", needed
+    yield from ((name, detail, False) for name, detail in _in_gazebo(parent))
+    if b"xmlns:xacro" in parent.source.data or robot.path.endswith(".xacro"):
+        for name in _XACRO_TAGS:
+            yield name, "xacro", False
+        for name, macro in sorted(robot.names.macros.items()):
+            yield f"xacro:{name}", " ".join(parameters(macro)), False
+
+
+def _in_gazebo(parent: Node) -> Iterator[tuple[str, str]]:
+    """What may stand in a ``<gazebo>`` block, a plugin or a sensor."""
+    plugin = parent if parent.name == "plugin" else parent.within("plugin")
+    if plugin is not None:
+        yield from _parameters(parent, plugin)
+    elif parent.name == "gazebo":
+        for name, extension in sorted(extensions.extensions().items()):
+            yield name, f"{extension.type} {extension.unit}".strip()
+        kind = "link" if parent.get("reference") else "model"
+        for name in extensions.copied(kind):
+            yield name, "SDF"
+    elif parent.name == "sensor":
+        for name in sorted(sensors.children()):
+            yield name, "SDF"
+
+
+def _parameters(parent: Node, plugin: Node) -> Iterator[tuple[str, str]]:
+    """The parameters that a plugin reads at a place in it."""
+    prefix = "" if parent is plugin else f"{path_in(parent, plugin)}/"
+    for known in plugins.find(plugin.get("filename").strip()):
+        for path, parameter in known.parameters.items():
+            rest = path.removeprefix(prefix)
+            if not path.startswith(prefix) or rest.startswith("@"):
+                continue
+            default = f" = {parameter.default}" if parameter.default else ""
+            yield rest.partition("/")[0], f"{parameter.type}{default} ({known.generation})"
+
+
+# ----------------------------------------------------------------- attributes
+
+
+def _attributes(robot: Robot, here: Cursor) -> Iterator[Offer]:
+    node = here.node
+    assert node is not None
+    start = here.attribute.name_span.start if here.attribute else _word_start(node, here.offset)
+    given = {written.name for written in node.attributes if written is not here.attribute}
+    for name, detail, needed in _attributes_of(robot, node):
+        if name not in given:
+            yield Offer(name, "attribute", detail, start, needed)
+
+
+def _attributes_of(robot: Robot, node: Node) -> Iterator[tuple[str, str, bool]]:
+    macro = robot.names.macros.get(node.name.removeprefix("xacro:"))
+    if node.name in _XACRO_TAGS:
+        yield from ((name, "xacro", False) for name in _XACRO_TAGS[node.name])
+    elif macro is not None and node.name.startswith("xacro:"):
+        yield from ((name, "parameter", True) for name in parameters(macro))
+    elif grammar := grammar_of(node):
+        for name, rule in grammar.attributes.items():
+            yield name, rule.type, rule.required
+    elif node.name == "gazebo":
+        yield "reference", "a link or a joint", False
+    elif node.name == "plugin":
+        yield "name", "", True
+        yield "filename", "the library", True
+    elif node.name == "sensor":
+        yield "name", "", True
+        yield "type", "", True
+
+
+# --------------------------------------------------------------------- values
+
+
+def _values(robot: Robot, here: Cursor) -> Iterator[Offer]:
+    """The values that an attribute may have."""
+    node, written = here.node, here.attribute
+    assert node is not None
+    assert written is not None
+    assert written.value_span is not None
+    start = written.value_span.start
+    for text, detail in _words(robot, node, written.name):
+        yield Offer(text, "name", detail, start)
+    if written.name == "filename" and node.name in _FILES:
+        for name in sorted(robot.resolver.packages.known(node.source.path)):
+            yield Offer(f"package://{name}/", "folder", "package", start)
+        typed = node.source.data[start : here.offset].decode("utf-8", "replace")
+        folder = os.path.dirname(os.path.abspath(node.source.path))
+        yield from _files(folder, typed, start, _FILES[node.name])
+
+
+def _words(robot: Robot, node: Node, attribute: str) -> Iterator[tuple[str, str]]:
+    grammar = grammar_of(node)
+    rule = grammar.attributes.get(attribute) if grammar else None
+    key = (node.name, attribute)
+    user = node.within("transmission", "ros2_control", "group", "group_state")
+    if (rule and rule.type == LINK) or (user and key == ("link", "name")):
+        yield from ((name, "link") for name in robot.given("link"))
+    elif (rule and rule.type == JOINT) or (user and key == ("joint", "name")):
+        yield from ((name, "joint") for name in robot.given("joint"))
+    elif key == ("gazebo", "reference"):
+        yield from ((name, "link") for name in robot.given("link"))
+        yield from ((name, "joint") for name in robot.given("joint"))
+    elif key == ("joint", "type"):
+        yield from ((name, "") for name in JOINT_TYPES)
+    elif key == ("material", "name"):
+        yield from ((name, "material") for name in robot.given("material"))
+    elif key == ("sensor", "type"):
+        yield from ((name, "sensor") for name in sorted(sensors.types()))
+    elif key == ("plugin", "filename"):
+        for plugin in plugins.all_plugins():
+            yield from ((file, plugin.generation) for file in plugin.files)
+    elif node.name.startswith("link") and attribute in ("link1", "link2"):
+        yield from ((name, "link") for name in robot.given("link"))
+
+
+def _in_text(robot: Robot, page: Page, before: bytes, start: int) -> Iterator[Offer]:
+    """Inside ``${...}``, ``$(...)`` and references to packages; ``before`` begins at ``start``."""
+    end = start + len(before)
+    word = end - len(_last_word(before))
+    packages = robot.resolver.packages.known(page.source.path)
+    if _IN_EXPRESSION.search(before):
+        for name in robot.given("property"):
+            yield Offer(name, "name", "property", word)
+        yield from _of_macro(page, end, word)
+        yield from (Offer(name, "word", "built in", word) for name in _BUILT_IN)
+    elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
+        folder = packages.get(match[1].decode("utf-8", "replace"))
+        if folder:
+            suffixes = (*_MESHES, *_FILES["xacro:include"], *_FILES["texture"], ".yaml")
+            typed = match[2].decode("utf-8", "replace")
+            yield from _files(folder, typed, start + match.start(2), suffixes)
+    elif match := _IN_COMMAND.search(before):
+        yield from _of_command(robot, match, packages, word)
+    elif match := _PACKAGE_NAME.search(before):
+        for name in sorted(packages):
+            yield Offer(f"package://{name}/", "folder", "package", start + match.start())
+
+
+def _of_command(
+    robot: Robot, match: re.Match[bytes], packages: Iterable[str], word: int
+) -> Iterator[Offer]:
+    """The words of a ``$(...)``."""
+    if match[2] is None:
+        yield from (Offer(name, "word", "substitution", word) for name in _COMMANDS)
+    elif match[1] == b"arg":
+        yield from (Offer(name, "name", "argument", word) for name in robot.given("arg"))
+    elif match[1] == b"find":
+        yield from (Offer(name, "name", "package", word) for name in sorted(packages))
+
+
+def _of_macro(page: Page, offset: int, word: int) -> Iterator[Offer]:
+    """The parameters of the macro around a place."""
+    node = page.node_at(offset)
+    for macro in (node, *node.around()) if node else ():
+        if macro.name == "xacro:macro":
+            for name in parameters(macro):
+                yield Offer(name, "name", "parameter", word)
+
+
+def _contents(robot: Robot, here: Cursor, before: bytes) -> Iterator[Offer]:
+    """The text of an element: names that a plugin looks up, materials of Gazebo, booleans."""
+    node = here.node
+    assert node is not None
+    start = here.offset - len(_last_word(before))
+    if node.name == "material" and node.parent and node.parent.name == "gazebo":
+        for name in sorted(materials.materials()):
+            yield Offer(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
+    plugin = node.within("plugin")
+    if plugin is None:
+        extension = extensions.extensions().get(node.name)
+        if extension and extension.type == "bool":
+            yield from (Offer(word, "word", "", start) for word in ("true", "false"))
+        return
+    path = path_in(node, plugin)
+    for known in plugins.find(plugin.get("filename").strip()):
+        parameter = known.parameters.get(path)
+        if parameter is None:
+            continue
+        if parameter.type in ("link", "frame"):
+            yield from (Offer(name, "name", "link", start) for name in robot.given("link"))
+        elif parameter.type.startswith("joint"):
+            yield from (Offer(name, "name", "joint", start) for name in robot.given("joint"))
+        elif parameter.type == "bool":
+            yield from (Offer(word, "word", "", start) for word in ("true", "false"))
+        yield from (Offer(word, "word", known.generation, start) for word in parameter.words)
+
+
+def _files(folder: str, typed: str, start: int, suffixes: tuple[str, ...]) -> Iterator[Offer]:
+    """The files of a kind and the folders below a folder, one level at a time."""
+    inner, _, _ = typed.rpartition("/")
+    at = start + len(inner.encode()) + bool(inner)
+    path = os.path.join(folder, inner)
+    if os.path.isabs(inner) or ".." in inner.split("/"):
+        return
+    try:
+        entries = sorted(os.scandir(path), key=lambda entry: entry.name)
+    except (OSError, ValueError):
+        return
+    for entry in entries[:MAX_FILES]:
+        if entry.name.startswith("."):
+            continue
+        if entry.is_dir():
+            yield Offer(f"{entry.name}/", "folder", "", at)
+        elif entry.name.lower().endswith(suffixes):
+            yield Offer(entry.name, "file", "", at)
+
+
+def grammar_of(node: Node) -> Grammar | None:
+    """What URDF allows in an element; None where URDF has no grammar."""
+    way = [node.name]
+    for outer in node.around():
+        if outer.name == "robot":
+            break
+        if not outer.name.startswith("xacro:"):
+            way.insert(0, outer.name)
+    if way == ["robot"]:
+        return ROBOT
+    grammar = ROBOT if way[0] in ROBOT.children else _holder(way[0])
+    for name in way:
+        inner = grammar.children.get(name)
+        if inner is None or inner.open:
+            return None
+        grammar = inner
+    return grammar
+
+
+def _holder(tag: str) -> Grammar:
+    """The grammar of an element that may hold a tag, for a macro that makes a part of a link."""
+    queue = [ROBOT]
+    for grammar in queue:
+        if tag in grammar.children:
+            return grammar
+        queue += grammar.children.values()
+    return ROBOT
+
+
+def _word_start(node: Node, offset: int) -> int:
+    return offset - len(_last_word(node.source.data[node.start : offset]))
+
+
+def _last_word(before: bytes) -> bytes:
+    found = _WORD.search(before[-200:])
+    return found.group() if found else b""

@@ -1,0 +1,210 @@
+"""What is shown beside the mouse: numbers of a robot, origins of a value, reasons of a rule."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+
+from urdfkit import rules
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.document import Attribute
+from urdfkit.errors import UnknownRule
+from urdfkit.expansion.trace import Origin
+from urdfkit.inertia import principal_moments
+from urdfkit.lsp.markup import Cursor, Node, Page, cursor
+from urdfkit.lsp.names import Name
+from urdfkit.lsp.workspace import Robot
+from urdfkit.meshes.sniff import sniff_file
+from urdfkit.model import Joint, Link
+from urdfkit.source import Span
+from urdfkit.suppress import ignores
+
+#: Values of one expression, levels of definitions and lines of a macro that are shown.
+MAX_SHOWN = 6
+_LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
+_FORCE_UNIT = {"revolute": "N m", "continuous": "N m", "prismatic": "N"}
+
+
+def hover(robot: Robot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
+    """Markdown for a place; empty if there is nothing to say."""
+    here = cursor(page, offset)
+    parts = [*_values(robot, here), *_name(robot, page, offset), *_mesh(robot, here)]
+    parts += _rules(page, offset, diagnostics)
+    return "\n\n---\n\n".join(parts)
+
+
+# ---------------------------------------------------------------- expressions
+
+
+def _values(robot: Robot, here: Cursor) -> Iterator[str]:
+    """What an expression became, and the definitions behind it."""
+    written = here.attribute
+    if here.place != "value" or here.node is None or written is None or "$" not in written.value:
+        return
+    found = robot.expanded(here.node.source, here.node.start, written.name)
+    values = list(dict.fromkeys(attribute.value for attribute in found))
+    if not values:
+        return
+    shown = [f"`{_code(value)}`" for value in values[:MAX_SHOWN]]
+    if len(values) > MAX_SHOWN:
+        shown.append(f"and {len(values) - MAX_SHOWN} more")
+    lines = [f"**{written.name}** = {', '.join(shown)}"]
+    if len(found) > 1:
+        lines[0] += f" in {len(found)} calls"
+    lines += _origins(robot, found[0])
+    yield "\n".join(lines)
+
+
+def _origins(robot: Robot, attribute: Attribute) -> Iterator[str]:
+    xacro = robot.traced
+    stack = [(0, origin) for origin in reversed(xacro.inputs(attribute))] if xacro else []
+    while stack:
+        level, origin = stack.pop()
+        yield f"{'  ' * level}- {_origin(origin)}"
+        if level < MAX_SHOWN:
+            stack += [(level + 1, deeper) for deeper in reversed(origin.inputs)]
+
+
+def _origin(origin: Origin) -> str:
+    text = f"`{_code(origin.name)}` = `{_code(origin.value)}`, {origin.kind}"
+    if origin.text and origin.text != origin.value:
+        text += f" `{_code(' '.join(origin.text.split()))}`"
+    return f"{text} at {_place(origin.span)}" if origin.span else text
+
+
+# ---------------------------------------------------------------------- names
+
+
+def _name(robot: Robot, page: Page, offset: int) -> Iterator[str]:
+    name = robot.names.at(page.source, offset)
+    if name is None:
+        return
+    if name.kind in ("link", "joint", "frame"):
+        yield from _of_model(robot, name)
+    elif name.kind == "macro":
+        macro = robot.names.macros.get(name.text)
+        if macro is not None:
+            params = " ".join(macro.get("params").split())
+            at = _place(macro.name_span)
+            yield f"**macro** `{_code(name.text)}`({_code(params)}), defined at {at}"
+    elif name.kind in ("property", "arg"):
+        for one in robot.names.same(name):
+            if one.is_definition:
+                text = one.node.get("value") or one.node.get("default")
+                yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(one.span)}"
+    elif name.kind == "package":
+        known = robot.resolver.packages.known(page.source.path)
+        folder = known.get(name.text)
+        yield f"**package** `{name.text}`: {f'`{folder}`' if folder else 'not found'}"
+
+
+def _of_model(robot: Robot, name: Name) -> Iterator[str]:
+    model = robot.model
+    if model is None:
+        return
+    for value in sorted(robot.names.values(name))[:MAX_SHOWN]:
+        if name.kind != "joint" and (link := model.links_by_name.get(value)):
+            yield "\n".join(_link(robot, link))
+        elif name.kind != "link" and (joint := model.joints_by_name.get(value)):
+            yield "\n".join(_joint(joint))
+
+
+def _link(robot: Robot, link: Link) -> Iterator[str]:
+    yield f"**link** `{_code(link.name)}`"
+    inertial = link.inertial
+    if inertial is None or inertial.mass is None:
+        yield "- no mass"
+    else:
+        x, y, z = inertial.origin.position
+        yield f"- {link.mass:g} kg, centre of mass at {x:g} {y:g} {z:g} m"
+    if inertial and inertial.tensor:
+        tensor = inertial.tensor.value
+        yield f"- ixx {tensor.ixx:g}, iyy {tensor.iyy:g}, izz {tensor.izz:g} kg m²"
+        a, b, c = principal_moments(tensor)
+        yield f"- principal moments {a:.4g}, {b:.4g}, {c:.4g} kg m²"
+    for role, bodies in (("visual", link.visuals), ("collision", link.collisions)):
+        shapes = [body.shape.kind for body in bodies if body.shape]
+        if shapes:
+            yield f"- {role}: {', '.join(shapes[:MAX_SHOWN])}"
+    if robot.document is not None:
+        for joint in robot.subject.tree.parents.get(link.name, ())[:1]:
+            parent = joint.parent.value if joint.parent else ""
+            yield f"- hangs on `{_code(parent)}` by the {joint.kind} joint `{_code(joint.name)}`"
+
+
+def _joint(joint: Joint) -> Iterator[str]:
+    ends = [end.value if end else "?" for end in (joint.parent, joint.child)]
+    yield f"**{joint.kind} joint** `{_code(joint.name)}`: `{_code(ends[0])}` to `{_code(ends[1])}`"
+    if joint.axis and joint.kind != "fixed":
+        yield "- axis " + " ".join(f"{value:g}" for value in joint.axis.value)
+    limit = joint.limit
+    unit, force = _LENGTH_UNIT.get(joint.kind, ""), _FORCE_UNIT.get(joint.kind, "")
+    if limit and limit.lower and limit.upper:
+        yield f"- from {limit.lower.value:g} to {limit.upper.value:g} {unit}"
+    if limit and limit.effort and limit.velocity:
+        yield f"- at most {limit.effort.value:g} {force} and {limit.velocity.value:g} {unit}/s"
+    if joint.mimic and joint.mimic.joint:
+        mimic = joint.mimic
+        assert mimic.joint is not None
+        leader = _code(mimic.joint.value)
+        yield f"- follows `{leader}` times {mimic.multiplier:g} plus {mimic.offset:g}"
+
+
+# --------------------------------------------------------------------- meshes
+
+
+def _mesh(robot: Robot, here: Cursor) -> Iterator[str]:
+    node, written = here.node, here.attribute
+    if here.place != "value" or node is None or written is None or written.name != "filename":
+        return
+    if node.name not in ("mesh", "texture"):
+        return
+    values = [found.value for found in robot.expanded(node.source, node.start, "filename")]
+    for value in list(dict.fromkeys(values or [written.value]))[:MAX_SHOWN]:
+        yield "\n".join(_file(robot, node, value))
+
+
+def _file(robot: Robot, node: Node, reference: str) -> Iterator[str]:
+    located = robot.resolver.locate(reference, node.source.path, robot.path)
+    if located.path is None:
+        missing = "no such file" if located.folder or not located.package else "no such package"
+        yield f"**{node.name}** `{_code(reference)}`: {missing}"
+        for tried in (located.tried or located.searched)[:MAX_SHOWN]:
+            yield f"- tried `{_code(tried)}`"
+        return
+    yield f"**{node.name}** `{_code(located.path)}`"
+    if node.name == "mesh":
+        facts = sniff_file(located.path)
+        yield f"- {facts.format or 'unknown format'}, {facts.size / 1024:.1f} KiB"
+        if facts.defect:
+            yield f"- {facts.defect.reason}"
+
+
+# ---------------------------------------------------------------------- rules
+
+
+def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
+    """The explanations of the rules that speak here, or that an ignore comment names."""
+    codes = [
+        found.code for found in diagnostics if found.span.start <= offset <= max(found.span[1:])
+    ]
+    for comment in ignores(page.source):
+        codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
+    for code in list(dict.fromkeys(codes))[:MAX_SHOWN]:
+        try:
+            rule = rules.find_rule(code)
+        except UnknownRule:
+            continue
+        text = f"**{rule.code}** {rule.name}\n\n{rule.explanation}"
+        yield text + (f"\n\nWhat to do: {rule.help}." if rule.help else "")
+
+
+def _place(span: Span) -> str:
+    line, column = span.source.position(span.start)
+    return f"`{os.path.basename(span.source.path)}:{line}:{column}`"
+
+
+def _code(text: str) -> str:
+    """A text for a piece of code in Markdown."""
+    text = " ".join(text.split()).replace("`", "'")
+    return text if len(text) <= 200 else text[:200] + "..."

@@ -1,0 +1,268 @@
+"""The tags of a text that may not be XML yet: it is read while somebody writes it.
+
+A tag ends where the next one begins, a value at the next tag at the latest; an end tag without
+its beginning is passed over. Nothing here raises, whatever the text.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+
+from urdfkit.record import Record
+from urdfkit.source import Source, Span
+
+_MARK = re.compile(
+    rb"<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|[?!][^<>]*>?"
+    rb"|/\s*(?P<end>[^\s<>/]*)[^<>]*>?|(?P<start>[^\s<>/=\"'!?]*))",
+    re.DOTALL,
+)
+_ATTRIBUTE = re.compile(
+    rb"""\s*([^\s=<>/"']+)(?:\s*=\s*(?:"(?P<double>[^"<]*)|'(?P<single>[^'<]*))?)?["']?"""
+)
+_TAG_END = re.compile(rb"\s*(/?)(>?)")
+#: Elements in one another; whatever is deeper belongs to the one at this depth.
+MAX_DEPTH = 200
+
+
+class Written(Record):
+    """An attribute in a text.
+
+    Attributes:
+        name: with its prefix.
+        name_span: the name.
+        value_span: the value without quotes; None if there is none yet.
+    """
+
+    name: str
+    name_span: Span
+    value_span: Span | None
+
+    @property
+    def value(self) -> str:
+        return self.value_span.text if self.value_span else ""
+
+
+class Node:
+    """An element in a text.
+
+    Attributes:
+        name: with its prefix; empty right behind a ``<``.
+        source: the text.
+        start: of the start tag.
+        tag_end: offset behind the start tag.
+        end: offset behind the whole element.
+        closed: True if it has an end; one that is still being written goes on behind its last
+            character.
+        end_name: the name in the end tag; None without one.
+        attributes: in the order of the text.
+        parent: the element around it, or None.
+        children: the elements in it.
+    """
+
+    __slots__ = (
+        "attributes",
+        "children",
+        "closed",
+        "depth",
+        "end",
+        "end_name",
+        "name",
+        "parent",
+        "source",
+        "start",
+        "tag_end",
+    )
+
+    def __init__(self, name: str, source: Source, start: int, parent: Node | None) -> None:
+        self.name = name
+        self.source = source
+        self.start = start
+        self.tag_end = self.end = start
+        self.closed = False
+        self.end_name: Span | None = None
+        self.attributes: list[Written] = []
+        self.parent = parent
+        self.children: list[Node] = []
+        self.depth: int = parent.depth + 1 if parent else 0
+
+    @property
+    def name_span(self) -> Span:
+        return Span(self.source, self.start + 1, self.start + 1 + len(self.name.encode()))
+
+    @property
+    def span(self) -> Span:
+        """The whole element."""
+        return Span(self.source, self.start, self.end)
+
+    @property
+    def text_span(self) -> Span:
+        """What stands in it, without the white space around it; only if it is text."""
+        data = self.source.data
+        inner = data[self.tag_end : self.end]
+        until = inner.find(b"<")
+        text = inner if until < 0 else inner[:until]
+        start = self.tag_end + len(text) - len(text.lstrip())
+        return Span(self.source, start, start + len(text.strip()))
+
+    def get(self, name: str) -> str:
+        """The value of an attribute; empty without it."""
+        written = self.attribute(name)
+        return written.value if written else ""
+
+    def attribute(self, name: str) -> Written | None:
+        return next((one for one in self.attributes if one.name == name), None)
+
+    def around(self) -> Iterator[Node]:
+        """The elements around it, the nearest first."""
+        node = self.parent
+        while node is not None:
+            yield node
+            node = node.parent
+
+    def within(self, *names: str) -> Node | None:
+        """The nearest element around it that has one of these names."""
+        return next((node for node in self.around() if node.name in names), None)
+
+
+class Page:
+    """The elements of one text.
+
+    Attributes:
+        source: the text.
+        nodes: all elements, in the order of their start tags.
+    """
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.nodes: list[Node] = []
+        self._other: list[tuple[int, int]] = []  # comments and the like
+        self._ends: list[int] = []  # of the names of end tags
+        self._read()
+        self._starts = [node.start for node in self.nodes]
+
+    def _read(self) -> None:
+        data = self.source.data
+        open_: list[Node] = []
+        at = 0
+        while (at := data.find(b"<", at)) >= 0:
+            mark = _MARK.match(data, at)
+            assert mark is not None
+            if mark["end"] is not None:
+                self._ends.append(mark.start("end"))
+                self._close(open_, mark)
+                at = mark.end()
+            elif mark["start"] is None:
+                self._other.append(mark.span())
+                at = mark.end()
+            else:
+                at = self._open(open_, mark)
+        for node in open_:
+            node.end = len(data)
+
+    def _open(self, open_: list[Node], mark: re.Match[bytes]) -> int:
+        """A start tag; the offset behind it."""
+        node = Node(_text(mark["start"]), self.source, mark.start(), open_[-1] if open_ else None)
+        at = mark.end()
+        data = self.source.data
+        while found := _ATTRIBUTE.match(data, at):
+            node.attributes.append(self._attribute(found))
+            at = found.end()
+        end = _TAG_END.match(data, at)
+        assert end is not None
+        node.tag_end = node.end = end.end()
+        self.nodes.append(node)
+        if node.parent:
+            node.parent.children.append(node)
+        node.closed = bool(end[1] and end[2])
+        if end[2] and not end[1] and node.name and node.depth < MAX_DEPTH:
+            open_.append(node)
+        return max(end.end(), mark.start() + 1)
+
+    def _attribute(self, found: re.Match[bytes]) -> Written:
+        group = "double" if found["double"] is not None else "single"
+        value = None if found[group] is None else Span(self.source, *found.span(group))
+        return Written(_text(found[1]), Span(self.source, *found.span(1)), value)
+
+    def _close(self, open_: list[Node], mark: re.Match[bytes]) -> None:
+        """An end tag: of the nearest open element of that name; those in it end here, too."""
+        name = _text(mark["end"])
+        if not any(node.name == name for node in open_[-MAX_DEPTH:]):
+            return
+        while open_:
+            node = open_.pop()
+            if node.name == name:
+                node.end = mark.end()
+                node.closed = True
+                node.end_name = Span(self.source, *mark.span("end"))
+                return
+            node.end = mark.start()
+
+    def node_at(self, offset: int) -> Node | None:
+        """The innermost element whose tags or content hold a place between two characters."""
+        index = bisect_right(self._starts, offset - 1) - 1
+        node = self.nodes[index] if index >= 0 else None
+        while node is not None and offset > node.end - node.closed:
+            node = node.parent
+        return node
+
+    def end_name_at(self, offset: int) -> int | None:
+        """Where the name begins if a place is in the name of an end tag, finished or not."""
+        index = bisect_right(self._ends, offset) - 1
+        if index < 0 or re.search(rb"[\s<>/]", self.source.data[self._ends[index] : offset]):
+            return None
+        return self._ends[index]
+
+    def is_comment(self, offset: int) -> bool:
+        """True inside of a comment, a declaration or a processing instruction."""
+        data = self.source.data
+        return any(
+            start < offset < end or (offset == end and not data.endswith(b">", start, end))
+            for start, end in self._other
+        )
+
+
+class Cursor(Record):
+    """Where the cursor is.
+
+    Attributes:
+        offset: in bytes.
+        node: the element in which it is; None outside of all.
+        place: ``tag`` (in a name after ``<``), ``end`` (in one after ``</``), ``attribute`` (where
+            a name of one stands or could stand), ``value``, ``text``, ``comment``, ``nowhere``.
+        attribute: whose name or value it is in, or None.
+    """
+
+    offset: int
+    node: Node | None
+    place: str
+    attribute: Written | None = None
+
+
+def cursor(page: Page, offset: int) -> Cursor:
+    """What is at a place."""
+    if page.is_comment(offset):
+        return Cursor(offset, None, "comment")
+    node = page.node_at(offset)
+    if node is None:
+        return Cursor(offset, None, "nowhere")
+    if page.end_name_at(offset) is not None:
+        return Cursor(offset, node, "end")
+    if offset <= node.name_span.end:
+        return Cursor(offset, node, "tag")
+    for written in node.attributes:
+        if written.name_span.start <= offset <= written.name_span.end:
+            return Cursor(offset, node, "attribute", written)
+        value = written.value_span
+        if value and value.start <= offset <= value.end:
+            return Cursor(offset, node, "value", written)
+    data = page.source.data
+    is_inside = offset < node.tag_end or data[node.tag_end - 1 : node.tag_end] != b">"
+    if is_inside and offset <= node.tag_end:
+        return Cursor(offset, node, "attribute")
+    return Cursor(offset, node, "text")
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "replace")

@@ -1,0 +1,325 @@
+"""The names in the texts of a robot: where each is given, and where it is used.
+
+What stands in the text counts, so that a robot that does not expand yet has names, too. A name
+that an expression makes is known by the values that the expanded document has for it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from html import unescape
+
+from urdfkit.catalog import plugins
+from urdfkit.document import Document
+from urdfkit.lsp.markup import Node, Page, Written
+from urdfkit.record import Record
+from urdfkit.schema import JOINT, LINK, ROBOT, XACRO_TAGS
+from urdfkit.source import Source, Span
+
+#: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to one macro.
+KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter", "arg", "package")
+
+_EXPRESSION = re.compile(rb"\$\{([^}]*)\}?|\$\((\w+)\s+([^)]*)\)?")
+_WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*")
+_QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
+_PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
+_PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
+_OWN_TAGS = XACRO_TAGS | {"call", "element", "attribute"}
+
+#: Attributes that name a link or a joint outside of URDF's grammar: of SRDF and of Gazebo.
+_NAMING = {
+    ("gazebo", "reference"): "frame",
+    ("disable_collisions", "link1"): "link",
+    ("disable_collisions", "link2"): "link",
+    ("enable_collisions", "link1"): "link",
+    ("enable_collisions", "link2"): "link",
+    ("chain", "base_link"): "link",
+    ("chain", "tip_link"): "link",
+    ("end_effector", "parent_link"): "link",
+    ("virtual_joint", "child_link"): "link",
+    ("passive_joint", "name"): "joint",
+}
+#: Elements in which ``<link name>`` and ``<joint name>`` are uses.
+_USERS = ("transmission", "ros2_control", "group", "group_state")
+
+
+#: A frame may be a link or a joint.
+_SAME_KINDS = {
+    "link": ("link", "frame"),
+    "joint": ("joint", "frame"),
+    "frame": ("link", "joint", "frame"),
+    "material": ("material",),
+}
+
+
+class Name(Record):
+    """One place of a name.
+
+    Attributes:
+        kind: one of ``KINDS``.
+        text: as written.
+        span: the name.
+        is_definition: True where it is given.
+        node: the element that it is in.
+        attribute: the name of the attribute whose whole value it is; empty elsewhere.
+        macro: of a parameter, the start of its macro's tag and the path of its file.
+    """
+
+    kind: str
+    text: str
+    span: Span
+    is_definition: bool
+    node: Node
+    attribute: str = ""
+    macro: tuple[str, int] | None = None
+
+    @property
+    def is_computed(self) -> bool:
+        return "$" in self.text
+
+
+class Names:
+    """The names in some texts.
+
+    Args:
+        pages: the texts.
+        document: what they expand to; None if they do not.
+    """
+
+    def __init__(self, pages: Iterable[Page], document: Document | None) -> None:
+        self.pages = {page.source.path: page for page in pages}
+        self._document = document
+
+    @cached_property
+    def macros(self) -> dict[str, Node]:
+        """The macros by name; the last of a name."""
+        return {
+            node.get("name").removeprefix("xacro:"): node
+            for page in self.pages.values()
+            for node in page.nodes
+            if node.name == "xacro:macro"
+        }
+
+    @cached_property
+    def all(self) -> tuple[Name, ...]:
+        """Every place of a name."""
+        return tuple(
+            name
+            for page in self.pages.values()
+            for node in page.nodes
+            for name in self._in_node(node)
+        )
+
+    @cached_property
+    def _values(self) -> dict[tuple[str, int, str], set[str]]:
+        """The values of attributes after expansion, by file, place of the tag and name."""
+        found: dict[tuple[str, int, str], set[str]] = {}
+        for element in self._document.root.walk() if self._document else ():
+            at = element.tag_at
+            for attribute in element.attributes.values():
+                key = (at.source.path, at.start, attribute.name)
+                found.setdefault(key, set()).add(attribute.value)
+        return found
+
+    def at(self, source: Source, offset: int) -> Name | None:
+        """The name at a place: the shortest if one is in another."""
+        found = [
+            name
+            for name in self.all
+            if name.span.source is source and name.span.start <= offset <= name.span.end
+        ]
+        return min(found, key=lambda name: name.span.end - name.span.start, default=None)
+
+    def same(self, name: Name) -> list[Name]:
+        """Every place of what a name means, that place included."""
+        if name.kind in _SAME_KINDS:
+            values = self.values(name)
+            kinds = _SAME_KINDS[name.kind]
+            same = [
+                one
+                for one in self.all
+                if one.kind in kinds and not values.isdisjoint(self.values(one))
+            ]
+            return same if name.kind != "frame" else self._of_one_kind(same)
+        return [
+            one
+            for one in self.all
+            if (one.kind, one.text, one.macro) == (name.kind, name.text, name.macro)
+        ]
+
+    def _of_one_kind(self, names: list[Name]) -> list[Name]:
+        """Links where a link has the name, else joints: what Gazebo takes a reference for."""
+        given = {name.kind for name in names if name.is_definition}
+        wrong = "joint" if "link" in given or "joint" not in given else "link"
+        return [name for name in names if name.kind != wrong]
+
+    def values(self, name: Name) -> set[str]:
+        """The values of a name: one as written, or those that an expression has."""
+        if not name.is_computed:
+            return {unescape(name.text)}
+        key = (name.span.source.path, name.node.start, name.attribute)
+        return self._values.get(key) or {name.text}
+
+    def given(self, *kinds: str) -> list[str]:
+        """The names of some kinds that are given, after expansion; sorted."""
+        found: set[str] = set()
+        for name in self.all:
+            if name.is_definition and name.kind in kinds:
+                found |= self.values(name)
+        return sorted(one for one in found if one and "$" not in one)
+
+    # ------------------------------------------------------------ one element
+
+    def _in_node(self, node: Node) -> Iterator[Name]:
+        own = node.name.removeprefix("xacro:")
+        if node.name == "xacro:macro":
+            yield from self._definition(node, "macro", "name", prefix="xacro:")
+            yield from self._parameters(node)
+        elif node.name in ("xacro:property", "xacro:arg"):
+            yield from self._definition(node, own if own == "arg" else "property", "name")
+        elif node.name == "xacro:insert_block":
+            yield from self._inserted(node)
+        elif node.name.startswith("xacro:") and own not in _OWN_TAGS:
+            yield from self._call(node)
+        else:
+            yield from self._of_robot(node)
+        for written in node.attributes:
+            if written.value_span and not (node.name == "xacro:macro" and written.name == "name"):
+                yield from self._in_text(node, written.value_span)
+        yield from self._in_text(node, node.text_span)
+
+    def _definition(
+        self, node: Node, kind: str, attribute: str, prefix: str = ""
+    ) -> Iterator[Name]:
+        written = node.attribute(attribute)
+        if written and written.value_span and written.value:
+            text = written.value.removeprefix(prefix)
+            source, _, end = written.value_span
+            span = Span(source, end - len(text.encode()), end)
+            yield Name(kind, text, span, True, node, attribute)
+
+    def _parameters(self, macro: Node) -> Iterator[Name]:
+        written = macro.attribute("params")
+        if not (written and written.value_span):
+            return
+        source, start, end = written.value_span
+        for found in _PARAMETER.finditer(source.data[start:end]):
+            word = found[1]
+            text = word.lstrip(b"*")
+            at = start + found.start(1) + len(word) - len(text)
+            span = Span(source, at, at + len(text))
+            yield Name("parameter", span.text, span, True, macro, "", _id(macro))
+
+    def _inserted(self, node: Node) -> Iterator[Name]:
+        written = node.attribute("name")
+        if written and written.value_span:
+            yield self._variable(node, written.value_span)
+
+    def _call(self, node: Node) -> Iterator[Name]:
+        """The call of a macro, its end tag, and the parameters that it gives."""
+        for span in (node.name_span, node.end_name):
+            if span:
+                text = span.text.removeprefix("xacro:")
+                at = Span(span.source, span.end - len(text.encode()), span.end)
+                yield Name("macro", text, at, False, node)
+        macro = self.macros.get(node.name.removeprefix("xacro:"))
+        for written in node.attributes if macro else ():
+            assert macro is not None
+            yield Name("parameter", written.name, written.name_span, False, node, "", _id(macro))
+
+    def _of_robot(self, node: Node) -> Iterator[Name]:
+        user = node.within(*_USERS)
+        if node.name in ("link", "joint") and node.attribute("name"):
+            yield from self._value(node, node.name, "name", is_definition=user is None)
+        elif node.name == "material" and node.attribute("name"):
+            defined = any(child.name in ("color", "texture") for child in node.children)
+            yield from self._value(node, "material", "name", is_definition=defined)
+        for written in node.attributes:
+            kind = _NAMING.get((node.name, written.name)) or _by_grammar(node, written)
+            if kind:
+                yield from self._value(node, kind, written.name, is_definition=False)
+        yield from self._in_plugin(node)
+
+    def _value(
+        self, node: Node, kind: str, attribute: str, *, is_definition: bool
+    ) -> Iterator[Name]:
+        written = node.attribute(attribute)
+        if written and written.value_span and written.value:
+            yield Name(kind, written.value, written.value_span, is_definition, node, attribute)
+
+    def _in_plugin(self, node: Node) -> Iterator[Name]:
+        """The links and joints that a plugin of Gazebo looks up."""
+        plugin = node.within("plugin")
+        span = node.text_span
+        if plugin is None or node.children or not span.text:
+            return
+        path = path_in(node, plugin)
+        for known in plugins.find(plugin.get("filename").strip()):
+            parameter = known.parameters.get(path)
+            if parameter and parameter.type in (*plugins.REFERENCES, "frame"):
+                kind = "joint" if parameter.type.startswith("joint") else "link"
+                for word in re.finditer(rb"[^\s,]+", span.source.data[span.start : span.end]):
+                    at = Span(span.source, span.start + word.start(), span.start + word.end())
+                    yield Name(kind, at.text, at, False, node)
+                return
+
+    def _in_text(self, node: Node, span: Span) -> Iterator[Name]:
+        """The names in the expressions of a value or a text, and the packages that it names."""
+        source, start, end = span
+        data = source.data[start:end]
+        for found in _PACKAGE.finditer(data):
+            at = Span(source, start + found.start(1), start + found.end(1))
+            yield Name("package", at.text, at, False, node)
+        if b"$" not in data:
+            return
+        for found in _EXPRESSION.finditer(data):
+            if found[1] is not None:
+                yield from self._in_expression(node, source, start + found.start(1), found[1])
+            elif found[2] in (b"arg", b"find"):
+                at = Span(source, start + found.start(3), start + found.end(3))
+                yield Name("arg" if found[2] == b"arg" else "package", at.text, at, False, node)
+
+    def _in_expression(
+        self, node: Node, source: Source, start: int, expression: bytes
+    ) -> Iterator[Name]:
+        masked = _QUOTED.sub(lambda quoted: b" " * len(quoted.group()), expression)
+        for word in _WORD.finditer(masked):
+            yield self._variable(node, Span(source, start + word.start(), start + word.end()))
+
+    def _variable(self, node: Node, span: Span) -> Name:
+        """A word of an expression: a parameter of the macro around it, else a property."""
+        for macro in (node, *node.around()):
+            if macro.name == "xacro:macro" and span.text in parameters(macro):
+                return Name("parameter", span.text, span, False, node, "", _id(macro))
+        return Name("property", span.text, span, False, node)
+
+
+def parameters(macro: Node) -> list[str]:
+    """The names of a macro's parameters."""
+    found = _PARAMETER.findall(macro.get("params").encode())
+    return [word.decode("utf-8", "replace").lstrip("*") for word in found]
+
+
+def _id(macro: Node) -> tuple[str, int]:
+    return (macro.source.path, macro.start)
+
+
+def _by_grammar(node: Node, written: Written) -> str:
+    """``link`` or ``joint`` for an attribute that refers to one by URDF's grammar."""
+    parent = node.parent.name if node.parent else ""
+    grammar = ROBOT.children.get(parent)
+    inner = grammar.children.get(node.name) if grammar else None
+    rule = inner.attributes.get(written.name) if inner else None
+    return rule.type if rule and rule.type in (LINK, JOINT) else ""
+
+
+def path_in(node: Node, plugin: Node) -> str:
+    """The path of a tag in its plugin."""
+    parts = [node.name]
+    for outer in node.around():
+        if outer is plugin:
+            break
+        parts.append(outer.name)
+    return "/".join(reversed(parts))

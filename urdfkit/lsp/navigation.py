@@ -1,0 +1,104 @@
+"""From a name to where it is given, to where it is used, and to another name."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from urdfkit.diagnostic import Edit
+from urdfkit.errors import UrdfkitError
+from urdfkit.lsp.markup import Page, cursor
+from urdfkit.lsp.names import Name
+from urdfkit.lsp.workspace import Robot
+from urdfkit.source import Source, Span
+
+_IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
+_FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
+
+
+class CannotRename(UrdfkitError):
+    """The name cannot be changed by edits of text; the message says why."""
+
+
+def definitions(robot: Robot, page: Page, offset: int) -> list[Span]:
+    """Where the name, the package or the file at a place is given."""
+    if found := _file(robot, page, offset):
+        return [Span(found, 0, 0)]
+    name = robot.names.at(page.source, offset)
+    if name is None:
+        return []
+    if name.kind == "package":
+        folder = robot.resolver.packages.known(page.source.path).get(name.text)
+        manifest = os.path.join(folder or "", "package.xml")
+        return [Span(robot.source(manifest), 0, 0)] if os.path.isfile(manifest) else []
+    return [one.span for one in robot.names.same(name) if one.is_definition]
+
+
+def references(robot: Robot, page: Page, offset: int, *, definitions: bool) -> list[Span]:
+    """Where the name at a place is used, and where it is given if that is asked for."""
+    name = robot.names.at(page.source, offset)
+    if name is None:
+        return []
+    return [one.span for one in robot.names.same(name) if definitions or not one.is_definition]
+
+
+def _file(robot: Robot, page: Page, offset: int) -> Source | None:
+    """The file that an include, a mesh or a texture names at a place."""
+    here = cursor(page, offset)
+    node, written = here.node, here.attribute
+    if here.place != "value" or node is None or written is None or written.name != "filename":
+        return None
+    if node.name not in ("mesh", "texture", "xacro:include"):
+        return None
+    name = robot.names.at(page.source, offset)
+    if name is not None and name.kind == "package":
+        return None  # the cursor is on the package
+    value = written.value
+    for found in robot.expanded(node.source, node.start, "filename"):
+        value = found.value
+    if node.name == "xacro:include":
+        value = _FIND.sub(r"package://\1", value).replace("$(dirname)/", "")
+    located = robot.resolver.locate(value, node.source.path, robot.path)
+    if located.path is None:
+        return None
+    return Source(located.path, b"")  # opened by the editor; only the path counts
+
+
+# ------------------------------------------------------------------- renaming
+
+
+def renamable(robot: Robot, page: Page, offset: int) -> Name:
+    """The name at a place, if it can be changed everywhere.
+
+    Raises:
+        CannotRename: with the reason.
+    """
+    name = robot.names.at(page.source, offset)
+    if name is None or name.kind == "package":
+        raise CannotRename("there is no name here that can be changed")
+    same = robot.names.same(name)
+    if not any(one.is_definition for one in same):
+        raise CannotRename(f"'{name.text}' is given nowhere in this robot")
+    for one in same:
+        if one.is_computed:
+            place = f"{os.path.basename(one.span.source.path)}:{one.span.line}"
+            raise CannotRename(f"'{one.text}' at {place} is made by an expression; change it there")
+    return name
+
+
+def rename(robot: Robot, page: Page, offset: int, new: str) -> list[Edit]:
+    """The edits that give the name at a place another text.
+
+    Raises:
+        CannotRename: with the reason.
+    """
+    name = renamable(robot, page, offset)
+    if name.kind in ("macro", "property", "parameter", "arg") and not _IDENTIFIER.fullmatch(new):
+        raise CannotRename(f"'{new}' is no name for a {name.kind}: letters, digits and '_'")
+    if not new.strip() or set(new) & set("<>&\"'${}") or new != new.strip():
+        raise CannotRename(f"'{new}' cannot be a name")
+    same = robot.names.same(name)
+    kinds = {one.kind for one in same if one.is_definition}
+    if new in robot.given(*kinds):
+        raise CannotRename(f"there is a {name.kind} '{new}' already")
+    return [Edit(one.span, new) for one in same]

@@ -1,0 +1,116 @@
+"""The outline of a file: the kinematic tree of what it makes, and what else it defines."""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.document import Element
+from urdfkit.lsp.markup import Node, Page
+from urdfkit.lsp.workspace import Robot
+from urdfkit.model import Joint, Link
+from urdfkit.source import Span
+
+#: Joints in one another; what hangs deeper is listed beside the rest.
+MAX_DEPTH = 60
+
+_DEFINITIONS = {
+    "xacro:macro": "macro",
+    "xacro:property": "property",
+    "xacro:arg": "argument",
+    "material": "material",
+    "gazebo": "gazebo",
+    "transmission": "transmission",
+    "ros2_control": "transmission",
+    "group": "group",
+    "group_state": "group",
+}
+
+
+class Entry:
+    """An entry of the outline.
+
+    Attributes:
+        name: shown.
+        detail: shown beside it.
+        kind: ``robot``, ``link``, ``joint``, ``macro``, ``property`` and so on.
+        span: the element, or the macro call in this file that makes it.
+        children: below it.
+    """
+
+    __slots__ = ("children", "detail", "kind", "name", "span")
+
+    def __init__(self, name: str, detail: str, kind: str, span: Span) -> None:
+        self.name = name or "?"
+        self.detail = detail
+        self.kind = kind
+        self.span = span
+        self.children: list[Entry] = []
+
+
+def outline(robot: Robot, page: Page) -> list[Entry]:
+    """The entries of a file."""
+    top = [_definition(node) for node in page.nodes if _is_definition(node)]
+    if robot.document is None:
+        plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]
+        return top + [Entry(node.get("name"), "", node.name, node.span) for node in plain]
+    return [*_tree(robot, page), *top]
+
+
+def _is_definition(node: Node) -> bool:
+    return node.name in _DEFINITIONS and (_is_top(node) or node.name.startswith("xacro:"))
+
+
+def _is_top(node: Node) -> bool:
+    return node.parent is not None and node.parent.name in ("robot", "xacro:if", "xacro:unless")
+
+
+def _definition(node: Node) -> Entry:
+    name = node.get("name") or node.get("reference") or node.name
+    detail = node.get("value") or node.get("default") or node.get("params")
+    return Entry(name, " ".join(detail.split())[:80], _DEFINITIONS[node.name], node.span)
+
+
+def _tree(robot: Robot, page: Page) -> list[Entry]:
+    """The links and joints that a file makes, each below what it hangs on."""
+    model, tree = robot.subject.model, robot.subject.tree
+    tops: list[Entry] = []
+    seen: set[str] = set()
+    names = [*(link.name for link in tree.roots), *model.links_by_name]  # the rest are loops
+    stack = [(name, tops, 0) for name in reversed(names)]
+    while stack:
+        name, holder, depth = stack.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        holder = _add(holder if depth < MAX_DEPTH else tops, model.links_by_name[name], page)
+        below = [(joint.child, _add(holder, joint, page)) for joint in tree.children[name]]
+        stack += [(child.value, inner, depth + 2) for child, inner in reversed(below) if child]
+    for joint in model.joints:
+        ends = tree.ends(joint)
+        if ends is None or ends[0] == ends[1]:
+            _add(tops, joint, page)
+    return tops
+
+
+def _add(holder: list[Entry], part: Link | Joint, page: Page) -> list[Entry]:
+    """Add an entry if the file makes the part; the list for what hangs on it."""
+    span = _here(part.at, page)
+    if span is None:
+        return holder
+    if isinstance(part, Link):
+        entry = Entry(part.name, f"{part.mass:g} kg" if part.mass else "", "link", span)
+    else:
+        entry = Entry(part.name, part.kind, "joint", span)
+    holder.append(entry)
+    return entry.children
+
+
+def _here(element: Element, page: Page) -> Span | None:
+    """Where a file makes an element: its own place, or the outermost call in this file."""
+    path = os.path.realpath(page.source.path)
+    for step in element.via:
+        if step.kind != "include" and os.path.realpath(step.span.source.path) == path:
+            return step.span
+    if os.path.realpath(element.span.source.path) == path:
+        return element.tag_at.whole_span
+    return None

@@ -1,0 +1,62 @@
+"""Places as editors have them: lines from 0, and characters counted in units of an encoding."""
+
+from __future__ import annotations
+
+import os
+from urllib.parse import quote, unquote, urlsplit
+
+from lsprotocol.types import Location, Position, PositionEncodingKind, Range
+
+from urdfkit.source import Source, Span
+
+_BYTES = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: ("utf-16-le", 2)}
+
+
+class Places:
+    """Translates places.
+
+    Args:
+        encoding: whose units the client counts.
+    """
+
+    def __init__(self, encoding: str = PositionEncodingKind.Utf16) -> None:
+        self._codec, self._size = _BYTES.get(PositionEncodingKind(encoding), ("utf-32-le", 4))
+
+    def position(self, source: Source, offset: int) -> Position:
+        """The position of a byte."""
+        line, column = source.position(offset)
+        before = source.line(line)[: column - 1]
+        return Position(line - 1, len(before.encode(self._codec, "replace")) // self._size)
+
+    def offset(self, source: Source, position: Position) -> int:
+        """The byte at a position; the nearest there is."""
+        if position.line >= source.position(len(source.data))[0]:
+            return len(source.data)
+        text = source.line(position.line + 1).encode(self._codec, "replace")
+        before = text[: position.character * self._size].decode(self._codec, "ignore")
+        return source.offset(position.line + 1, len(before) + 1)
+
+    def range(self, span: Span) -> Range:
+        return Range(self.position(span.source, span.start), self.position(span.source, span.end))
+
+    def location(self, span: Span, uris: dict[str, str] | None = None) -> Location:
+        """A place in a file, under the URI by which the client knows it."""
+        path = os.path.realpath(span.source.path)
+        return Location((uris or {}).get(path) or to_uri(path), self.range(span))
+
+
+def to_uri(path: str) -> str:
+    """The URI of a file."""
+    path = os.path.abspath(path).replace(os.sep, "/")
+    return "file://" + ("" if path.startswith("/") else "/") + quote(os.fsencode(path))
+
+
+def to_path(uri: str) -> str:
+    """The path of a URI; for one that is no file's, such as of a text without a name, the URI."""
+    parts = urlsplit(uri)
+    if parts.scheme != "file":
+        return uri
+    path = unquote(parts.path, errors="surrogateescape")
+    if os.name == "nt":
+        path = path.lstrip("/").replace("/", os.sep)
+    return path

@@ -1,0 +1,283 @@
+"""The texts that an editor holds, the robots that they are part of, and what is wrong with those.
+
+Nothing here speaks the protocol; one thread uses it.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from functools import cache, cached_property
+
+from urdfkit import rules
+from urdfkit.config import Config, load, nearest
+from urdfkit.config import Robot as EntryPoint
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.discovery import affected
+from urdfkit.document import Attribute, Document
+from urdfkit.engine import check
+from urdfkit.errors import UrdfkitError
+from urdfkit.expansion import Xacro, expand
+from urdfkit.lsp.markup import Page
+from urdfkit.lsp.names import Names
+from urdfkit.model import RobotModel
+from urdfkit.reading import is_launch
+from urdfkit.record import Record
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
+
+#: Robots that are checked when a file of macros changes; the others wait for their own turn.
+MAX_ROBOTS = 8
+#: What takes too long for every key that is pressed.
+_SLOW = frozenset(("meshes", "dynamics", "collision"))
+
+
+class Checked(Record):
+    """What is wrong with the robots of a file.
+
+    Attributes:
+        diagnostics: by real path, of every file in which there are some.
+        trouble: why something could not be checked; empty if all was.
+    """
+
+    diagnostics: dict[str, list[Diagnostic]]
+    trouble: str = ""
+
+
+class Robot:
+    """One description and what can be asked about it, for the texts as they are.
+
+    Args:
+        entry: the file and its arguments.
+        resolver: has the texts.
+        config: of the project.
+        before: the same robot before the last change, for the names of a text that is broken.
+    """
+
+    def __init__(
+        self, entry: EntryPoint, resolver: Resolver, config: Config, before: Robot | None
+    ) -> None:
+        self.path = entry.file
+        self.resolver = resolver
+        arguments = {**config.arguments, **entry.arguments}
+        self.subject = Subject(resolver.read(entry.file), resolver, arguments, trust=config.trust)
+        if before is not None and before.document is None:
+            before = before.before
+        self.before: Robot | None = before if self.document is None else None
+        self._others: dict[str, Source] = {}
+
+    @cached_property
+    def document(self) -> Document | None:
+        """Expanded; None while it cannot be read."""
+        return None if is_launch(self.path) else self.subject.reading.document
+
+    @property
+    def model(self) -> RobotModel | None:
+        """The robot; while it cannot be read, what it was before."""
+        if self.document is not None:
+            return self.subject.model
+        return self.before.model if self.before else None
+
+    @cached_property
+    def sources(self) -> dict[str, Source]:
+        """Its texts by real path."""
+        xacro = None if is_launch(self.path) else self.subject.reading.xacro
+        sources = xacro.sources if xacro else (self.subject.source,)
+        return {os.path.realpath(source.path): source for source in sources}
+
+    @cached_property
+    def names(self) -> Names:
+        """The names in its texts, and in those that it had before it broke."""
+        pages = [Page(source) for source in self.sources.values()]
+        before = self.before.sources if self.before else {}
+        pages += [Page(self.source(path)) for path in before if path not in self.sources]
+        return Names(pages, self.document)
+
+    def source(self, path: str) -> Source:
+        """One of its texts; of a file that it does not read at the moment, too."""
+        real = os.path.realpath(path)
+        found = self.sources.get(real) or self._others.get(real)
+        if found is None:
+            found = self._others[real] = self.resolver.read(path)
+        return found
+
+    def page(self, path: str) -> Page:
+        """The elements of one of its texts."""
+        source = self.source(path)
+        pages = self.names.pages
+        if source.path not in pages:
+            pages[source.path] = Page(source)
+        return pages[source.path]
+
+    def given(self, *kinds: str) -> list[str]:
+        """The names of some kinds that it gives; while it is broken, those of before as well."""
+        found = set(self.names.given(*kinds))
+        if self.before is not None:
+            found.update(self.before.names.given(*kinds))
+        return sorted(found)
+
+    @cached_property
+    def _written(self) -> dict[tuple[str, int, str], list[Attribute]]:
+        found: dict[tuple[str, int, str], list[Attribute]] = {}
+        xacro = self.traced
+        document = xacro.document if xacro else self.document
+        for element in document.root.walk() if document else ():
+            at = element.tag_at
+            for attribute in element.attributes.values():
+                key = (os.path.realpath(at.source.path), at.start, attribute.name)
+                found.setdefault(key, []).append(attribute)
+        return found
+
+    @cached_property
+    def traced(self) -> Xacro | None:
+        """The xacro expanded once more, with the origin of every value; None of a plain URDF."""
+        if self.document is None or self.subject.reading.xacro is None:
+            return None
+        subject = self.subject
+        return expand(
+            subject.source, self.resolver, subject.arguments, trust=subject.trust, traced=True
+        )
+
+    def expanded(self, source: Source, start: int, name: str) -> list[Attribute]:
+        """What an attribute of the tag at a place became: an attribute for every call."""
+        return self._written.get((os.path.realpath(source.path), start, name), [])
+
+
+class Workspace:
+    """The texts of an editor."""
+
+    def __init__(self) -> None:
+        self.texts: dict[str, bytes] = {}
+        self._entries: dict[str, tuple[EntryPoint, ...]] = {}
+        self._configs: dict[str, tuple[Config, str]] = {}
+        self._robots: dict[str, Robot] = {}
+        self._before: dict[str, Robot] = {}
+        self._found: dict[str, dict[str, list[Diagnostic]]] = {}
+
+    def set_text(self, path: str, text: bytes) -> None:
+        """A file is opened or changed."""
+        if self.texts.get(path) != text:
+            self.texts[path] = text
+            self._forget_robots()
+
+    def close(self, path: str) -> None:
+        """A file is closed: what is on disk counts again."""
+        self.texts.pop(path, None)
+        self.look_again()
+
+    def look_again(self) -> None:
+        """Files on disk have changed."""
+        self._entries.clear()
+        self._configs.clear()
+        self._forget_robots()
+
+    def _forget_robots(self) -> None:
+        self._before.update(self._robots)
+        self._robots.clear()
+
+    def config(self, path: str) -> tuple[Config, str]:
+        """The configuration for a file, and what is wrong with it; never a trusting one."""
+        folder = os.path.dirname(path)
+        if folder not in self._configs:
+            trouble, found = "", Config()
+            try:
+                file = nearest(path)
+                found = load(file, trusted=False) if file else found
+            except UrdfkitError as error:
+                trouble = str(error)
+            self._configs[folder] = found, trouble
+        return self._configs[folder]
+
+    def entries(self, path: str) -> tuple[EntryPoint, ...]:
+        """The robots that a file is part of; itself if there are none."""
+        if path not in self._entries:
+            self._entries[path] = self._find_entries(path)
+        return self._entries[path]
+
+    def _find_entries(self, path: str) -> tuple[EntryPoint, ...]:
+        alone = (EntryPoint(path, "", {}),)
+        if is_launch(path) or not os.path.isdir(os.path.dirname(path)):
+            return alone
+        config, _ = self.config(path)
+        try:
+            found = affected([path], config, self._resolver(config)).robots
+        except UrdfkitError:
+            return alone
+        own = tuple(robot for robot in found if os.path.realpath(robot.file) == path)
+        return own or found or alone
+
+    def robot(self, path: str) -> Robot:
+        """The first robot that a file is part of.
+
+        Raises:
+            UrdfkitError: its file cannot be read.
+        """
+        entry = self.entries(path)[0]
+        if entry.file not in self._robots:
+            config, _ = self.config(path)
+            before = self._before.pop(entry.file, None)
+            self._robots[entry.file] = Robot(entry, self._resolver(config), config, before)
+        return self._robots[entry.file]
+
+    def _resolver(self, config: Config) -> Resolver:
+        return Resolver(config.packages, texts=self.texts)
+
+    def check(self, path: str, *, thorough: bool = False) -> Checked:
+        """Check the robots of a file.
+
+        Args:
+            path: of the file.
+            thorough: run the rules that open meshes or compute dynamics, too.
+        """
+        config, trouble = self.config(path)
+        before = set(self._files())
+        roots = dict.fromkeys(entry.file for entry in self.entries(path))
+        for root in list(roots)[:MAX_ROBOTS]:
+            try:
+                found = self._check_root(root, config, thorough=thorough)
+            except UrdfkitError as error:
+                trouble, found = trouble or str(error), []
+            by_file: dict[str, list[Diagnostic]] = {}
+            for diagnostic in found:
+                file = os.path.realpath(diagnostic.span.source.path)
+                by_file.setdefault(file, []).append(diagnostic)
+            self._found[root] = by_file
+        files = before | set(self._files()) | {path}
+        return Checked({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
+
+    def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
+        ignore = () if thorough else slow_rules()
+        return check(root, config=config, texts=self.texts, ignore=ignore).diagnostics
+
+    def _files(self) -> Iterator[str]:
+        return (file for by_file in self._found.values() for file in by_file)
+
+    def _of_file(self, file: str) -> Iterator[Diagnostic]:
+        """The findings in a file; what several robots have is told in the words of the first."""
+        told: set[tuple[str, int, int]] = set()
+        for by_file in self._found.values():
+            fresh = [one for one in by_file.get(file, ()) if _key(one) not in told]
+            told.update(map(_key, fresh))
+            yield from fresh
+
+    def diagnostics(self, path: str) -> list[Diagnostic]:
+        """What the last check found in a file, as far as its text is still the same."""
+        text = self.texts.get(path)
+        return [
+            diagnostic
+            for diagnostic in self._of_file(path)
+            if text is None or diagnostic.span.source.data == Source(path, text).data
+        ]
+
+
+@cache
+def slow_rules() -> list[str]:
+    """The codes of the rules that are not run for every key; this imports all rules."""
+    return [
+        rule.code for rule in rules.all_rules() if any(need.value in _SLOW for need in rule.needs)
+    ]
+
+
+def _key(diagnostic: Diagnostic) -> tuple[str, int, int]:
+    return (diagnostic.code, diagnostic.span.start, diagnostic.span.end)
