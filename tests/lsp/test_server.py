@@ -21,7 +21,6 @@ from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
 from urdfkit.lsp.text import to_uri
 
-
 #: Seconds that a test waits for anything.
 PATIENCE = 30
 
@@ -37,16 +36,16 @@ class Editor:
         self._news = asyncio.Condition()
         self.initialized: Any = None
 
-        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(self._take)
-        self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(self._hear)
+        async def take(params: lsp.PublishDiagnosticsParams) -> None:
+            async with self._news:
+                self.found[params.uri] = list(params.diagnostics)
+                self._news.notify_all()
 
-    async def _take(self, params: lsp.PublishDiagnosticsParams) -> None:
-        async with self._news:
-            self.found[params.uri] = list(params.diagnostics)
-            self._news.notify_all()
+        def hear(params: lsp.ShowMessageParams) -> None:
+            self.messages.append(params.message)
 
-    def _hear(self, params: lsp.ShowMessageParams) -> None:
-        self.messages.append(params.message)
+        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
+        self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(hear)
 
     async def start(self, encoding: str | None = None) -> None:
         await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
