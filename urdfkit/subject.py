@@ -13,6 +13,7 @@ from urdfkit.source import Source
 
 if TYPE_CHECKING:
     from urdfkit.diagnostic import Diagnostic
+    from urdfkit.dynamics.robot import Dynamics
     from urdfkit.expansion import Xacro
     from urdfkit.files import Files
     from urdfkit.gazebo import Conversion
@@ -128,6 +129,17 @@ class Subject:
         if self.reading.document is None:
             raise Unavailable("the description cannot be read")
         return self.reading.document
+
+    @property
+    def text(self) -> bytes:
+        """The URDF, expanded.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.xacro is None:
+            return self.source.data
+        return self.xacro.text().encode("utf-8", "replace")
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
@@ -250,6 +262,24 @@ class Subject:
         from urdfkit.masses import Masses
 
         return Masses(self.model, self.tree)
+
+    @cached_property
+    def dynamics(self) -> Dynamics:
+        """The robot in Pinocchio.
+
+        Raises:
+            Unavailable: Pinocchio is not installed, or cannot hold the robot.
+        """
+        try:
+            from urdfkit.dynamics.robot import Dynamics, Unsuitable
+        except ImportError as error:
+            raise Unavailable(
+                f"Pinocchio is not installed ({error}): pip install 'urdfkit[dynamics]'"
+            ) from error
+        try:
+            return Dynamics(self.tree)
+        except Unsuitable as reason:
+            raise Unavailable(str(reason)) from reason
 
     @cached_property
     def files(self) -> Files:

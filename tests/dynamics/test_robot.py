@@ -1,0 +1,261 @@
+"""Dynamics against closed forms, against Pinocchio's own reading and against numpy alone."""
+
+from __future__ import annotations
+
+import time
+from math import cos, pi, sin
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+np = pytest.importorskip("numpy")
+pin = pytest.importorskip("pinocchio")
+
+from tests import update_corpus_findings as corpus_findings  # noqa: E402
+from tests.conftest import MODELS, manifest, model_id  # noqa: E402
+from tests.dynamics import oracle  # noqa: E402
+from tests.jointed import limit, mimic  # noqa: E402
+from tests.massive import inertial, joint, link  # noqa: E402
+from tests.test_kinematics import tree  # noqa: E402
+from urdfkit import inertia  # noqa: E402
+from urdfkit.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable  # noqa: E402
+from urdfkit.kinematics import positions  # noqa: E402
+from urdfkit.loading import read  # noqa: E402
+from urdfkit.model import Tensor  # noqa: E402
+from urdfkit.overview import structure  # noqa: E402
+from urdfkit.resolve import Resolver  # noqa: E402
+from urdfkit.source import Source  # noqa: E402
+from urdfkit.subject import Subject  # noqa: E402
+
+G = 9.81
+
+
+def exactly(expected: Any) -> Any:
+    return pytest.approx(expected, rel=1e-10, abs=1e-12)
+
+
+def dynamics(text: str, **options: Any) -> Dynamics:
+    return Dynamics(tree(text), **options)
+
+
+def moving(
+    parent: str, child: str, kind: str, axis: str, xyz: str = "0 0 0", more: str = ""
+) -> str:
+    """A joint with an axis, called after its child."""
+    bounds = limit("-3", "3") if kind in ("revolute", "prismatic") else ""
+    return (
+        f'<joint name="{child}_joint" type="{kind}"><origin xyz="{xyz}"/><parent link="{parent}"/>'
+        f'<child link="{child}"/><axis xyz="{axis}"/>{bounds}{more}</joint>\n'
+    )
+
+
+# --- closed forms
+
+
+@pytest.mark.parametrize("kind", ["revolute", "continuous"])
+@pytest.mark.parametrize("q", [0.0, 0.4, -pi / 2, 3.0])
+def test_a_pendulum(kind: str, q: float) -> None:
+    """2 kg at 0.7 m, swinging about y, hanging along -z at 0."""
+    text = link("base", inertial(5, (1, 1, 1))) + link(
+        "bob", inertial(2, (0.01, 0.02, 0.03), xyz="0 0 -0.7")
+    )
+    pendulum = dynamics(text + moving("base", "bob", kind, "0 1 0"))
+    pose = {"bob_joint": q}
+    assert pendulum.columns == ("bob_joint",)
+    assert pendulum.gravity(pose) == exactly([2 * G * 0.7 * sin(q)])
+    assert pendulum.mass_matrix(pose) == exactly(np.array([[2 * 0.49 + 0.02]]))
+    assert pendulum.mass_properties(pose).mass == 7
+    x, _, z = pendulum.mass_properties(pose).center
+    assert (x, z) == exactly((-2 * 0.7 * sin(q) / 7, -2 * 0.7 * cos(q) / 7))
+
+
+@pytest.mark.parametrize(
+    ("tensor", "expected"),
+    [
+        (inertia.box(3, (0.1, 0.2, 0.3)), (3 * 0.13 / 12, 3 * 0.1 / 12, 3 * 0.05 / 12)),
+        (inertia.cylinder(3, 0.1, 0.4), (3 * 0.19 / 12, 3 * 0.19 / 12, 3 * 0.01 / 2)),
+    ],
+    ids=["box", "cylinder"],
+)
+def test_solids_turned_about_their_axes(
+    tensor: Tensor, expected: tuple[float, float, float]
+) -> None:
+    for axis, moment in zip(("1 0 0", "0 1 0", "0 0 1"), expected, strict=True):
+        text = link("base", inertial(1, (1, 1, 1))) + link("body", inertial(3, tuple(tensor)))
+        body = dynamics(text + moving("base", "body", "continuous", axis))
+        assert body.mass_matrix({"body_joint": 1.1}) == exactly(np.array([[moment]]))
+
+
+@pytest.mark.parametrize("q", [(0.0, 0.0), (0.3, -0.8), (-1.2, 1.7)])
+def test_a_two_link_arm(q: tuple[float, float]) -> None:
+    """The textbook's mass matrix and torques of the arm that swings about y, upright at 0."""
+    arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
+    pose = {"shoulder": q[0], "elbow": q[1]}
+    m1, m2, c1, c2, length, i1, i2 = 1.5, 0.7, 0.15, 0.125, 0.36, 0.01185, 0.00380333
+    last = i2 + m2 * c2 * c2
+    cross = m2 * (c2 * c2 + length * c2 * cos(q[1])) + i2
+    first = i1 + m1 * c1 * c1 + i2 + m2 * (length * length + c2 * c2 + 2 * length * c2 * cos(q[1]))
+    expected = np.array([[first, cross], [cross, last]])
+    assert arm.mass_matrix(pose) == exactly(expected)
+    elbow = -m2 * G * c2 * sin(q[0] + q[1])
+    shoulder = -(m1 * c1 + m2 * length) * G * sin(q[0]) + elbow
+    assert arm.gravity(pose) == exactly([shoulder, elbow])
+    jacobian = arm.jacobian("forearm", pose)
+    assert jacobian[:, 0] == exactly([length * cos(q[0]), 0, -length * sin(q[0]), 0, 1, 0])
+    assert jacobian[:, 1] == exactly([0, 0, 0, 0, 1, 0])
+    placement = arm.placement("forearm", pose)
+    assert placement[:3, 3] == exactly([length * sin(q[0]), 0, 0.145 + length * cos(q[0])])
+
+
+def test_a_slide_lifts_what_hangs_on_it_and_its_payload() -> None:
+    text = link("base", inertial(1, (1, 1, 1))) + link("cage", inertial(4, (1, 1, 1)))
+    text += link("hook", inertial(0.5, (1, 1, 1))) + joint("cage", "hook", xyz="0.3 0 0")
+    lift = dynamics(text + moving("base", "cage", "prismatic", "0 0 1"), payload={"hook": 1.5})
+    assert lift.gravity({}) == exactly([6 * G])
+    assert lift.mass_properties().mass == 7
+
+
+def test_followers_in_front_of_their_leader_and_on_another_branch() -> None:
+    """Traps: Pinocchio's reader refuses a follower before its leader, or ignores mimic at all."""
+    ball = inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    text = link("base", inertial(1, (1, 1, 1))) + link("b", ball) + link("a", ball)
+    text += moving("base", "b", "revolute", "0 1 0", more=mimic("a_joint", 'multiplier="-2"'))
+    text += moving("base", "a", "continuous", "0 1 0")
+    both = dynamics(text)
+    assert both.columns == ("a_joint",)
+    assert (both.nq, both.nv) == (2, 1)
+    # V = -2 g 0.5 (sin q - sin 2q): the follower at -2 q rises where the leader sinks.
+    expected = -2 * G * 0.5 * (cos(0.3) - 2 * cos(0.6))
+    assert both.gravity({"a_joint": 0.3}) == exactly([expected])
+    about = 0.1 + 2 * 0.25
+    assert both.mass_matrix({}) == exactly(np.array([[about + 4 * about]]))
+
+
+def test_what_follows_nobody_stands_still() -> None:
+    text = link("base", inertial(1, (1, 1, 1))) + link("a", inertial(1, (1, 1, 1)))
+    still = dynamics(text + moving("base", "a", "revolute", "0 1 0", more=mimic("a_joint")))
+    assert still.columns == ()
+    assert still.gravity({}).shape == (0,)
+    assert still.mass_matrix({}).shape == (0, 0)
+
+
+# --- the traps of Pinocchio
+
+
+def test_the_root_s_mass_counts() -> None:
+    """A model with a fixed base says 2 kg of the mission's 10.2301 kg."""
+    robot = read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+    assert robot.dynamics.mass_properties().mass == pytest.approx(10.2301, rel=1e-12)
+    assert (robot.dynamics.nq, robot.dynamics.nv) == (8, 4)
+    fixed = pin.buildModelFromXML(robot.text.decode())
+    assert pin.computeTotalMass(fixed) == pytest.approx(2.0)
+
+
+def test_names_that_pinocchio_has_itself_are_names_as_any() -> None:
+    text = link("universe", inertial(1, (1, 1, 1))) + link("root_joint", inertial(2, (1, 1, 1)))
+    text += moving("universe", "root_joint", "continuous", "0 0 1").replace(
+        "root_joint_joint", "universe"
+    )
+    odd = dynamics(text)
+    assert odd.columns == ("universe",)
+    assert odd.mass_properties().mass == 3
+    assert odd.placement("root_joint", {"universe": pi})[0, 0] == pytest.approx(-1)
+
+
+def test_what_pinocchio_takes_silently_is_taken() -> None:
+    """Negative masses, tensors of no body, no axis: rules tell them, and nothing crashes."""
+    text = link("base", inertial(-1, (-1, 1, 1))) + link("a", inertial(0, (0, 0, 0)))
+    silly = dynamics(text + moving("base", "a", "revolute", "0 0 0"))
+    assert silly.mass_properties().mass == -1
+    assert silly.gravity({}) == pytest.approx([0])
+
+
+@pytest.mark.parametrize("xyz", ["1e300 0 0", "0 -1e31 0"])
+def test_numbers_of_no_robot_are_refused(xyz: str) -> None:
+    text = link("base") + link("a", inertial(1, (1, 1, 1)))
+    with pytest.raises(Unsuitable, match="farther away than any robot is large"):
+        dynamics(text + moving("base", "a", "continuous", "0 0 1", xyz=xyz))
+    with pytest.raises(Unsuitable, match="link 'a' has a mass, place or inertia beyond"):
+        dynamics(link("a", inertial(1, (1, 1, 1), xyz=xyz)))
+    with pytest.raises(Unsuitable, match="link 'a' has a mass, place or inertia beyond"):
+        dynamics(link("a", inertial(1e300, (1, 1, 1))))
+
+
+def test_graphs_that_are_no_tree_are_refused() -> None:
+    for text in ("<gazebo/>", link("a") + link("b"), link("a") + link("a")):
+        with pytest.raises(Unsuitable, match="do not form one tree"):
+            dynamics(text)
+
+
+def test_too_many_joints_are_refused_at_once() -> None:
+    """600 in a row would take Pinocchio 15 GB and minutes."""
+    text = link("l0") + "".join(
+        link(f"l{n + 1}") + moving(f"l{n}", f"l{n + 1}", "continuous", "0 0 1")
+        for n in range(MAX_JOINTS + 1)
+    )
+    start = time.process_time()
+    with pytest.raises(Unsuitable, match=f"more than {MAX_JOINTS} joints that move"):
+        dynamics(text)
+    assert time.process_time() - start < 2
+
+
+def test_an_unknown_link_is_told() -> None:
+    arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
+    with pytest.raises(Unsuitable, match="there is no link 'foream'; did you mean 'forearm'"):
+        arm.jacobian("foream", {})
+    with pytest.raises(Unsuitable, match="there is no link 'foream'"):
+        Dynamics(arm.tree, {"foream": 1.0})
+
+
+# --- every model of the corpus
+
+
+ENTRIES = [
+    entry for entry in manifest() if "expect" in entry[1] and "fail_" not in entry[1]["path"]
+]
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
+def test_real_robots_by_three_ways(entry: tuple[Path, dict[str, Any]]) -> None:
+    """nq, nv, mass and centre: ours, Pinocchio's own reading, and numpy without either."""
+    folder, model = entry
+    source = Source.read(folder / model["path"])
+    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    if not subject.tree.is_sound:
+        with pytest.raises(Unsuitable):
+            Dynamics(subject.tree)
+        return
+    ours = Dynamics(subject.tree)
+    joints = subject.model.joints
+    pose = {one.name: 0.1 * (number % 7) for number, one in enumerate(joints) if not one.mimic}
+    free = {name: value for name, value in pose.items() if name in positions(subject.tree, {})}
+    for given in ({}, free):
+        mass, center = oracle.mass_and_center(subject.text, positions(subject.tree, given))
+        found = ours.mass_properties(given)
+        assert found.mass == pytest.approx(mass, rel=1e-9, abs=1e-12)
+        assert found.center == pytest.approx(tuple(center), rel=1e-9, abs=1e-9)
+        whole = overview_of(subject, given)
+        assert whole.mass == pytest.approx(mass, rel=1e-9, abs=1e-12)
+        assert whole.center == pytest.approx(tuple(center), rel=1e-9, abs=1e-9)
+    try:
+        theirs = pin.buildModelFromXML(subject.text.decode(), pin.JointModelFreeFlyer())
+    except ValueError:
+        assert not model["expect"]["pinocchio"]["ok"]
+        return
+    data = theirs.createData()
+    assert (ours.model.nq, ours.model.nv) == (theirs.nq, theirs.nv)
+    if not structure(subject.tree).followers:
+        assert (ours.nq, ours.nv) == (theirs.nq - 7, theirs.nv - 6)
+    mass, center = oracle.mass_and_center(subject.text, {})
+    assert pin.computeTotalMass(theirs) == pytest.approx(mass, rel=1e-9, abs=1e-12)
+    if mass:
+        q = pin.neutral(theirs)
+        assert pin.centerOfMass(theirs, data, q) == pytest.approx(center, rel=1e-9, abs=1e-9)
+
+
+def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
+    from urdfkit.kinematics import frames
+    from urdfkit.overview import _weight
+
+    return _weight(subject.model, frames(subject.tree, pose)).whole
