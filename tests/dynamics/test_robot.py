@@ -12,21 +12,21 @@ import pytest
 np = pytest.importorskip("numpy")
 pin = pytest.importorskip("pinocchio")
 
-from tests import update_corpus_findings as corpus_findings  # noqa: E402
-from tests.conftest import MODELS, manifest, model_id  # noqa: E402
-from tests.dynamics import oracle  # noqa: E402
-from tests.jointed import limit, mimic  # noqa: E402
-from tests.massive import inertial, joint, link  # noqa: E402
-from tests.test_kinematics import tree  # noqa: E402
-from urdfkit import inertia  # noqa: E402
-from urdfkit.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable  # noqa: E402
-from urdfkit.kinematics import positions  # noqa: E402
-from urdfkit.loading import read  # noqa: E402
-from urdfkit.model import Tensor  # noqa: E402
-from urdfkit.overview import structure  # noqa: E402
-from urdfkit.resolve import Resolver  # noqa: E402
-from urdfkit.source import Source  # noqa: E402
-from urdfkit.subject import Subject  # noqa: E402
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id
+from tests.dynamics import oracle
+from tests.jointed import limit, mimic
+from tests.massive import inertial, joint, link
+from tests.test_kinematics import tree
+from urdfkit import inertia
+from urdfkit.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
+from urdfkit.kinematics import positions
+from urdfkit.loading import read
+from urdfkit.model import Tensor
+from urdfkit.overview import structure
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject
 
 G = 9.81
 
