@@ -6,15 +6,18 @@ import time
 from math import cos, pi, sin, sqrt
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.conftest import MODELS
 from tests.jointed import joint, mimic, robot
 from urdfkit.examples import whole_robot
-from urdfkit.kinematics import Law, about, frames, laws, positions
+from urdfkit.kinematics import Law, UnknownLink, about, frames, laws, positions, transform
 from urdfkit.loading import load, read
 from urdfkit.model import RobotModel
 from urdfkit.reading import read_xml
 from urdfkit.source import Source
+from urdfkit.spatial import from_rpy, to_rpy
 from urdfkit.tree import KinematicTree
 
 
@@ -108,3 +111,38 @@ def test_the_gripper_s_fingers_move_together() -> None:
     (leader,) = (joint.name for joint in model.joints if joint.degrees_of_freedom)
     moved = positions(both, {leader: 0.01})
     assert set(map(abs, moved.values())) == {0.01}
+
+
+def test_a_link_seen_from_another_one() -> None:
+    """From the forearm, turned by a right angle, the base is behind and beside it."""
+    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree
+    pose = {"shoulder": pi / 2}
+    seen = transform(arm, pose, "base", "forearm")
+    assert seen.position == pytest.approx((0.145, 0, -0.36), abs=1e-15)
+    back = seen @ transform(arm, pose, "forearm", "base")
+    assert back.position == pytest.approx((0, 0, 0), abs=1e-15)
+
+
+def test_where_no_link_is_and_no_way_leads() -> None:
+    two = tree('<link name="a"/><link name="b"/>')
+    with pytest.raises(UnknownLink, match="there is no way from link 'a' to link 'b'"):
+        transform(two, {}, "b", "a")
+    with pytest.raises(UnknownLink, match="there is no link 'armm'; did you mean 'arm'"):
+        transform(tree('<link name="arm"/>'), {}, "armm", "arm")
+
+
+@given(st.tuples(*[st.floats(-pi, pi)] * 3))
+def test_roll_pitch_and_yaw_come_back_as_the_same_rotation(angles: tuple[float, ...]) -> None:
+    rotation = from_rpy(*angles)
+    again = from_rpy(*to_rpy(rotation))
+    for row, other in zip(rotation, again, strict=True):
+        assert row == pytest.approx(other, abs=1e-8)
+
+
+@pytest.mark.parametrize("pitch", [pi / 2, -pi / 2])
+def test_a_pitch_of_a_right_angle_has_no_yaw(pitch: float) -> None:
+    rotation = from_rpy(0.3, pitch, -0.8)
+    roll, found, yaw = to_rpy(rotation)
+    assert [found, yaw] == pytest.approx([pitch, 0])
+    for row, other in zip(rotation, from_rpy(roll, found, yaw), strict=True):
+        assert row == pytest.approx(other, abs=1e-12)

@@ -8,10 +8,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import cos, isfinite, sin
 
+from urdfkit.errors import UrdfkitError
 from urdfkit.model import Joint, Mimic, length
+from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.tree import KinematicTree
+
+
+class UnknownLink(UrdfkitError):
+    """A link that is not there, or not where it is looked for."""
+
 
 #: The joints that one number moves.
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
@@ -106,6 +113,33 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
                     )
                     queue.append(child)
     return found
+
+
+def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Frame:
+    """Where a link is in the frame of another one.
+
+    Args:
+        tree: of the model.
+        given: positions of joints, as for `positions`.
+        link: name of the link.
+        seen: name of the link that it is seen from.
+
+    Raises:
+        UnknownLink: there is no such link, or no way between the two.
+    """
+    for name in (link, seen):
+        if name not in tree.model.links_by_name:
+            hint = did_you_mean(name, tree.model.links_by_name)
+            raise UnknownLink(f"there is no link '{name}'{hint}")
+    found = frames(tree, given)
+    if link not in found or seen not in found or _root(tree, link) != _root(tree, seen):
+        raise UnknownLink(f"there is no way from link '{seen}' to link '{link}'")
+    return found[seen].inverse @ found[link]
+
+
+def _root(tree: KinematicTree, link: str) -> str:
+    """The root that leads to a link; the first one, where there are several ways."""
+    return next(root.name for root in tree.roots if link in tree.below(root.name))
 
 
 def motion(joint: Joint, position: float) -> Frame:

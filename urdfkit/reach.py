@@ -12,7 +12,7 @@ from urdfkit.joints import bounds
 from urdfkit.kinematics import SLIDING, TURNING, direction, motion
 from urdfkit.model import Joint
 from urdfkit.record import Record
-from urdfkit.spatial import ORIGIN, Frame, Vector, cross, dot, rotate, transposed
+from urdfkit.spatial import ORIGIN, Vector, cross, dot
 from urdfkit.tree import KinematicTree
 
 #: Chains of more joints are no arms, and chains beyond so many are fingers of one hand.
@@ -139,15 +139,9 @@ def _bases(chain: list[Joint], pose: list[float]) -> list[Vector]:
     """The point of the first joint, in the frame of each joint at its zero."""
     bases: list[Vector] = [ORIGIN]
     for joint, position, following in zip(chain, pose, chain[1:], strict=False):
-        inner = _inverse(motion(joint, position), bases[-1])
-        bases.append(_inverse(following.origin, inner))
+        inner = motion(joint, position).inverse.apply(bases[-1])
+        bases.append(following.origin.inverse.apply(inner))
     return bases
-
-
-def _inverse(frame: Frame, point: Vector) -> Vector:
-    """A point of the parent frame in this frame."""
-    x, y, z = frame.position
-    return rotate(transposed(frame.rotation), (point[0] - x, point[1] - y, point[2] - z))
 
 
 def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, now: float) -> float:

@@ -6,7 +6,7 @@ becomes one in the parent frame by ``rotation @ vector``.
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import atan2, cos, hypot, sin
 
 from urdfkit.record import Record
 
@@ -32,6 +32,13 @@ class Frame(Record):
         x, y, z = rotate(self.rotation, point)
         return (x + self.position[0], y + self.position[1], z + self.position[2])
 
+    @property
+    def inverse(self) -> Frame:
+        """The frame of the parent in this one."""
+        back = transposed(self.rotation)
+        x, y, z = rotate(back, self.position)
+        return Frame(back, (-x, -y, -z))
+
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
     """Rotation about the fixed axes x, y, z in that order, as URDF's ``rpy`` means it."""
@@ -43,6 +50,19 @@ def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
         (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
         (-sp, cp * sr, cp * cr),
     )
+
+
+def to_rpy(rotation: Rotation) -> Vector:
+    """Roll, pitch and yaw of a rotation, as URDF's ``rpy`` means them.
+
+    Where the pitch is a right angle, roll and yaw turn about the same axis: the yaw is 0 then.
+    """
+    (xx, xy, _), (yx, yy, _), (zx, zy, zz) = rotation
+    flat = hypot(xx, yx)
+    pitch = atan2(-zx, flat)
+    if flat < 1e-9:
+        return (atan2(xy if zx < 0 else -xy, yy), pitch, 0.0)
+    return (atan2(zy, zz), pitch, atan2(yx, xx))
 
 
 def rotate(rotation: Rotation, vector: Vector) -> Vector:

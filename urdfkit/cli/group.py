@@ -21,6 +21,7 @@ COMMANDS = (
     "rules",
     "info",
     "tree",
+    "kinematics",
     "gazebo",
     "mesh",
     "migrate",

@@ -1,0 +1,62 @@
+"""The kinematics command: frames for all, matrices with Pinocchio."""
+
+from __future__ import annotations
+
+import json
+import sys
+from math import cos, pi, sin
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+
+
+def test_frames_at_a_pose(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["kinematics", ARM, "--joint", "shoulder=30deg"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-1].split() == ["forearm", "0.18", "0", "0.45677", "0", "30", "0"]
+
+
+def test_a_transform(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--transform", "upper_arm", "forearm", "--joint", "elbow=0.5", "--format", "json"]
+    assert main(["kinematics", ARM, *words]) == 0
+    found = json.loads(capsys.readouterr().out)["transform"]
+    assert found["position"] == [0, 0, 0.36]
+    assert found["rpy"] == pytest.approx([0, 0.5, 0])
+
+
+def test_matrices(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pinocchio")
+    words = ["--jacobian", "forearm", "--mass-matrix", "--joint", f"shoulder={pi / 3}"]
+    assert main(["kinematics", ARM, *words, "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["columns"] == ["shoulder", "elbow"]
+    assert [row[0] for row in found["jacobian"]] == pytest.approx(
+        [0.36 * cos(pi / 3), 0, -0.36 * sin(pi / 3), 0, 1, 0]
+    )
+    matrix = found["mass_matrix"]
+    assert matrix[0][1] == matrix[1][0]
+    assert main(["kinematics", ARM, *words]) == 0
+    assert "columns are shoulder, elbow" in capsys.readouterr().out
+
+
+def test_without_pinocchio_frames_are_there_and_matrices_say_what_is_missing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    assert main(["kinematics", ARM]) == 0
+    capsys.readouterr()
+    assert main(["kinematics", ARM, "--mass-matrix"]) == 2
+    assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["--transform", "mount", "forarm"], ["--jacobian", "forarm"]])
+def test_an_unknown_link_is_told(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    if "--jacobian" in words:
+        pytest.importorskip("pinocchio")
+    assert main(["kinematics", ARM, *words]) == 2
+    assert "did you mean 'forearm'?" in capsys.readouterr().err
