@@ -15,8 +15,9 @@ from tests.conftest import MODELS, ROOT
 #: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
 #: CHANGELOG.md, and think twice before adding one.
 NAMES = """
-Call Confidence Diagnostic Edit Fix Fixes Related Report RobotModel Rule Severity Source Span
-UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule fix load
+Call Confidence Diagnostic Edit Fix Fixes Formatted Related Report RobotModel Rule Severity
+Source Span UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule fix format_files
+load
 """.split()
 
 SIGNATURES = {
@@ -28,6 +29,7 @@ SIGNATURES = {
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],
     "fix": "files unsafe force options".split(),
+    "format_files": "files width force config".split(),
     "load": "file arguments packages trust".split(),
 }
 

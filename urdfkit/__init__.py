@@ -22,6 +22,7 @@ __all__ = [
     "Edit",
     "Fix",
     "Fixes",
+    "Formatted",
     "Related",
     "Report",
     "RobotModel",
@@ -37,6 +38,7 @@ __all__ = [
     "expand",
     "find_rule",
     "fix",
+    "format_files",
     "load",
 ]
 
@@ -57,6 +59,7 @@ if TYPE_CHECKING:
     from urdfkit.errors import UnreadableRobot, UrdfkitError
     from urdfkit.expansion import Xacro
     from urdfkit.fixing import Fixes, fix
+    from urdfkit.formatting import Formatted, format_files
     from urdfkit.loading import expand, load
     from urdfkit.model import RobotModel
     from urdfkit.rules import Rule, all_rules, find_rule
@@ -68,6 +71,7 @@ _HOMES = {
     "errors": "UnreadableRobot UrdfkitError",
     "expansion": "Xacro",
     "fixing": "Fixes fix",
+    "formatting": "Formatted format_files",
     "loading": "expand load",
     "model": "RobotModel",
     "rules": "Rule all_rules find_rule",

@@ -55,7 +55,7 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
     configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
     if configured:
         return Found(configured, ())
-    found = IncludeGraph(_descriptions(folder, config), resolver).entry_points()
+    found = IncludeGraph(descriptions(folder, config), resolver).entry_points()
     if not found.robots and not found.libraries:
         raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
     return found
@@ -77,7 +77,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
     robots: list[Robot] = []
     libraries: list[str] = []
     for folder, here in sorted(changed.items()):
-        graph = IncludeGraph(_descriptions(folder, config), resolver)
+        graph = IncludeGraph(descriptions(folder, config), resolver)
         found = graph.entry_points()
         known = [robot for robot in config.robots if _is_within(robot.file, folder)]
         # A configuration names the robots below itself; it knows nothing of others beside it.
@@ -117,7 +117,7 @@ def _package_folder(file: str, resolver: Resolver) -> str:
     return package[1] if package else os.path.dirname(file)
 
 
-def _descriptions(folder: str, config: Config) -> Iterator[str]:
+def descriptions(folder: str, config: Config) -> Iterator[str]:
     """The files below a folder that may be descriptions or parts of them, sorted."""
     if not os.path.isdir(folder):
         raise UnreadableFile(f"{folder}: no such folder")

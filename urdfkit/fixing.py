@@ -6,23 +6,23 @@ at the end, or not at all.
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
-from urdfkit import atomic
+from urdfkit import rewriting
 from urdfkit.config import Config
 from urdfkit.diagnostic import Diagnostic, Edit, Report
 from urdfkit.discovery import affected
 from urdfkit.engine import check
-from urdfkit.errors import UnreadableFile, UnwritableFile
+from urdfkit.errors import UnreadableFile
 from urdfkit.fixer import apply_edits, encoded, overlap
 from urdfkit.ownership import Ownership
 from urdfkit.record import Record
 from urdfkit.resolve import Resolver
+from urdfkit.rewriting import Rewrite, on_disk, shown
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
@@ -38,31 +38,6 @@ _LAST = ("INE", "XAC014")
 
 #: A finding in any round: its code, its file and its message, since places move.
 _Key = tuple[str, str, str]
-
-
-class FixedFile(Record):
-    """A file that fixes change.
-
-    Attributes:
-        path: as it was first found.
-        before, after: its bytes.
-    """
-
-    path: str
-    before: bytes
-    after: bytes
-
-    def diff(self) -> str:
-        """What changes, as a unified diff that ``patch -p0`` takes."""
-        before, after = (
-            Source(self.path, data).data.decode("utf-8", "replace").splitlines(keepends=True)
-            for data in (self.before, self.after)
-        )
-        lines = difflib.unified_diff(before, after, self.path, self.path)
-        return "".join(
-            line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
-            for line in lines
-        )
 
 
 class Left(Record):
@@ -87,7 +62,7 @@ class Fixes(Record):
         report: of the last check.
     """
 
-    files: tuple[FixedFile, ...]
+    files: tuple[Rewrite, ...]
     applied: tuple[Diagnostic, ...]
     left: tuple[Left, ...]
     report: Report
@@ -102,11 +77,7 @@ class Fixes(Record):
         Raises:
             UnwritableFile: a file may not be written, or has changed since it was read.
         """
-        for file in self.files:
-            if _on_disk(file.path) != file.before:
-                raise UnwritableFile(f"{file.path}: it has changed meanwhile; fix it again")
-        for file in self.files:
-            atomic.write(file.path, file.after)
+        rewriting.write(self.files)
 
 
 def fix(
@@ -227,7 +198,7 @@ class _Session:
         self._force = force
         self._resolver = resolver
         self._ownership = Ownership((), resolver)
-        self._originals: dict[str, FixedFile] = {}
+        self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[_Key, str] = {}
         self._applied: list[Diagnostic] = []
@@ -278,10 +249,10 @@ class _Session:
         """Why a file is not edited; empty if it may be."""
         real = _real(source)
         if real not in self._originals:
-            before = self._resolver.text(source.path) or _on_disk(source.path)
+            before = self._resolver.text(source.path) or on_disk(source.path)
             if before is None:
                 return "there is no such file"
-            self._originals[real] = FixedFile(_shown(source.path), before, before)
+            self._originals[real] = Rewrite(shown(source.path), before, before)
         if source.undecodable is not None:
             return "the file has bytes that are no text"
         original = self._originals[real].before
@@ -380,24 +351,9 @@ def _real(source: Source) -> str:
     return os.path.realpath(source.path)
 
 
-def _shown(path: str) -> str:
-    """A path as a user would type it, who is in a folder above the file or elsewhere."""
-    relative = os.path.relpath(path)
-    return path if relative.startswith(os.pardir) else relative
-
-
 def _encoded(text: bytes, source: Source, original: bytes) -> bytes | None:
     """A text in the encoding of its file; None if that lacks a character, or is no encoding."""
     try:
         return encoded(text, source.encoding, original)
     except (UnicodeError, LookupError):
-        return None
-
-
-def _on_disk(path: str) -> bytes | None:
-    """The bytes of a file; None if it cannot be read."""
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except (OSError, ValueError):
         return None

@@ -15,6 +15,7 @@ from urdfkit.cli.options import UsageError
 COMMANDS = (
     "check",
     "fix",
+    "format",
     "expand",
     "trace",
     "explain",

@@ -1,0 +1,62 @@
+"""``urdfkit format``: what it writes, says and exits with."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from tests.test_formatting import NEAT, UGLY
+from urdfkit.cli import main
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    file = tmp_path / "r.urdf"
+    file.write_text(UGLY)
+    return file
+
+
+def test_a_file_is_laid_out_once(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["format", str(robot)]) == 0
+    assert robot.read_text() == NEAT
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err == f"laid out: {robot}\n1 laid out, 0 as they should be\n"
+    assert main(["format", str(robot), "--check"]) == 0
+    assert capsys.readouterr().err == "0 would change, 1 as they should be\n"
+
+
+@pytest.mark.parametrize("option", ["--check", "--diff"])
+def test_checking_writes_nothing(
+    robot: Path, option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["format", str(robot), option]) == 1
+    assert robot.read_text() == UGLY
+    captured = capsys.readouterr()
+    assert captured.err == f"would change: {robot}\n1 would change, 0 as they should be\n"
+    assert ('+  <link name="a"/>\n' in captured.out) is (option == "--diff")
+
+
+def test_one_bad_file_does_not_hide_the_others(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bad = tmp_path / "bad.urdf"
+    bad.write_text("<robot>")
+    assert main(["format", str(bad), str(robot)]) == 2
+    assert robot.read_text() == NEAT
+    assert f"error: {bad}:1:" in capsys.readouterr().err
+
+
+def test_standard_input(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(UGLY.encode())))
+    assert main(["format", "-"]) == 0
+    assert capsys.readouterr().out == NEAT
+
+
+def test_a_missing_file_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["format", "no.urdf"]) == 2
+    assert "no.urdf" in capsys.readouterr().err

@@ -1,0 +1,74 @@
+"""``urdfkit format``: one layout for URDF and xacro files."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from urdfkit.cli import options, output, stdin
+from urdfkit.formats._layout import printable
+from urdfkit.formatter import WIDTH, formatted
+from urdfkit.formatting import Formatted, format_files
+
+
+@click.command("format")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.option("--check", is_flag=True, help="Write nothing; exit with 1 if a file would change.")
+@click.option("--diff", is_flag=True, help="Likewise, and show the changes as a diff.")
+@click.option(
+    "--width",
+    type=click.IntRange(40, 400),
+    default=WIDTH,
+    show_default=True,
+    metavar="COLUMNS",
+    help="Columns of a line.",
+)
+@click.option("--force", is_flag=True, help="Also files that are generated or ignored by git.")
+@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
+@click.option("--isolated", is_flag=True, help="Take no configuration.")
+def command(
+    files: tuple[str, ...],
+    check: bool,
+    diff: bool,
+    width: int,
+    force: bool,
+    config: str | None,
+    isolated: bool,
+) -> int:
+    """Lay out URDF and xacro files; what they say stays the same.
+
+    FILE is a description, or a folder, of which all descriptions are laid out. '-' reads standard
+    input and writes to standard output.
+
+    Exit codes: 0 done, 1 something would change (--check, --diff), 2 a file cannot be read.
+    """
+    if files == ("-",):
+        source = stdin.read("<stdin>")
+        output.write(formatted(source, width).decode())
+        return 0
+    values = {"config": config, "isolated": isolated, "trust": False}
+    settings = options.config(values, files[0])
+    result = format_files(*files, width=width, force=force, config=settings)
+    if diff:
+        output.write(result.diff())
+    elif not check:
+        result.write()
+    _tell(result, "would change" if check or diff else "laid out")
+    if result.failed:
+        return 2
+    return int(bool(result.files) and (check or diff))
+
+
+def _tell(result: Formatted, done: str) -> None:
+    """Say on standard error what became of the files."""
+    lines = [f"{done}: {file.path}" for file in result.files]
+    lines += [f"left alone: {path}: {reason}" for path, reason in result.skipped]
+    lines += [f"error: {reason}" for _, reason in result.failed]
+    lines.append(
+        f"{len(result.files)} {done}, {len(result.unchanged)} as they should be"
+        + (f", {len(result.skipped)} left alone" if result.skipped else "")
+        + (f", {len(result.failed)} failed" if result.failed else "")
+    )
+    if sys.stderr is not None:
+        print(*map(printable, lines), sep="\n", file=sys.stderr)

@@ -1,0 +1,66 @@
+"""New texts for files: shown as a diff, or written."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterable
+
+from urdfkit import atomic
+from urdfkit.errors import UnwritableFile
+from urdfkit.record import Record
+from urdfkit.source import Source
+
+
+class Rewrite(Record):
+    """A new text for a file.
+
+    Attributes:
+        path: of the file, as a user would type it.
+        before, after: its bytes.
+    """
+
+    path: str
+    before: bytes
+    after: bytes
+
+    def diff(self) -> str:
+        """What changes, as a unified diff that ``patch -p0`` takes."""
+        before, after = (
+            Source(self.path, data).data.decode("utf-8", "replace").splitlines(keepends=True)
+            for data in (self.before, self.after)
+        )
+        lines = difflib.unified_diff(before, after, self.path, self.path)
+        return "".join(
+            line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+            for line in lines
+        )
+
+
+def write(rewrites: Iterable[Rewrite]) -> None:
+    """Replace files, each whole or not at all, with the permissions that it has.
+
+    Raises:
+        UnwritableFile: a file may not be written, or has changed since it was read.
+    """
+    rewrites = tuple(rewrites)
+    for one in rewrites:
+        if on_disk(one.path) != one.before:
+            raise UnwritableFile(f"{one.path}: it has changed meanwhile; run it again")
+    for one in rewrites:
+        atomic.write(one.path, one.after)
+
+
+def on_disk(path: str) -> bytes | None:
+    """The bytes of a file; None if it cannot be read."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except (OSError, ValueError):
+        return None
+
+
+def shown(path: str) -> str:
+    """A path as a user would type it, who is in a folder above the file or elsewhere."""
+    relative = os.path.relpath(path)
+    return path if relative.startswith(os.pardir) else relative
