@@ -91,7 +91,7 @@ def test_a_square(tmp_path: Path) -> None:
     assert part.material == Material("red paint", (1, 0, 0, 1))
     assert (part.normals, part.uv, part.colors) == (None, None, None)
     assert (mesh.unit, mesh.up_axis, mesh.losses, mesh.extras) == (1, "", (), ())
-    assert mesh.textures == ("picture.png",)
+    assert mesh.textures == ()
 
 
 def test_unit_and_axis_are_recorded_and_not_applied(tmp_path: Path) -> None:
@@ -200,13 +200,14 @@ def test_a_texture(tmp_path: Path, sampler: str, parameters: str, image: str) ->
     mesh = square(tmp_path, looks=TEXTURED.format(sampler), parameters=parameters, image=image)
     expected = Material("red paint", (1, 1, 1, 1), str(tmp_path / "picture.png"))
     assert mesh.parts[0].material == expected
-    assert mesh.losses == ()
+    assert (mesh.losses, mesh.textures, mesh.missing) == ((), (image,), ())
 
 
 def test_a_texture_that_is_missing(tmp_path: Path) -> None:
     mesh = square(tmp_path, looks=TEXTURED.format("sampler"), parameters=PARAMETERS)
     assert mesh.parts[0].material == Material("red paint")
-    assert mesh.losses == ("1 texture that is not there (picture.png)",)
+    assert mesh.missing == ("picture.png",)
+    assert mesh.losses == ()
 
 
 @pytest.mark.parametrize(

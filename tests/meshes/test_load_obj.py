@@ -106,10 +106,8 @@ def test_materials(tmp_path: Path) -> None:
 
 def test_materials_that_are_missing(tmp_path: Path) -> None:
     mesh = read(tmp_path, f"mtllib my.mtl\nmtllib none.mtl\n{SQUARE}f 1 2 3", my_mtl=MTL)
-    assert mesh.losses == (
-        "1 texture that is not there (a picture.png)",
-        "1 material file that is not there (none.mtl)",
-    )
+    assert mesh.missing == ("a picture.png", "none.mtl")
+    assert mesh.losses == ()
 
 
 @pytest.mark.parametrize(

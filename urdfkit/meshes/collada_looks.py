@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from typing import NamedTuple
 
 import numpy as np
 
 from urdfkit.meshes.assemble import Losses
+from urdfkit.meshes.beside import find_image
 from urdfkit.meshes.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.meshes.geometry import Material
-from urdfkit.meshes.images import find_image
 from urdfkit.meshes.numbers import floats
 
 Colour = tuple[float, float, float, float]
@@ -33,6 +32,10 @@ class Looks:
 
     Args:
         folder: that the file is in; textures are named relative to it.
+
+    Attributes:
+        textures: the names of images that are used, as written.
+        missing: those of them that are not there.
     """
 
     def __init__(self, tree: Tree, folder: str, losses: Losses) -> None:
@@ -40,6 +43,8 @@ class Looks:
         self._folder = folder
         self._losses = losses
         self._looks: dict[Element, Look] = {}
+        self.textures: list[str] = []
+        self.missing: list[str] = []
 
     def look(self, reference: str) -> Look | None:
         """The look of ``#material``; None if there is no such material."""
@@ -66,12 +71,13 @@ class Looks:
         image = ""
         if texture is not None:
             image = self._image(texture.get("texture", ""), effect)
+            self.textures.append(image)
             rgba = (1.0, 1.0, 1.0, 1.0)
         opacity = self._opacity(shader)
         path = find_image(image, self._folder) if image else None
         if texture is not None and path is None:
             rgba = _DEFAULT.rgba
-            self._losses.add(f"texture* that is not there ({os.path.basename(image) or 'unnamed'})")
+            self.missing.append(image)
         found = Material(name, (*rgba[:3], rgba[3] * opacity), path)
         return Look(found, texture.get("texcoord", "") if texture is not None else "")
 

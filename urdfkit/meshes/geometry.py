@@ -60,7 +60,8 @@ class Mesh(Record):
         up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file says; empty where it says nothing.
         losses: what is broken in the file and is therefore not in the parts, one sentence each.
         extras: what the file holds besides triangles, such as ``2 cameras``.
-        textures: the names of images that the file refers to, as written.
+        textures: the names of images that its materials use, as written.
+        missing: the names of images and of files of materials that it uses and that are not there.
     """
 
     parts: tuple[Part, ...]
@@ -69,6 +70,7 @@ class Mesh(Record):
     losses: tuple[str, ...] = ()
     extras: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
 
     @property
     def vertices(self) -> Floats:

@@ -36,11 +36,23 @@ def load(path: str | os.PathLike[str]) -> Mesh:
         UnloadableMesh: it is broken, of a format that is not read, or holds no triangles.
     """
     name = os.fspath(path)
-    data = read_bytes(name)
-    found = sniff(data, os.path.splitext(name)[1])
+    return load_bytes(read_bytes(name), name)
+
+
+def load_bytes(data: bytes, path: str) -> Mesh:
+    """The triangles in the bytes of a mesh file.
+
+    Args:
+        data: the whole file.
+        path: of the file, for what it refers to.
+
+    Raises:
+        UnloadableMesh: there are none.
+    """
+    found = sniff(data, os.path.splitext(path)[1])
     if found.defect:
-        raise UnloadableMesh(name, found.defect.reason)
-    return parse(data, name, found)
+        raise UnloadableMesh(path, found.defect.reason)
+    return _parse(data, path, found)
 
 
 def salvage(path: str | os.PathLike[str]) -> Mesh:
@@ -51,7 +63,7 @@ def salvage(path: str | os.PathLike[str]) -> Mesh:
     """
     name = os.fspath(path)
     data = read_bytes(name)
-    return parse(data, name, sniff(data, os.path.splitext(name)[1]), recover=True)
+    return _parse(data, name, sniff(data, os.path.splitext(name)[1]), recover=True)
 
 
 def read_bytes(path: str) -> bytes:
@@ -74,18 +86,8 @@ def read_bytes(path: str) -> bytes:
         raise UnloadableMesh(path, f"cannot be read: {reason}") from error
 
 
-def parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:
-    """The triangles in the bytes of a mesh file.
-
-    Args:
-        data: the file.
-        path: of the file, for what it refers to.
-        found: what the bytes say.
-        recover: read what is there of a broken file.
-
-    Raises:
-        UnloadableMesh: there are none.
-    """
+def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:
+    """Read by the format that was found; ``recover``: what is there of a broken file."""
     folder = os.path.dirname(os.path.abspath(path))
     try:
         if found.format == facts.BINARY_STL:

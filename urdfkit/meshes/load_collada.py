@@ -62,7 +62,8 @@ class _Reader:
             text(child(asset, "up_axis")).upper(),
             self._losses.sentences(),
             self._extras(),
-            self._textures(),
+            tuple(self._looks.textures),
+            tuple(self._looks.missing),
         )
 
     def _nodes(self) -> Iterator[tuple[Element, Floats]]:
@@ -180,12 +181,6 @@ class _Reader:
             kinds[kind] = sum(1 for _ in self._tree.root.iter(f"{{*}}{name}"))
         kinds["skin"] = sum(1 for _ in self._tree.root.iter("{*}instance_controller"))
         return counted_kinds(kinds)
-
-    def _textures(self) -> tuple[str, ...]:
-        images = self._tree.root.iter("{*}image")
-        sources = [child(image, "init_from") for image in images]
-        names = [text(child(source, "ref")) or text(source) for source in sources]
-        return tuple(dict.fromkeys(name for name in names if name))
 
 
 def _set_of(binding: Element, coordinates: str) -> str:

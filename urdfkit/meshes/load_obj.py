@@ -48,7 +48,13 @@ def read(data: bytes, folder: str) -> Mesh:
         lost = "; ".join(losses.sentences())
         raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
     extras = counted_kinds(lines.extras)
-    return Mesh(tuple(parts), losses=losses.sentences(), extras=extras, textures=library.textures)
+    return Mesh(
+        tuple(parts),
+        losses=losses.sentences(),
+        extras=extras,
+        textures=library.textures,
+        missing=library.missing,
+    )
 
 
 class _Lines:

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 
 from urdfkit.meshes.assemble import Losses
+from urdfkit.meshes.beside import find_image, read_library
 from urdfkit.meshes.geometry import Material
-from urdfkit.meshes.images import find_image
 from urdfkit.meshes.numbers import floats
-
-#: No file of materials is larger.
-MAX_BYTES = 4 * 1024 * 1024
 
 #: How many words follow the options of a texture, at most; not all of them need be there.
 _OPTIONS = {b"-mm": 2, b"-o": 3, b"-s": 3, b"-t": 3}
@@ -24,10 +19,11 @@ class Library:
     Args:
         names: of MTL files, as the OBJ file gives them.
         folder: that they lie in.
-        losses: gets what is missing.
+        losses: gets what cannot be read.
 
     Attributes:
         textures: the names of the images that they use.
+        missing: the names of files that are not there.
     """
 
     def __init__(self, names: list[str], folder: str, losses: Losses) -> None:
@@ -35,10 +31,11 @@ class Library:
         self._losses = losses
         self._folder = folder
         self.textures: tuple[str, ...] = ()
+        self.missing: tuple[str, ...] = ()
         for name in dict.fromkeys(names):
-            data = _read(os.path.join(folder, name.replace("\\", "/")))
+            data = read_library(name, folder)
             if data is None:
-                losses.add(f"material file* that is not there ({os.path.basename(name)})")
+                self.missing += (name,)
             else:
                 self._add(data)
 
@@ -80,7 +77,7 @@ class Library:
         self.textures = tuple(dict.fromkeys((*self.textures, name)))
         path = find_image(name, self._folder)
         if path is None:
-            self._losses.add(f"texture* that is not there ({os.path.basename(name) or 'unnamed'})")
+            self.missing += (name,)
             return material
         return material._replace(texture=path)
 
@@ -102,13 +99,3 @@ def _is_number(word: bytes) -> bool:
     except ValueError:
         return False
     return True
-
-
-def _read(path: str) -> bytes | None:
-    try:
-        if not os.path.isfile(path) or os.path.getsize(path) > MAX_BYTES:
-            return None
-        with open(path, "rb") as file:
-            return file.read()
-    except (OSError, ValueError):
-        return None

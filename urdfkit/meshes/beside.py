@@ -1,9 +1,12 @@
-"""The images that mesh files name."""
+"""The files that mesh files name: images, and the materials of OBJ."""
 
 from __future__ import annotations
 
 import os
 from urllib.parse import unquote
+
+#: No file of materials is larger.
+MAX_LIBRARY = 4 * 1024 * 1024
 
 
 def find_image(name: str, folder: str) -> str | None:
@@ -21,3 +24,15 @@ def find_image(name: str, folder: str) -> str | None:
         except ValueError:  # a NUL in the name
             return None
     return None
+
+
+def read_library(name: str, folder: str) -> bytes | None:
+    """The materials that an OBJ file in a folder names; None if they are not there."""
+    path = os.path.join(folder, name.replace("\\", "/"))
+    try:
+        if not os.path.isfile(path) or os.path.getsize(path) > MAX_LIBRARY:
+            return None
+        with open(path, "rb") as file:
+            return file.read()
+    except (OSError, ValueError):
+        return None

@@ -1,0 +1,157 @@
+"""Measuring triangles."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.meshes.geometry import Floats, Integers, Mesh
+from urdfkit.meshes.measures import Measures, Uniform
+from urdfkit.meshes.topology import (
+    close_seams,
+    duplicates,
+    edge_counts,
+    pieces,
+    three_cornered,
+    weld,
+)
+from urdfkit.spatial import Vector
+
+#: A triangle lower than this, a piece or a solid flatter than this, has no extent there; relative
+#: to the diagonal of the mesh. Coordinates of 32 bits are rounded to 6e-8.
+FLAT = 1e-7
+
+#: Extreme vertices that are kept of a hull; a ball loses 1 % of its reach with so many.
+MOST_POINTS = 200
+
+
+def measure(mesh: Mesh) -> Measures:
+    """The measures of a mesh, which has triangles."""
+    places, faces = close_seams(*weld(mesh.vertices, mesh.faces))
+    low, high = places.min(axis=0), places.max(axis=0)
+    diagonal = float(np.linalg.norm(high - low))
+    height, areas = _heights(places, faces)
+    sound = faces[three_cornered(faces)]
+    edges = edge_counts(sound)
+    open_edges = edges.total % 2 == 1
+    flipped = ~open_edges & (edges.forward != edges.backward)
+    is_closed = len(sound) > 0 and not open_edges.any() and not flipped.any()
+    found = pieces(places, sound, FLAT * diagonal)
+    solid, inside_out = _solid(places, sound, low, high) if is_closed else (None, False)
+    hull, points = _hull(places, low, high)
+    return Measures(
+        triangles=len(faces),
+        vertices=len(np.unique(faces)),
+        low=_vector(low),
+        high=_vector(high),
+        area=float(areas.sum()),
+        solid=solid,
+        hull=hull,
+        points=tuple(_vector(point) for point in points),
+        inside_out=inside_out,
+        open_edges=int(open_edges.sum()),
+        flipped_edges=int(flipped.sum()),
+        degenerate=int((height <= FLAT * diagonal).sum()),
+        duplicate=duplicates(sound),
+        bodies=found.number,
+        flat_bodies=found.flat,
+        inverted_bodies=found.inverted,
+        unit=mesh.unit,
+        up_axis=mesh.up_axis,
+        losses=mesh.losses,
+        extras=mesh.extras,
+        textures=mesh.textures,
+    )
+
+
+def uniform(vertices: Floats, faces: Integers, about: Floats) -> tuple[float, Floats, Floats]:
+    """Signed volume, first and second moments about a point of what a closed surface encloses.
+
+    Each triangle makes a tetrahedron with the point; for one with corners a, b, c the integrals
+    are, with s = a + b + c and det the volume times 6:
+
+    - of x: det / 24 * s
+    - of x x^T: det / 120 * (s s^T + a a^T + b b^T + c c^T)
+
+    Source: J. Tonon, "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor in Terms of
+    its Vertex Coordinates" (2004), with one corner in the origin.
+
+    Returns:
+        volume, (3,) first moments, (3, 3) second moments.
+    """
+    a, b, c = (vertices[faces[:, corner]] - about for corner in range(3))
+    det = np.einsum("ij,ij->i", a, np.cross(b, c))
+    s = a + b + c
+    second = np.zeros((3, 3))
+    for v in (s, a, b, c):
+        second += np.einsum("i,ij,ik->jk", det, v, v)
+    return float(det.sum()) / 6, np.einsum("i,ij->j", det, s) / 24, second / 120
+
+
+def _solid(
+    places: Floats, faces: Integers, low: Floats, high: Floats
+) -> tuple[Uniform | None, bool]:
+    """What a closed surface encloses, and whether it looks inwards."""
+    middle = (low + high) / 2
+    volume, first, second = uniform(places, faces, middle)
+    if abs(volume) <= FLAT * float(np.linalg.norm(high - low)) ** 3:
+        return None, False
+    return _density_one(volume, first, second, middle), volume < 0
+
+
+def _density_one(volume: float, first: Floats, second: Floats, about: Floats) -> Uniform:
+    sign = 1 if volume > 0 else -1
+    center = first / volume
+    central = (second - volume * np.outer(center, center)) * sign
+    tensor = np.trace(central) * np.eye(3) - central
+    ixx, ixy, ixz, iyy, iyz, izz = (float(tensor[i, k]) for i in range(3) for k in range(i, 3))
+    return Uniform(abs(volume), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
+
+
+def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Floats]:
+    """The convex hull as a solid, and its outermost vertices."""
+    import manifold3d
+
+    size = float(np.max(high - low))
+    middle = (low + high) / 2
+    if not size:
+        return None, places[:1]
+    # manifold3d computes with 32 bits here and there: a part far from the origin, or in
+    # nanometres, would lose its shape.
+    scaled = (places - middle) / size
+    mesh = manifold3d.Manifold.hull_points(scaled).to_mesh64()
+    corners = np.asarray(mesh.vert_properties, dtype=np.float64)[:, :3]
+    if not len(corners):
+        return None, _extreme(places)
+    volume, first, second = uniform(corners, np.asarray(mesh.tri_verts), np.zeros(3))
+    points = _extreme(corners) * size + middle
+    if volume <= FLAT:
+        return None, points
+    found = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
+    return found._replace(center=_vector(np.array(found.center) + middle)), points
+
+
+def _extreme(points: Floats) -> Floats:
+    """The outermost of some points: along the axes, and in directions spread evenly."""
+    if len(points) <= MOST_POINTS:
+        return points
+    number = np.arange(MOST_POINTS - 6) + 0.5
+    around, z = number * np.pi * (1 + 5**0.5), 1 - 2 * number / (MOST_POINTS - 6)
+    across = np.sqrt(1 - z * z)
+    spread = np.stack([across * np.cos(around), across * np.sin(around), z], axis=1)
+    directions = np.concatenate([np.eye(3), -np.eye(3), spread])
+    chosen: Floats = points[np.unique(np.argmax(directions @ points.T, axis=1))]
+    return chosen
+
+
+def _heights(places: Floats, faces: Integers) -> tuple[Floats, Floats]:
+    """The smallest height and the area of each triangle."""
+    a, b, c = (places[faces[:, corner]] for corner in range(3))
+    twice = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    sides = [np.linalg.norm(one - other, axis=1) for one, other in ((a, b), (b, c), (c, a))]
+    longest = np.max(sides, axis=0)
+    return np.divide(twice, longest, out=np.zeros_like(twice), where=longest > 0), twice / 2
+
+
+def _vector(values: Floats) -> Vector:
+    x, y, z = map(float, values)
+    return (x, y, z)

@@ -1,0 +1,161 @@
+"""Measures of mesh files, kept between runs by the content of the files.
+
+An entry is named by the hash of the bytes, so that it is true wherever it is found, and is
+written whole or not at all: two runs may write the same one at the same time. What is broken is
+measured again.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from functools import lru_cache
+from importlib.util import find_spec
+
+from urdfkit.meshes import facts
+from urdfkit.meshes.measures import Measures, from_json, to_json
+from urdfkit.meshes.sniff import MAX_BYTES
+
+#: Goes up when measures change, or what they are made from.
+VERSION = 1
+
+#: The folder of the cache; where it is set and empty, there is none.
+VARIABLE = "URDFKIT_CACHE_DIR"
+
+#: Entries in one of the 256 folders; of some 2 kB each.
+MAX_ENTRIES = 100
+
+_LIBRARY = re.compile(rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)")
+
+
+@lru_cache
+def missing_library() -> str:
+    """A library that measuring needs and that is not installed; empty if all are."""
+    return next((name for name in ("numpy", "lxml", "manifold3d") if not find_spec(name)), "")
+
+
+@lru_cache
+def shared(*, cached: bool) -> Store:
+    """The store of this process."""
+    return Store(default_folder() if cached else None)
+
+
+def default_folder() -> str | None:
+    """The folder of the cache; None if the environment wants none."""
+    folder = os.environ.get(VARIABLE)
+    if folder is not None:
+        return folder or None
+    from platformdirs import user_cache_dir
+
+    return os.path.join(user_cache_dir("urdfkit", appauthor=False), "meshes")
+
+
+class Store:
+    """Measures mesh files, each content once.
+
+    Args:
+        folder: where measures are kept; None keeps them for this process only.
+    """
+
+    def __init__(self, folder: str | None) -> None:
+        self._folder = os.path.join(folder, f"v{VERSION}") if folder else None
+        self._known: dict[tuple[object, ...], Measures | str] = {}
+
+    def measures(self, path: str, form: str) -> Measures | str:
+        """The measures of a file, or why it has none, as a predicate whose subject is the file.
+
+        Args:
+            path: of the file.
+            form: its format, by content.
+        """
+        try:
+            state = os.stat(path)
+        except (OSError, ValueError) as error:
+            return f"cannot be read: {error}"
+        key = (path, state.st_dev, state.st_ino, state.st_size, state.st_mtime_ns)
+        if key not in self._known:
+            self._known[key] = self._measures(path, form)
+        return self._known[key]
+
+    def _measures(self, path: str, form: str) -> Measures | str:
+        try:
+            with open(path, "rb") as file:
+                data = file.read(MAX_BYTES)
+        except OSError as error:
+            return f"cannot be read: {error.strerror or error}"
+        if self._folder is None:
+            return _measured(data, path)
+        digest = _digest(data, form, os.path.dirname(path))
+        entry = os.path.join(self._folder, digest[:2], f"{digest[2:]}.json")
+        known = _read(entry)
+        if known is None:
+            known = _measured(data, path)
+            _write(entry, known)
+        return known
+
+
+def _digest(data: bytes, form: str, folder: str) -> str:
+    """Of all that the measures are made from: an OBJ file and the materials that it names."""
+    from hashlib import blake2b
+
+    digest = blake2b(f"{form} {len(data)}\n".encode(), digest_size=20)
+    digest.update(data)
+    if form == facts.OBJ:
+        from urdfkit.meshes.beside import read_library
+
+        for name in _LIBRARY.findall(data):
+            digest.update(name + (read_library(name.decode("utf-8", "replace"), folder) or b""))
+    return digest.hexdigest()
+
+
+def _measured(data: bytes, path: str) -> Measures | str:
+    from urdfkit.meshes.load import UnloadableMesh, load_bytes
+    from urdfkit.meshes.measuring import measure
+
+    try:
+        return measure(load_bytes(data, path))
+    except UnloadableMesh as error:
+        return error.reason
+
+
+def _read(entry: str) -> Measures | str | None:
+    """What was written; None if nothing was, or something else."""
+    try:
+        with open(entry, "rb") as file:
+            data = file.read()
+    except OSError:
+        return None
+    import json
+
+    try:
+        content = json.loads(data)
+        return content if isinstance(content, str) else from_json(content)
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return None
+
+
+def _write(entry: str, known: Measures | str) -> None:
+    """Keep measures; that this fails is no concern of a check."""
+    import json
+
+    content = known if isinstance(known, str) else to_json(known)
+    folder = os.path.dirname(entry)
+    temporary = f"{entry}.{os.getpid()}.tmp"
+    try:
+        os.makedirs(folder, exist_ok=True)
+        _make_room(folder)
+        with open(temporary, "x", encoding="utf-8") as file:
+            json.dump(content, file)
+        os.replace(temporary, entry)
+    except OSError:
+        return
+
+
+def _make_room(folder: str) -> None:
+    """Remove the older half of the entries of a full folder."""
+    names = os.listdir(folder)
+    if len(names) < MAX_ENTRIES:
+        return
+    by_age = sorted((os.stat(os.path.join(folder, name)).st_mtime, name) for name in names)
+    for _, name in by_age[: MAX_ENTRIES // 2]:
+        os.unlink(os.path.join(folder, name))
