@@ -13,30 +13,9 @@ from pathlib import Path
 
 from urdfkit.examples import FOLDER as FOLDER_OF_EXAMPLES
 from urdfkit.examples import diagnose_example
-from urdfkit.rules import Rule, all_rules
+from urdfkit.rules import FAMILIES, Rule, all_rules
 
 FOLDER = Path(__file__).resolve().parent / "rules"
-
-FAMILIES = {
-    "CFG": "the checking itself",
-    "COL": "collisions",
-    "DYN": "dynamics",
-    "GAZ": "Gazebo",
-    "GEO": "shapes and colours",
-    "INE": "mass and inertia",
-    "JNT": "joints",
-    "LAU": "launch files",
-    "MSH": "mesh files",
-    "NAM": "names",
-    "PKG": "the package around the robot",
-    "RCT": "transmissions and ros2_control",
-    "REF": "references",
-    "SRD": "SRDF",
-    "TRE": "the kinematic tree",
-    "URD": "the grammar of URDF",
-    "XAC": "xacro",
-    "XML": "the text",
-}
 
 #: The folder in which an example was run.
 _SCRATCH = re.compile(re.escape(tempfile.gettempdir()) + r"/tmp\w+")

@@ -98,20 +98,12 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
         given: positions of joints, as for `positions`.
     """
     moved = positions(tree, given)
-    found: dict[str, Frame] = {}
-    for root in tree.roots:
-        found[root.name] = Frame()
-        queue = [root.name]
-        while queue:
-            parent = queue.pop()
-            for joint in tree.children[parent]:
-                assert joint.child is not None
-                child = joint.child.value
-                if child not in found:
-                    found[child] = (
-                        found[parent] @ joint.origin @ motion(joint, moved.get(joint.name, 0.0))
-                    )
-                    queue.append(child)
+    found = {root.name: Frame() for root in tree.roots}
+    for joint in tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        parent, position = found[joint.parent.value], moved.get(joint.name, 0.0)
+        found[joint.child.value] = parent @ joint.origin @ motion(joint, position)
     return found
 
 

@@ -46,10 +46,27 @@ TOLD_BY_FILES = frozenset(
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.
 TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
 
-#: Families of urdfkit's own rules, those to come included; other packages take other letters.
-FAMILIES = frozenset(
-    "XML XAC URD REF NAM TRE JNT INE GEO MSH SRD COL DYN GAZ RCT LAU PKG CFG".split()
-)
+#: Families of urdfkit's own rules, and what they are about; other packages take other letters.
+FAMILIES = {
+    "CFG": "the checking itself",
+    "COL": "collisions",
+    "DYN": "dynamics",
+    "GAZ": "Gazebo",
+    "GEO": "shapes and colours",
+    "INE": "mass and inertia",
+    "JNT": "joints",
+    "LAU": "launch files",
+    "MSH": "mesh files",
+    "NAM": "names",
+    "PKG": "the package around the robot",
+    "RCT": "transmissions and ros2_control",
+    "REF": "references",
+    "SRD": "SRDF",
+    "TRE": "the kinematic tree",
+    "URD": "the grammar of URDF",
+    "XAC": "xacro",
+    "XML": "the text",
+}
 
 
 class Need(Enum):

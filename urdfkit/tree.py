@@ -106,18 +106,32 @@ class KinematicTree:
         return tuple(loops)
 
     @cached_property
-    def frames(self) -> dict[str, Frame]:
-        """Where each link is when all joints are at zero, in the frame of its root."""
-        frames: dict[str, Frame] = {}
+    def spanning(self) -> tuple[Joint, ...]:
+        """The joints that lead from the roots to every other link, parents first.
+
+        Of several joints with one child the first that is met counts; links in a closed loop that
+        no root leads to have none.
+        """
+        found: list[Joint] = []
+        seen = {root.name for root in self.roots}
         for root in self.roots:
-            frames[root.name] = Frame()
             queue = [root.name]
             while queue:
-                parent = queue.pop()
-                for joint in self.children[parent]:
+                for joint in self.children[queue.pop()]:
                     assert joint.child is not None
                     child = joint.child.value
-                    if child not in frames:
-                        frames[child] = frames[parent] @ joint.origin
+                    if child not in seen:
+                        seen.add(child)
                         queue.append(child)
+                        found.append(joint)
+        return tuple(found)
+
+    @cached_property
+    def frames(self) -> dict[str, Frame]:
+        """Where each link is with every joint at its origin, in the frame of its root."""
+        frames = {root.name: Frame() for root in self.roots}
+        for joint in self.spanning:
+            assert joint.parent is not None
+            assert joint.child is not None
+            frames[joint.child.value] = frames[joint.parent.value] @ joint.origin
         return frames

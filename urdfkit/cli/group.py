@@ -28,6 +28,8 @@ COMMANDS = (
     "migrate",
     "render",
     "diff",
+    "report",
+    "view",
     "init",
     "doctor",
     "lsp",

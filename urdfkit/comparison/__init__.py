@@ -15,6 +15,7 @@ from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.differences import KINDS as OF_MODELS
 from urdfkit.differences import Difference, Tolerances, differences
 from urdfkit.inertia import MassProperties, combined
+from urdfkit.kinematics import frames
 from urdfkit.record import Record
 from urdfkit.rigid import properties_of
 
@@ -148,8 +149,9 @@ def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
 
 def _total(subject: Subject) -> MassProperties:
     """Of all links together, in the frame of the root link."""
-    links, frames = subject.model.links_by_name, subject.tree.frames
-    return combined(properties_of(links[name], frame) for name, frame in frames.items())
+    links = subject.model.links_by_name
+    at_zero = frames(subject.tree, {}).items()
+    return combined(properties_of(links[name], frame) for name, frame in at_zero)
 
 
 def _findings(before: State, after: State) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import dist
 
 from urdfkit.differences import Tolerances, angle_between
+from urdfkit.kinematics import frames
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, rotate, transposed
 from urdfkit.tree import KinematicTree
@@ -34,7 +35,7 @@ def moved_frames(
     Returns:
         What moved of itself before what is carried along, the farthest first.
     """
-    old, new = before.frames, after.frames
+    old, new = frames(before, {}), frames(after, {})
     found = []
     for name in old.keys() & new.keys():
         distance, angle = _apart(old[name], new[name])
@@ -58,10 +59,10 @@ def _parent(tree: KinematicTree, name: str) -> str:
     return joints[0].parent.value if joints and joints[0].parent else ""
 
 
-def _within(frames: dict[str, Frame], name: str, parent: str) -> Frame:
+def _within(places: dict[str, Frame], name: str, parent: str) -> Frame:
     """The frame of a link in that of another one; in the root where there is none."""
-    if parent not in frames:
-        return frames[name]
-    turned = transposed(frames[parent].rotation)
-    x, y, z = rotate(turned, frames[parent].position)
-    return Frame(turned, (-x, -y, -z)) @ frames[name]
+    if parent not in places:
+        return places[name]
+    turned = transposed(places[parent].rotation)
+    x, y, z = rotate(turned, places[parent].position)
+    return Frame(turned, (-x, -y, -z)) @ places[name]

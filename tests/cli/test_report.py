@@ -1,0 +1,60 @@
+"""The report command: forms by suffix, exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+GRIPPER = str(MODELS / "good" / "gripper.urdf")
+
+
+def test_markdown_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["report", GRIPPER]) == 0
+    assert capsys.readouterr().out.startswith("## gripper\n")
+
+
+def test_files_by_suffix(tmp_path: Path) -> None:
+    for suffix in ("json", "md", "csv"):
+        assert main(["report", MISSION, "-o", str(tmp_path / f"r.{suffix}")]) == 0
+    assert json.loads((tmp_path / "r.json").read_text())["summary"]["error"] == 1
+    assert (tmp_path / "r.csv").read_text().startswith("severity,code,name,")
+    pytest.importorskip("jinja2")
+    assert main(["report", MISSION, "-o", str(tmp_path / "r.html"), "--lang", "zh"]) == 0
+    assert '<html lang="zh">' in (tmp_path / "r.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("robot", "severity", "code"),
+    [(MISSION, "error", 1), (GRIPPER, "error", 0), (GRIPPER, "warning", 0)],
+)
+def test_findings_make_it_fail_if_asked(
+    robot: str, severity: str, code: int, tmp_path: Path
+) -> None:
+    words = ["report", robot, "-o", str(tmp_path / "r.md")]
+    assert main([*words, "--fail-on", severity]) == code
+    assert main(words) == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        ([MISSION, MISSION], "report takes one file"),
+        (["none.urdf"], "none.urdf"),
+        ([MISSION, "-o", "r.pdf"], "the suffix is none of"),
+        ([MISSION, "-o", "/nowhere/r.md"], "there is no folder"),
+        ([MISSION, "--target", "mars"], "there is no target 'mars'"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], error: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["report", *words]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert error in captured.err

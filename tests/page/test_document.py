@@ -1,0 +1,151 @@
+"""The document of a report, and its forms but the HTML."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.page.document import describe
+from urdfkit.page.findings import excerpt
+from urdfkit.page.writing import form_of, report
+from urdfkit.source import Source, Span
+
+MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+GRIPPER = str(MODELS / "good" / "gripper.urdf")
+
+
+def test_a_robot_as_a_whole() -> None:
+    document, subject = describe(GRIPPER)
+    robot = document["robot"]
+    assert (robot["links"], robot["joints"], robot["degrees_of_freedom"]) == (4, 3, 1)
+    assert robot["mass"] == pytest.approx(subject.model.mass)
+    assert [link["name"] for link in document["links"]] == [x.name for x in subject.model.links]
+    assert sum(link["share"] for link in document["links"]) == pytest.approx(1)
+    follower = document["joints"][2]
+    assert follower["mimic"]["joint"] == "left_finger_joint"
+
+
+def test_the_verdict_of_each_program_is_its_own() -> None:
+    document, _ = describe(MISSION)
+    assert [target["name"] for target in document["targets"]] == ["ros1", "classic-ros1"]
+    assert {target["verdict"] for target in document["targets"]} == {"unfit"}
+    document, _ = describe(GRIPPER, targets=["drake"])
+    (drake,) = document["targets"]
+    assert (drake["verdict"], drake["error"], drake["warning"]) == ("good", 0, 0)
+
+
+def test_a_finding_knows_its_links_joints_and_lines(tmp_path: Path) -> None:
+    robot = tmp_path / "robot.urdf"
+    robot.write_text(
+        '<robot name="r">\n<link name="a/b"/>\n<link name="c"/>\n<joint name="j" type="revolute">\n'
+        '<parent link="a/b"/><child link="c"/>\n\t<limit lower="2" upper="1"/>\n</joint>\n'
+        '<gazebo reference="a/b"><mu1>x</mu1></gazebo>\n</robot>\n'
+    )
+    document, _ = describe(str(robot))
+    found = {one["code"]: one for one in document["findings"]}
+    limit = found["JNT003"]
+    assert (limit["links"], limit["joints"], limit["family"]) == (["c"], ["j"], "joints")
+    assert [line["line"] for line in limit["excerpt"]] == [5, 6, 7]
+    assert limit["excerpt"][1]["before"] == "    "
+    assert limit["excerpt"][1]["marked"].startswith("<limit lower")
+    assert found["GAZ004"]["links"] == ["a/b"]
+
+
+def test_an_excerpt_of_a_long_line_is_short() -> None:
+    source = Source("r.urdf", b"x" * 100_000 + b"MARK" + b"y" * 100_000)
+    (line,) = excerpt(Span(source, 100_000, 100_004))
+    assert line == {
+        "line": 1,
+        "before": "..." + "x" * 80,
+        "marked": "MARK",
+        "after": "y" * 80 + "...",
+    }
+
+
+def test_an_excerpt_shows_what_steers_a_screen() -> None:
+    source = Source("r.urdf", "a\x1b[31m\u202eb".encode())
+    assert excerpt(Span(source, 0, 1))[0]["after"] == "\\x1b[31m\\u202eb"
+
+
+def test_a_robot_that_cannot_be_read_has_its_findings_told(tmp_path: Path) -> None:
+    robot = tmp_path / "robot.urdf"
+    robot.write_text("<robot><link")
+    document, _ = describe(str(robot))
+    assert document["robot"] is None
+    assert document["missing"]["links"] == "the description cannot be read"
+    assert [one["code"] for one in document["findings"]] == ["XML001"]
+    assert "XML001" in report(str(robot), "markdown")[0]
+    with pytest.raises(UrdfkitError, match="no table 'links'"):
+        report(str(robot), "csv", table="links")
+
+
+def test_numbers_that_overflow_are_left_out_of_json(tmp_path: Path) -> None:
+    robot = tmp_path / "robot.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><origin xyz="1e200 0 0"/><mass value="1e308"/>'
+        '<inertia ixx="1e308" ixy="1e308" ixz="0" iyy="1e308" iyz="0" izz="1e308"/></inertial>'
+        '</link><link name="b"><inertial><mass value="1e308"/></inertial></link></robot>'
+    )
+    text, _ = report(str(robot), "json")
+    json.loads(text, parse_constant=pytest.fail)
+
+
+def test_what_is_no_robot_is_said(tmp_path: Path) -> None:
+    with pytest.raises(UnreadableFile):
+        describe("none.urdf")
+    launch = tmp_path / "robot.launch"
+    launch.write_text("<launch/>")
+    with pytest.raises(UrdfkitError, match="a launch file is no robot"):
+        describe(str(launch))
+
+
+def test_json_is_the_document() -> None:
+    text, document = report(MISSION, "json")
+    assert json.loads(text) == document
+    assert document["version"] == 1
+
+
+def test_every_table_is_a_csv() -> None:
+    for table, first, rows in (
+        ("findings", "severity", 42),
+        ("links", "name", 10),
+        ("joints", "name", 9),
+        ("meshes", "link", 1),
+    ):
+        text, document = report(MISSION, "csv", table=table)
+        header, *lines = csv.reader(io.StringIO(text))
+        assert header[0] == first
+        assert len(lines) == len(document[table]) == rows
+        assert {len(line) for line in lines} == {len(header)}
+
+
+def test_no_cell_is_a_formula(tmp_path: Path) -> None:
+    robot = tmp_path / "robot.urdf"
+    robot.write_text("<robot name=\"r\"><link name=\"=HYPERLINK('http://e','x')\"/></robot>")
+    text, _ = report(str(robot), "csv", table="links")
+    assert list(csv.reader(io.StringIO(text)))[1][0] == "'=HYPERLINK('http://e','x')"
+    text, _ = report(GRIPPER, "csv", table="joints")
+    assert [row[4] for row in csv.reader(io.StringIO(text))][2:] == ["0.0 1.0 0.0", "0.0 -1.0 0.0"]
+
+
+def test_markdown_has_the_worst_first_and_fits_a_comment() -> None:
+    text, _ = report(MISSION, "markdown")
+    rows = [line for line in text.splitlines() if line.startswith("| 🔴 ")]
+    assert len(rows) == 1
+    assert "MSH001" in rows[0]
+    assert len(text) < 65_536
+    chinese, _ = report(MISSION, "markdown", language="zh")
+    assert "### 检查结果" in chinese
+
+
+@pytest.mark.parametrize(("name", "form"), [("a.HTML", "html"), ("b.md", "markdown")])
+def test_the_suffix_is_the_form(name: str, form: str) -> None:
+    assert form_of(name) == form
+    with pytest.raises(UrdfkitError, match="the suffix is none of"):
+        form_of("a.pdf")

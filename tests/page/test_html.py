@@ -1,0 +1,168 @@
+"""The HTML as text: it is whole, loads nothing, and holds nothing of a robot as markup."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit import rules
+from urdfkit.diagnostic import Confidence
+from urdfkit.errors import UrdfkitError
+from urdfkit.page import engine, html, scene
+from urdfkit.page.words import Words
+from urdfkit.page.writing import report
+from urdfkit.subject import Unavailable
+
+for module in ("jinja2", "numpy", "trimesh"):
+    pytest.importorskip(module)
+
+MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+TEMPLATES = Path(html.__file__).parent / "templates"
+VOID = {"meta", "link", "br", "img", "input"}
+
+
+class Elements(HTMLParser):
+    """The elements of a page with their attributes, and the texts of its scripts."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.found: list[tuple[str, dict[str, str | None]]] = []
+        self.scripts: list[str] = []
+        self.open: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] == "script" and "type" not in self.found[-1][1]:
+            self.scripts.append(data)
+
+
+@pytest.fixture(scope="module")
+def page() -> Elements:
+    return Elements(report(MISSION)[0])
+
+
+def test_every_element_is_closed(page: Elements) -> None:
+    assert page.open == []
+
+
+def test_nothing_is_loaded(page: Elements) -> None:
+    addresses = [
+        value
+        for tag, attributes in page.found
+        for name, value in attributes.items()
+        if name in ("src", "href", "action", "data", "srcset") and value
+    ]
+    assert addresses
+    assert {value.partition(":")[0] for value in addresses if not value.startswith("#")} == {"data"}
+    style = (TEMPLATES / "page.css").read_text(encoding="utf-8")
+    assert "url(" not in style
+    assert "@import" not in style
+
+
+def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
+    (policy,) = [
+        str(attributes["content"])
+        for tag, attributes in page.found
+        if tag == "meta" and attributes.get("http-equiv") == "Content-Security-Policy"
+    ]
+    named = set(re.findall(r"'sha256-([^']+)'", policy))
+    digests = (hashlib.sha256(script.encode()).digest() for script in page.scripts)
+    assert {base64.b64encode(digest).decode() for digest in digests} == named
+    assert len(named) == 3
+    assert policy.startswith("default-src 'none'; script-src 'sha256-")
+    assert "unsafe" not in policy.partition("style-src")[0]
+    assert not any(name.startswith("on") for _, attributes in page.found for name in attributes)
+
+
+def test_the_same_robot_gives_the_same_page() -> None:
+    assert report(MISSION)[0] == report(MISSION)[0]
+
+
+def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(subject: object) -> None:
+        raise Unavailable(scene.INSTALL)
+
+    monkeypatch.setattr(scene, "build", missing)
+    text, document = report(MISSION)
+    assert document["missing"] == {"3D view": scene.INSTALL}
+    assert "THREE" not in text
+    assert "pip install &#39;urdfkit[report]&#39;" in text
+
+
+def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    html._environment.cache_clear()
+    monkeypatch.setitem(__import__("sys").modules, "jinja2", None)
+    with pytest.raises(UrdfkitError, match=r"pip install 'urdfkit\[report\]'"):
+        report(MISSION)
+
+
+def test_the_engine_carries_its_licence() -> None:
+    found = engine.load()
+    assert found.package.startswith("trimesh ")
+    assert "Three.js Authors" in found.script[:200]
+    assert "Permission is hereby granted, free of charge" in found.licence
+    assert "Three.js Authors" in found.licence
+    assert "$B64GLTF" not in found.script
+
+
+def test_an_unknown_engine_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(engine, "_page", lambda archive: "<script>another</script>")
+    with pytest.raises(UrdfkitError, match="is not one that urdfkit knows"):
+        engine.load()
+
+
+def words_of_pages() -> set[str]:
+    """Every word that the templates and scripts translate, and those that rows bring along."""
+    found: set[str] = set()
+    for file in TEMPLATES.iterdir():
+        text = file.read_text(encoding="utf-8")
+        found |= set(re.findall(r'\b(?:_|page\.word)\("([^"]+)"\)', text))
+    markdown = (TEMPLATES.parent / "markdown.py").read_text(encoding="utf-8")
+    found |= set(re.findall(r'\b_\("([^"]+)"\)', markdown))
+    view = (TEMPLATES / "scene.html.j2").read_text(encoding="utf-8")
+    found |= {pair[1] for pair in re.findall(r'\("(\w+)", "([^"]+)"', view)}
+    buttons = (TEMPLATES / "scene.js").read_text(encoding="utf-8")
+    found |= {pair[0] for pair in re.findall(r'\["(\w+)", (null|\d)', buttons)}
+    found |= set(rules.FAMILIES.values())
+    found |= {"good", "doubtful", "unfit", "stays", "merged", "dropped", "not made"}
+    found |= {"macro", "include", "launch", "visual", "collision", "inferred", "guessed"}
+    return found
+
+
+def test_every_word_has_a_chinese_one() -> None:
+    wanted = words_of_pages()
+    assert len(wanted) > 90
+    assert wanted - Words("zh").known.keys() == set()
+
+
+def test_what_is_translated_is_somewhere_used() -> None:
+    text = "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.parent.rglob("*.py"))
+    text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
+    text += " ".join(Confidence)
+    known = Words("zh").known.keys() - set(rules.FAMILIES.values())
+    assert {word for word in known if word not in text} == set()
+
+
+def test_the_data_of_a_page_is_json(page: Elements) -> None:
+    text = report(MISSION)[0]
+    (robot,) = re.findall(r'id="robot">(.*?)</script>', text)
+    assert "<" not in robot
+    assert [link["name"] for link in json.loads(robot)["links"]][:2] == ["dummy", "base_footprint"]

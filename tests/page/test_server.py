@@ -1,0 +1,169 @@
+"""The viewer as a process: who gets an answer, and what a saved file does."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import MODELS, ROOT
+from tests.page.browsers import browser, needs_browser
+
+for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
+    pytest.importorskip(module)
+
+BASE = MODELS / "good" / "mobile_base"
+
+
+class Running:
+    """A viewer of a copy of a robot."""
+
+    def __init__(self, folder: Path) -> None:
+        shutil.copytree(BASE, folder / "mobile_base")
+        self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open"]
+        self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
+        assert self.process.stderr
+        self.address = self.process.stderr.readline().strip()
+
+    def get(self, path: str = "", body: bytes | None = None, **headers: str) -> tuple[int, bytes]:
+        request = urllib.request.Request(self.address + path, body, headers)
+        try:
+            with urllib.request.urlopen(request, timeout=20) as answer:
+                return answer.status, answer.read()
+        except urllib.error.HTTPError as error:
+            return error.code, error.read()
+
+    def state(self, after: int = 0) -> Any:
+        """The state as soon as it is one after another one."""
+        for _ in range(100):
+            state = json.loads(self.get("state")[1])
+            if state["revision"] > after:
+                return state
+            time.sleep(0.1)
+        raise AssertionError(f"no state after {after}")
+
+    def edit(self, old: str, new: str, file: Path | None = None) -> None:
+        path = file or self.robot
+        text = path.read_text(encoding="utf-8")
+        assert old in text
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+
+@pytest.fixture(scope="module")
+def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
+    running = Running(tmp_path_factory.mktemp("viewer"))
+    try:
+        yield running
+    finally:
+        running.process.terminate()
+        running.process.wait(10)
+        assert running.process.stderr
+        running.process.stderr.close()
+
+
+def test_it_answers_at_a_local_address_that_nobody_guesses(viewer: Running) -> None:
+    match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([\w-]{32})/", viewer.address)
+    assert match
+    status, page = viewer.get()
+    assert status == 200
+    assert b"mobile_base" in page
+    for address in ("../", "../" + "x" * 32 + "/", "../state"):
+        assert viewer.get(address)[0] == 404
+    assert viewer.get(Host="robots.example.org")[0] == 400
+    assert viewer.get(Host=f"127.0.0.1:{match[1]}")[0] == 200
+
+
+def test_the_page_may_load_from_here_only(viewer: Running) -> None:
+    page = viewer.get()[1].decode()
+    assert "connect-src &#39;self&#39; blob: data:" in page
+    assert "unsafe-eval" not in page
+
+
+@pytest.mark.parametrize("body", [b"", b"[]", b'{"a": 1}', b"{" * 90_000, b" " * 200_000])
+def test_nonsense_is_refused(viewer: Running, body: bytes) -> None:
+    assert viewer.get("arguments", body or b"\0")[0] == 400
+
+
+def test_every_file_of_the_robot_is_watched(viewer: Running) -> None:
+    before = viewer.state()
+    assert before["files"] == 3
+    dimensions = viewer.robot.parents[1] / "config" / "dimensions.yaml"
+    viewer.edit("mass: 6.0", "mass: 7.0", dimensions)
+    after = viewer.state(before["revision"])
+    masses = {link["name"]: link.get("mass") for link in after["robot"]["links"]}
+    assert masses["base_link"] == 7.0
+    included = viewer.robot.parent / "inertials.xacro"
+    viewer.edit("</robot>", "</robot><oops>", included)
+    broken = viewer.state(after["revision"])
+    assert broken["readable"] is False
+    assert "model" not in broken
+    assert "inertials.xacro" in broken["content"]
+    viewer.edit("<oops>", "", included)
+    assert viewer.state(broken["revision"])["readable"] is True
+
+
+def test_a_file_that_goes_and_comes_back(viewer: Running) -> None:
+    before = viewer.state()
+    text = viewer.robot.read_text(encoding="utf-8")
+    viewer.robot.unlink()
+    gone = viewer.state(before["revision"])
+    assert "mobile_base.urdf.xacro" in gone["error"]
+    viewer.robot.write_text(text, encoding="utf-8")
+    assert viewer.state(gone["revision"])["error"] == ""
+
+
+def test_arguments_are_those_of_the_xacro(viewer: Running) -> None:
+    before = viewer.state()
+    assert before["declared"] == {"prefix": ""}
+    assert viewer.get("arguments", b'{"prefix": "left_"}')[0] == 204
+    after = viewer.state(before["revision"])
+    assert after["declared"] == {"prefix": "left_"}
+    assert after["robot"]["links"][0]["name"] == "left_base_footprint"
+    viewer.get("arguments", b'{"prefix": ""}')
+
+
+@needs_browser
+def test_an_open_page_follows(viewer: Running) -> None:
+    pytest.importorskip("selenium")
+    viewer.get("arguments", b'{"prefix": ""}')
+    with browser() as page:
+        page.open(viewer.address)
+        page.run("urdfkit.move('left_wheel_joint', 0.5)")
+        before = page.run("return urdfkit.frame('left_wheel')")
+        revision = page.wait("new Promise((done) => setTimeout(() => done(urdfkit.revision), 600))")
+        viewer.edit('xyz="0.08 ', 'xyz="0.18 ')
+        seen = (
+            "new Promise((done) => { const look = () => urdfkit.revision > "
+            f"{revision} ? done(urdfkit.frame('left_wheel')) : setTimeout(look, 50); look(); }})"
+        )
+        after = page.wait(seen)
+        assert after[12] - before[12] == pytest.approx(0.1)  # it moved, and
+        assert after[:12] == pytest.approx(before[:12])  # the joint is where it was put
+        field = page.find("#arguments input[name=prefix]")
+        field.send_keys("r_")
+        page.find("#arguments button").click()
+        page.wait(
+            "new Promise((done) => { const look = () => document.querySelector("
+            "'[data-link=r_base_link]') ? done(1) : setTimeout(look, 50); look(); })"
+        )
+        assert page.errors == []
+
+
+def test_a_port_that_is_taken_is_said(viewer: Running, capfd: pytest.CaptureFixture[str]) -> None:
+    from urdfkit.cli import main
+
+    port = viewer.address.split(":")[2].partition("/")[0]
+    assert main(["view", str(viewer.robot), "--no-open", "--port", port]) == 2
+    assert f"port {port} of 127.0.0.1" in capfd.readouterr().err
+    assert main(["view", "none.urdf", "--no-open"]) == 2

@@ -1,0 +1,154 @@
+"""The document of a report: plain values that JSON can hold.
+
+Lengths in m, angles in rad, masses in kg, moments in kg m^2. A part that cannot be had, for want
+of a library or of a robot, is None, and ``missing`` says why.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+from urdfkit import __version__, rules
+from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.engine import check
+from urdfkit.errors import UrdfkitError
+from urdfkit.formats import json as as_json
+from urdfkit.page import tables
+from urdfkit.page.findings import Places, findings
+from urdfkit.reading import is_launch
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+from urdfkit.subject import Subject, Unavailable
+from urdfkit.targets import TARGETS
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+
+#: Of the document; a change that could break a reader counts it up.
+VERSION = 1
+
+Document = dict[str, Any]
+
+#: The parts that are computed from the robot, each by a function of its Subject.
+_PARTS: dict[str, Callable[[Subject], object]] = {
+    "robot": tables.robot,
+    "links": tables.links,
+    "joints": tables.joints,
+    "gazebo": tables.gazebo,
+    "meshes": tables.meshes,
+}
+
+
+def describe(
+    file: str,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+) -> tuple[Document, Subject]:
+    """Everything that is told of a robot, and the robot.
+
+    A robot that cannot be read has its findings told, and nothing else.
+
+    Args:
+        file: a URDF or xacro file.
+        arguments: for xacro.
+        packages: folders of ROS packages by name; they win over every search.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UrdfkitError: it is a launch file.
+    """
+    if is_launch(file):
+        raise UrdfkitError(f"{file}: a launch file is no robot; name the robot that it starts")
+    source = Source.read(file)
+    every = {**(config.packages if config else {}), **(packages or {})}
+    values = {**(config.arguments if config else {}), **(arguments or {})}
+    report = check(
+        source,
+        arguments=values,
+        packages=every,
+        targets=targets,
+        trust=trust,
+        config=config._replace(robots=()) if config else None,
+    )
+    subject = Subject(source, Resolver(every), values, trust=trust)
+    return _document(subject, report), subject
+
+
+def _document(subject: Subject, report: Report) -> Document:
+    parts: Document = {}
+    missing: dict[str, str] = {}
+    for name, part in _PARTS.items():
+        try:
+            parts[name] = part(subject)
+        except Unavailable as reason:
+            parts[name], missing[name] = None, str(reason)
+    is_read = subject.reading.document is not None
+    places = Places(subject.model if is_read else None)
+    written = json.loads(as_json.render(report))
+    document = {
+        "version": VERSION,
+        "urdfkit": __version__,
+        "file": subject.source.path,
+        "arguments": subject.arguments,
+        "summary": {
+            key: written["summary"][key]
+            for key in ("error", "warning", "info", "suppressed", "codes", "rules")
+        },
+        "targets": _targets(report),
+        "findings": findings(report.diagnostics, written["diagnostics"], places),
+        "skipped": written["skipped"],
+        "crashed": written["crashed"],
+        **parts,
+        "missing": missing,
+    }
+    finite: Document = _finite(document)
+    return finite
+
+
+def _finite(value: Any) -> Any:
+    """A value of which JSON can hold every number; those of a hostile robot overflow."""
+    if isinstance(value, float):
+        return value if isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: _finite(inner) for key, inner in value.items()}
+    return [_finite(inner) for inner in value] if isinstance(value, list) else value
+
+
+def _targets(report: Report) -> list[dict[str, Any]]:
+    """For each program that will read the robot: how it will fare, and why it was thought of."""
+    names = [name for _, targets in report.targets for name in targets.names]
+    evidence = {
+        name: reason
+        for _, targets in report.targets
+        for name, _, reason in (text.partition(": ") for text in targets.evidence)
+    }
+    return [_target(name, evidence.get(name, ""), report) for name in names]
+
+
+def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
+    counts = dict.fromkeys((severity.value for severity in Severity), 0)
+    for found in report.diagnostics:
+        counts[_severity(found, name).value] += 1
+    verdict = "good"
+    if counts["error"]:
+        verdict = "unfit"
+    elif counts["warning"]:
+        verdict = "doubtful"
+    about = TARGETS[name]
+    return {"name": name, "about": about, "evidence": evidence, "verdict": verdict, **counts}
+
+
+def _severity(found: Diagnostic, target: str) -> Severity:
+    """How bad a finding is for one program alone."""
+    rule = rules.get(found.code)
+    return rule.weigh([target])[0] if target in rule.by_target else found.severity

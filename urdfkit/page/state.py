@@ -1,0 +1,132 @@
+"""What the viewer shows at a moment, and the files that it was made from."""
+
+from __future__ import annotations
+
+import base64
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.page import html
+from urdfkit.page.document import Document, describe
+from urdfkit.page.scene import Scene
+from urdfkit.page.words import Words
+from urdfkit.page.writing import drawn
+from urdfkit.record import Record
+from urdfkit.subject import Subject
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+
+#: The size and the time of change of a file; None if it is not there.
+Stamp = tuple[int, int] | None
+
+
+class Wish(Record):
+    """What is to be shown.
+
+    Attributes:
+        file: a URDF or xacro file.
+        arguments: for xacro.
+        packages: folders of ROS packages by name.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+    """
+
+    file: str
+    arguments: Mapping[str, str]
+    packages: Mapping[str, str]
+    targets: tuple[str, ...] = ()
+    trust: bool = False
+    config: Config | None = None
+
+
+class State(Record):
+    """A robot as it was read.
+
+    Attributes:
+        document: what is told of it.
+        drawings: addresses of pictures, by name.
+        scene: the robot in three dimensions; None if it cannot be had.
+        declared: the arguments that the xacro declares, each with its value.
+        stamps: of every file that it was made from.
+    """
+
+    document: Document
+    drawings: dict[str, str]
+    scene: Scene | None
+    declared: dict[str, str]
+    stamps: dict[str, Stamp]
+
+    def message(self, words: Words) -> dict[str, Any]:
+        """What a page needs to show it; JSON can hold it."""
+        found: dict[str, Any] = {
+            "content": html.render_content(self.document, words, self.drawings),
+            "files": len(self.stamps),
+            "declared": self.declared,
+            "readable": self.document["robot"] is not None,
+        }
+        if self.scene is not None:
+            found["robot"] = self.scene.robot
+            found["model"] = base64.b64encode(self.scene.model).decode("ascii")
+        return found
+
+    @property
+    def is_stale(self) -> bool:
+        """True if one of its files has changed, come or gone."""
+        return any(stamp(path) != known for path, known in self.stamps.items())
+
+
+def read(wish: Wish) -> State:
+    """Read and check a robot.
+
+    Raises:
+        UrdfkitError: the file is missing, or the job cannot be done.
+    """
+    before = {wish.file: stamp(wish.file)}
+    document, subject = describe(
+        wish.file,
+        arguments=wish.arguments,
+        packages=wish.packages,
+        targets=wish.targets,
+        trust=wish.trust,
+        config=wish.config,
+    )
+    drawings, scene = drawn(document, subject)
+    stamps = {path: stamp(path) for path in files_of(subject, document)}
+    return State(document, drawings, scene, _declared(subject), stamps | before)
+
+
+def files_of(subject: Subject, document: Document) -> set[str]:
+    """Every file that a robot is made from, those included that are missing."""
+    found = {subject.source.path}
+    xacro = subject.reading.xacro
+    if xacro is not None:
+        found |= {source.path for source in xacro.sources} | set(xacro.data_files)
+    if subject.reading.document is not None:
+        for mesh in subject.files.meshes:
+            at = mesh.located
+            found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
+    found |= {one["path"] for one in document["findings"]}
+    return found
+
+
+def _declared(subject: Subject) -> dict[str, str]:
+    """The arguments of a xacro, each with the value that was given, or its default as written."""
+    xacro = subject.reading.xacro
+    if xacro is None:
+        return {}
+    found: dict[str, str] = {}
+    for argument in xacro.arguments:
+        found.setdefault(argument.name, argument.attributes.get("default", ""))
+    return found | {name: text for name, text in subject.arguments.items() if name in found}
+
+
+def stamp(path: str) -> Stamp:
+    """The state of a file; None if it is not there."""
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return status.st_size, status.st_mtime_ns

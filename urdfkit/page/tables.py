@@ -1,0 +1,148 @@
+"""The parts of a report that are computed from the robot: rows of plain values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.inertia import combined, principal_moments
+from urdfkit.kinematics import frames
+from urdfkit.rigid import properties_of
+from urdfkit.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint, Link
+    from urdfkit.subject import Subject
+
+Row = dict[str, Any]
+
+
+def robot(subject: Subject) -> Row:
+    """What it is as a whole, all joints at zero; in the frame of its first root."""
+    model, tree = subject.model, subject.tree
+    links = model.links_by_name
+    whole = combined(properties_of(links[name], frame) for name, frame in frames(tree, {}).items())
+    return {
+        "name": model.name,
+        "links": len(model.links),
+        "joints": len(model.joints),
+        "degrees_of_freedom": model.degrees_of_freedom,
+        "roots": [root.name for root in tree.roots],
+        "mass": model.mass,
+        "center": list(whole.center),
+        "visuals": sum(len(link.visuals) for link in model.links),
+        "collisions": sum(len(link.collisions) for link in model.links),
+    }
+
+
+def links(subject: Subject) -> list[Row]:
+    """Each link with its mass, centre of mass and principal moments."""
+    total = subject.model.mass
+    return [_link(link, total) for link in subject.model.links]
+
+
+def _link(link: Link, total: float) -> Row:
+    inertial = link.inertial
+    tensor = inertial.tensor.value if inertial and inertial.tensor else None
+    return {
+        "name": link.name,
+        "mass": inertial.mass.value if inertial and inertial.mass else None,
+        "share": link.mass / total if total > 0 else 0.0,
+        "center": list(inertial.origin.position) if inertial else None,
+        "moments": list(principal_moments(tensor)) if tensor else None,
+        "inertia": tensor._asdict() if tensor else None,
+        "visuals": [_shape(body.shape) for body in link.visuals],
+        "collisions": [_shape(body.shape) for body in link.collisions],
+        **_place(link.at.span),
+    }
+
+
+def _shape(shape: Any) -> str:
+    if shape is None:
+        return ""
+    return shape.filename.value if shape.filename else str(shape.kind)
+
+
+def _place(span: Span) -> Row:
+    line, column = span.source.position(span.start)
+    return {"path": span.source.path, "line": line, "column": column}
+
+
+def joints(subject: Subject) -> list[Row]:
+    """Each joint with its type, links, axis, limits and the joint that it follows."""
+    return [_joint(joint) for joint in subject.model.joints]
+
+
+def _joint(joint: Joint) -> Row:
+    limits = {
+        key: placed.value if joint.limit and (placed := getattr(joint.limit, key)) else None
+        for key in ("lower", "upper", "effort", "velocity")
+    }
+    mimic = None
+    if joint.mimic and joint.mimic.joint:
+        mimic = {
+            "joint": joint.mimic.joint.value,
+            "multiplier": joint.mimic.multiplier,
+            "offset": joint.mimic.offset,
+        }
+    return {
+        "name": joint.name,
+        "type": joint.kind,
+        "parent": joint.parent.value if joint.parent else "",
+        "child": joint.child.value if joint.child else "",
+        "axis": list(joint.axis.value) if joint.axis else None,
+        **limits,
+        "mimic": mimic,
+        **_place(joint.at.span),
+    }
+
+
+def gazebo(subject: Subject) -> Row:
+    """What becomes of each link in Gazebo, and what is left."""
+    conversion = subject.gazebo
+    fates = {
+        link.name: _fate(link.name, conversion.survivor, conversion.dropped)
+        for link in conversion.model.links
+    }
+    return {
+        "converter": conversion.converter.name,
+        "fates": [{"link": name, **fate} for name, fate in fates.items()],
+        "links": [
+            {
+                "name": link.name,
+                "mass": link.properties.mass,
+                "center": list(link.properties.center),
+                "merged": [part.name for part, _ in link.body.links[1:]],
+            }
+            for link in conversion.links
+        ],
+        "joints": len(conversion.joints),
+    }
+
+
+def _fate(name: str, survivor: dict[str, str], dropped: dict[str, str]) -> Row:
+    if name in dropped:
+        return {"fate": "dropped", "into": "", "reason": dropped[name]}
+    if name not in survivor:
+        return {"fate": "not made", "into": "", "reason": ""}
+    into = survivor[name]
+    fate = "stays" if into == name else "merged"
+    return {"fate": fate, "into": into if into != name else "", "reason": ""}
+
+
+def meshes(subject: Subject) -> list[Row]:
+    """Each mesh that the robot names: where its file is, and what the file holds."""
+    rows = []
+    for mesh in subject.files.meshes:
+        facts = mesh.facts
+        rows.append(
+            {
+                "link": mesh.link,
+                "role": mesh.role,
+                "name": mesh.at.value,
+                "path": mesh.located.path,
+                "format": facts.format if facts else "",
+                "size": facts.size if facts else None,
+                "defect": facts.defect.reason if facts and facts.defect else "",
+            }
+        )
+    return rows

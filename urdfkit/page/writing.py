@@ -1,0 +1,112 @@
+"""report(): the report of a robot in the form that a file's suffix asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.page.document import Document, describe
+from urdfkit.page.words import Words
+from urdfkit.subject import Subject, Unavailable
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+    from urdfkit.page.scene import Scene
+
+#: Forms of a report, by the suffix of a file.
+SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json", ".csv": "csv"}
+
+
+def report(
+    file: str,
+    form: str = "html",
+    *,
+    language: str = "en",
+    table: str = "findings",
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+) -> tuple[str, Document]:
+    """The text of a report, and the document that it was made from.
+
+    Args:
+        file: a URDF or xacro file.
+        form: ``html``, ``markdown``, ``json`` or ``csv``.
+        language: of headings and the like: ``en`` or ``zh``.
+        table: of CSV: ``findings``, ``links``, ``joints`` or ``meshes``.
+        arguments: for xacro.
+        packages: folders of ROS packages by name; they win over every search.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UrdfkitError: the form needs a library that is not installed, or has no such table.
+    """
+    document, subject = describe(
+        file,
+        arguments=arguments,
+        packages=packages,
+        targets=targets,
+        trust=trust,
+        config=config,
+    )
+    if form == "json":
+        from urdfkit.page import json
+
+        return json.render(document), document
+    if form == "csv":
+        from urdfkit.page import csv
+
+        return csv.render(document, table), document
+    if form == "markdown":
+        from urdfkit.page import markdown
+
+        return markdown.render(document, Words(language)), document
+    return page(document, subject, Words(language)), document
+
+
+def page(document: Document, subject: Subject, words: Words) -> str:
+    """A page with the 3D view, if that can be had; else with the reason why not."""
+    from urdfkit.page import html
+
+    drawings, scene = drawn(document, subject)
+    if scene is None:
+        return html.render(document, words, drawings)
+    from urdfkit.page import engine
+
+    return html.render(document, words, drawings, scene, engine.load())
+
+
+def drawn(document: Document, subject: Subject) -> tuple[dict[str, str], Scene | None]:
+    """The drawings of a robot, and the robot in three dimensions.
+
+    What cannot be had is left out; where that is for want of a library, the document tells so.
+    """
+    from urdfkit.page import drawings, scene
+
+    tree = drawings.tree(subject)
+    found = {"tree": tree} if tree else {}
+    if subject.reading.document is None:
+        return found, None
+    try:
+        return found, scene.build(subject)
+    except Unavailable as reason:
+        document["missing"]["3D view"] = str(reason)
+        return found, None
+
+
+def form_of(target: str) -> str:
+    """The form that the suffix of a file asks for.
+
+    Raises:
+        UrdfkitError: it asks for none.
+    """
+    for suffix, form in SUFFIXES.items():
+        if target.lower().endswith(suffix):
+            return form
+    raise UrdfkitError(f"{target}: the suffix is none of {', '.join(SUFFIXES)}")
