@@ -6,8 +6,9 @@ from time import process_time
 import pytest
 
 from tests.controls import ROBOT, plugin
-from urdfkit.controllers import MAX_BYTES, Controller, controllers, parameter_files, read
+from urdfkit.controllers import Controller, controllers, parameter_files, read
 from urdfkit.examples import whole_robot
+from urdfkit.placed_yaml import MAX_BYTES
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -142,7 +143,8 @@ def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
         ("/nowhere/c.yaml", None),
     ]
     ((file, (drive,)),) = controllers(model)
-    assert file.at.text == f" {here} "
+    assert file.element is not None
+    assert file.element.text == f" {here} "
     assert drive.name == "drive"
     assert drive.values(["wheel_radius"])[0].span.source.path == str(here)
 

@@ -1,54 +1,30 @@
 """The controllers of ros2_control in a YAML file, each value with its place.
 
-The file is the one that a control plugin names in ``<parameters>``. It is read from the parser's
-events, without recursion and without aliases, as ROS 2 reads it: a file of parameters has a few
-levels, and what is deeper is no such file.
-Source: ``rcl_yaml_param_parser`` of ros2/rcl.
+The file is one that a control plugin names in ``<parameters>``, or one that the launch file loads
+which starts the robot. ROS 2 keeps the parameters of each node below ``ros__parameters``; in ROS 1
+the controllers stand in any namespace, and are known by their ``type``.
+Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_control.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
+from urdfkit.placed_yaml import Node, Value, load
 from urdfkit.record import Record
 from urdfkit.ros_control import control_plugins
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
-    from typing import TypeAlias
-
     from urdfkit.document import Element
     from urdfkit.subject import Subject
 
-#: Larger files are no list of controllers.
-MAX_BYTES = 1024 * 1024
-MAX_LEVELS = 30
-
 _MANAGER = "controller_manager"
 _PARAMETERS = "ros__parameters"
-
-
-class Value(Record):
-    """A scalar, and the lines and columns of its ends, from 0."""
-
-    text: str
-    source: Source
-    start: tuple[int, int]
-    end: tuple[int, int]
-
-    @property
-    def span(self) -> Span:
-        """Its place, counted when it is asked for: the lines of a hostile file are long."""
-        start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:])
-        return Span(self.source, start, end)
-
-
-#: None stands for an alias.
-Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
 class Controller(Record):
@@ -70,34 +46,40 @@ class Controller(Record):
 
 
 class ParameterFile(Record):
-    """A file that a control plugin names.
+    """A file of parameters.
 
     Attributes:
-        at: the ``<parameters>``.
+        span: where it is named: in a control plugin or in the launch file.
         path: as it is after expansion; absolute.
         found: the file, or None if there is none.
+        element: the ``<parameters>`` of the plugin; None if the launch file names it.
     """
 
-    at: Element
+    span: Span
     path: str
     found: str | None
+    element: Element | None = None
 
 
 def parameter_files(subject: Subject) -> list[ParameterFile]:
-    """The files that control plugins name by an absolute path, ``$(find pkg)`` among them."""
-    files: dict[str, ParameterFile] = {}
+    """The files of the launch file, and those that control plugins name by an absolute path."""
+    files = {
+        use.path: ParameterFile(use.span, use.path, use.path)
+        for use in subject.parameters
+        if os.path.isfile(use.path)
+    }
     for plugin in control_plugins(subject.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
             found = path if os.path.isfile(path) else subject.resolver.installed(path)
-            files.setdefault(path, ParameterFile(element, path, found))
+            files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
 
 
 def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controller]]]:
-    """The controllers of each file that a control plugin names and that can be read."""
+    """The controllers of each file of parameters that can be read."""
     for file in parameter_files(subject):
         if file.found and subject.resolver.allows(file.found, subject.source.path):
             try:
@@ -109,9 +91,12 @@ def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controll
 
 def read(source: Source) -> list[Controller]:
     """The controllers of a file; none if it is not YAML, or no file of parameters."""
+    root = load(source)
+    if not any(True for _ in _nodes(root)):
+        return list(_of_ros1(root))
     types: dict[tuple[str, ...], str] = {}
     parameters: dict[tuple[str, ...], dict[str, list[Value]]] = {}
-    for path, node in _nodes(_load(source)):
+    for path, node in _nodes(root):
         given = dict(_flat(node))
         parameters.setdefault(path, {}).update(given)
         prefixes = [("", path)]
@@ -139,6 +124,20 @@ def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node]]]:
                 stack.append(((*path, *parts), inner))
 
 
+def _of_ros1(root: Node) -> Iterator[Controller]:
+    """What has a type with a slash in it, in any namespace."""
+    stack: list[tuple[str, Node]] = [("", root)]
+    while stack:
+        name, node = stack.pop()
+        if not isinstance(node, dict):
+            continue
+        kind = node.get("type")
+        if isinstance(kind, Value) and "/" in kind.text:
+            yield Controller(name, kind.text, dict(_flat(node)))
+        else:
+            stack += node.items()
+
+
 def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:
     stack: list[tuple[str, Node]] = [("", node)]
     while stack:
@@ -149,64 +148,3 @@ def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:
             yield name, [inner]
         elif isinstance(inner, list):
             yield name, [value for value in inner if isinstance(value, Value)]
-
-
-def _load(source: Source) -> Node:
-    """The first document of a YAML file."""
-    if len(source.data) > MAX_BYTES:
-        return None
-    import yaml  # 15 ms, and few models name a file of parameters
-
-    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    try:
-        return _compose(source, yaml.parse(source.data, loader))
-    except yaml.YAMLError:
-        return None
-
-
-def _compose(source: Source, events: Iterable[Any]) -> Node:
-    """The value that events make; None where it is too deep.
-
-    Raises:
-        yaml.YAMLError: it is not YAML.
-    """
-    import yaml
-
-    top: list[Node] = []
-    stack: list[Node] = [top]  # the collections that are open
-    keys: list[str | None] = [None]  # of each, the key that waits for its value
-    for event in events:
-        if isinstance(event, yaml.DocumentEndEvent):
-            break
-        if isinstance(event, yaml.CollectionEndEvent):
-            stack.pop()
-            keys.pop()
-            continue
-        node = _node(source, event)
-        owner = stack[-1]
-        if isinstance(event, yaml.NodeEvent):
-            if isinstance(owner, list):
-                owner.append(node)
-            elif isinstance(owner, dict):
-                if keys[-1] is None:
-                    keys[-1] = node.text if isinstance(node, Value) else ""
-                else:
-                    owner[keys[-1]] = node
-                    keys[-1] = None
-        if isinstance(event, yaml.CollectionStartEvent):
-            stack.append(node)
-            keys.append(None)
-            if len(stack) > MAX_LEVELS:
-                return None
-    return top[0] if top else None
-
-
-def _node(source: Source, event: Any) -> Node:
-    import yaml
-
-    if isinstance(event, yaml.ScalarEvent):
-        ends: tuple[Any, Any] = (event.start_mark, event.end_mark)
-        return Value(event.value, source, *((mark.line, mark.column) for mark in ends))
-    if isinstance(event, yaml.MappingStartEvent):
-        return {}
-    return [] if isinstance(event, yaml.SequenceStartEvent) else None  # None for an alias

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
+    from urdfkit.launch import FileUse
     from urdfkit.reading import Problem
     from urdfkit.targets import Targets
 
@@ -51,6 +52,7 @@ class Job(Record):
         arguments: for xacro.
         found: True if it was found in a folder, not named.
         frame: the launch file that asks for it, if one does.
+        parameters: the files of parameters that this launch file loads.
     """
 
     source: Source
@@ -58,6 +60,7 @@ class Job(Record):
     arguments: dict[str, str]
     found: bool
     frame: Frame | None = None
+    parameters: tuple[FileUse, ...] = ()
 
 
 class Settings(Record):
@@ -255,7 +258,8 @@ class _Plan:
             robot = self.resolver.read(_shown(description.path))
             common = self.config.arguments if self.config else {}
             arguments = {**common, **description.arguments}
-            self.jobs.append(Job(robot, "", arguments, False, description.frame))
+            job = Job(robot, "", arguments, False, description.frame, launch.parameters)
+            self.jobs.append(job)
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
         common = self.config.arguments if self.config else {}
@@ -311,6 +315,7 @@ def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
         trust=settings.trust,
         targets=settings.targets,
         frame=job.frame,
+        parameters=job.parameters,
     )
     verdict = judge(subject, settings.chosen, settings.config)
     return _without_arguments(verdict, job) if job.found else verdict

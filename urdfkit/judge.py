@@ -179,7 +179,7 @@ def _silent_families(subject: Subject) -> set[str]:
     model = subject.model
     there = {
         "JNT": model.joints,
-        "RCT": glance.is_controlled(model),
+        "RCT": subject.parameters or glance.is_controlled(model),
         "GAZ": model.gazebo,
         "SRD": srdf_files(subject.source.path, subject.resolver),
     }
@@ -193,7 +193,7 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
     if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
-        return {"PKG001", "PKG002"}
+        return {"PKG001", "PKG002", "PKG004"}
     from urdfkit.mentions import silent  # it compiles a regular expression
 
     return silent(sources, subject.resolver.packages)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from urdfkit.files import Files
     from urdfkit.gazebo import Conversion
     from urdfkit.grammar import Deviation
-    from urdfkit.launch import Launch
+    from urdfkit.launch import FileUse, Launch
     from urdfkit.masses import Masses
     from urdfkit.model import RobotModel
     from urdfkit.plugins import Use
@@ -69,6 +69,7 @@ class Subject:
         arguments: ``name:=value`` for xacro.
         trust: True if the model's expressions and files are not fenced in.
         frame: the launch file that asks for it; None if it was named itself.
+        parameters: the files of parameters that this launch file loads.
         outcome: what the rules before the present one found; set by the engine alone.
     """
 
@@ -81,8 +82,10 @@ class Subject:
         trust: bool = False,
         targets: Targets | None = None,
         frame: Frame | None = None,
+        parameters: tuple[FileUse, ...] = (),
     ) -> None:
         self.frame = frame
+        self.parameters = parameters
         self._given_targets = targets
         self.outcome = Outcome()
         self.source = source

@@ -72,3 +72,38 @@ def test_a_variant_with_prefixes(tmp_path: Path) -> None:
     assert told(tmp_path, controller("a", joints="[wing, lide]")) == [], "without its prefix"
     (found,) = told(tmp_path, controller("a", joints="[swing, left_slide]"))
     assert found.span.text == "left_slide", "the other one is of this robot"
+
+
+ROS1 = "/robot:\n  arm:\n    type: effort_controllers/JointPositionController\n    joint: swnig\n"
+
+
+def test_the_files_of_a_launch_file_of_ros_1(tmp_path: Path) -> None:
+    (tmp_path / "c.yaml").write_text(ROS1)
+    (tmp_path / "r.urdf").write_text(whole_robot(ROBOT))
+    (tmp_path / "r.launch").write_text(
+        '<launch>\n<rosparam command="load" file="$(dirname)/c.yaml"/>\n'
+        '<param name="robot_description" textfile="$(dirname)/r.urdf"/>\n</launch>\n'
+    )
+    (found,) = check(tmp_path / "r.launch", select=["RCT013"]).diagnostics
+    assert found.message.startswith("controller 'arm' names joint 'swnig'")
+    assert found.span.source.path == str(tmp_path / "c.yaml")
+    (related,) = found.related
+    assert related.span.source.path == str(tmp_path / "r.launch")
+    assert related.span.line == 2
+    assert check(tmp_path / "r.urdf", select=["RCT013"]).diagnostics == ()
+
+
+def test_the_files_of_a_launch_file_in_python(tmp_path: Path) -> None:
+    (tmp_path / "c.yaml").write_text(controller("arm", joints="[swing, slied]"))
+    (tmp_path / "r.urdf").write_text(whole_robot(ROBOT))
+    (tmp_path / "r.launch.py").write_text(
+        "import os\nfrom launch_ros.actions import Node\n"
+        f"folder = {str(tmp_path)!r}\n"
+        "robot = Command(['cat ', os.path.join(folder, 'r.urdf')])\n"
+        "controllers = os.path.join(folder, 'c.yaml')\n"
+        "node = Node(package='controller_manager', executable='ros2_control_node',\n"
+        "            parameters=[{'robot_description': robot}, controllers])\n"
+    )
+    (found,) = check(tmp_path / "r.launch.py", select=["RCT013"]).diagnostics
+    assert "'slied'" in found.message
+    assert found.related[0].span.text == "controllers"

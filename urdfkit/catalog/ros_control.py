@@ -54,10 +54,19 @@ class Measure(Record):
 
 
 class Controller(Record):
-    """A type of controller: the parameters that name joints, and those that are lengths."""
+    """A type of controller.
+
+    Attributes:
+        joints: the parameters that name joints.
+        measures: those that are lengths.
+        interface: the command interface that it needs of each joint; empty if it differs.
+        interfaces: the parameter that names the command interfaces; empty without one.
+    """
 
     joints: tuple[str, ...]
     measures: tuple[Measure, ...]
+    interface: str
+    interfaces: str
 
 
 @cache
@@ -140,6 +149,8 @@ def controllers() -> dict[str, Controller]:
                 Measure(parameter, kind, tuple(map(tuple, sides)))
                 for parameter, kind, *sides in entry.get("geometry", ())
             ),
+            entry.get("interface", ""),
+            entry.get("interfaces", ""),
         )
         for name, entry in _content()["controllers"].items()
     }

@@ -44,7 +44,7 @@ FILES = {
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for file in parameter_files(subject):
-        if file.found is None:
+        if file.found is None and file.element:  # LAU003 tells those of launch files
             folder, name = os.path.split(file.path)
             hint = did_you_mean(name, os.listdir(folder)) if os.path.isdir(folder) else ""
-            yield Finding(file.at, f"file of parameters '{file.path}' does not exist{hint}")
+            yield Finding(file.element, f"file of parameters '{file.path}' does not exist{hint}")

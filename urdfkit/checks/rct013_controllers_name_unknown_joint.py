@@ -12,10 +12,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import controllers as catalogue
-from urdfkit.controllers import Controller, Value, controllers
+from urdfkit.controllers import Controller, controllers
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
+from urdfkit.placed_yaml import Value
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, Written, rule
 
@@ -113,7 +114,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                         f"controller '{controller.name}' names joint '{value.text}', "
                         "which is not in the model"
                         + (f"; did you mean '{meant}'?" if meant else ""),
-                        related=(Related(file.at.span, "the file is named here"),),
+                        related=(Related(file.span, "the file is named here"),),
                     )
 
 

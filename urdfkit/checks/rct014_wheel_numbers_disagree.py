@@ -106,7 +106,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"controller '{controller.name}': {measure.parameter} is {value:g} m, "
                     f"and in the model it is {real[0]:.4g} m",
                     f"write {real[0]:.4g}",
-                    related=(Related(file.at.span, "the file is named here"),),
+                    related=(Related(file.span, "the file is named here"),),
                     weight=abs(value - real[0]),
                 )
 

@@ -17,6 +17,9 @@ from urdfkit.source import Source, Span
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
 
+#: What a file of parameters is called in messages.
+PARAMETERS = "the parameter file"
+
 #: Launch files that include one another.
 MAX_DEPTH = 8
 
@@ -74,6 +77,11 @@ class Launch(Record):
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
     problems: tuple[Problem, ...]
+
+    @property
+    def parameters(self) -> tuple[FileUse, ...]:
+        """The files of parameters that it loads."""
+        return tuple(file for file in self.files if file.purpose == PARAMETERS)
 
 
 def read_launch(

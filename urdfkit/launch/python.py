@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.document import Tag
-from urdfkit.launch import Launch
+from urdfkit.launch import PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.reading import Problem
 from urdfkit.resolve import Resolver
@@ -18,6 +18,7 @@ MAX_DEPTH = 40
 
 _PACKAGE_FOLDER = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
 _JOINED = ("PathJoinSubstitution", "join", "joinpath")
+_PARAMETER_FILES = (".yaml", ".yml")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
     "XMLLaunchDescriptionSource", "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
@@ -85,6 +86,11 @@ class _Reader:
             for flag, value in zip(words.elts, words.elts[1:], strict=False):
                 if self.text(flag) in ("-d", "--display-config"):
                     self._file(value, "the RViz configuration")
+
+        parameters = _argument(call, None, "parameters")
+        for value in parameters.elts if isinstance(parameters, ast.List) else ():
+            if (self.text(value) or "").endswith(_PARAMETER_FILES):
+                self._file(value, PARAMETERS)
 
     def _IncludeLaunchDescription(self, call: ast.Call) -> None:  # noqa: N802
         if call.args:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import UnreadableFile
-from urdfkit.launch import MAX_DEPTH, Launch
+from urdfkit.launch import MAX_DEPTH, PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.reading import Problem, read_xml
 from urdfkit.resolve import Resolver
@@ -126,7 +126,7 @@ class _File:
             if attribute is None:
                 continue
             if key == "from":
-                self._named_file(attribute, "the parameter file")
+                self._named_file(attribute, PARAMETERS)
             elif key == "textfile" and _DESCRIPTION.search(name):
                 path = self.text(attribute)
                 if path is not None:
@@ -162,7 +162,7 @@ class _File:
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")
         if attribute and element.get("command") in (None, "load"):
-            self._named_file(attribute, "the parameter file")
+            self._named_file(attribute, PARAMETERS)
 
     def _named_file(self, attribute: Attribute, purpose: str) -> None:
         path = self.text(attribute)

@@ -1,0 +1,77 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import Diagnostic, check
+
+MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+LAUNCH = "IncludeLaunchDescription(share('ros_gz_sim') / 'gz_sim.launch.py')\n"
+ROBOT = """<robot name="r"><link name="base">
+{}
+</link></robot>"""
+OWN = "package://arm/meshes/a.stl"
+
+
+def told(
+    folder: Path, *meshes: str, launch: str = LAUNCH, target: str = "gz-harmonic"
+) -> list[Diagnostic]:
+    """The findings of a workspace with one package, which starts Gazebo unless told otherwise."""
+    package = folder / "src" / "arm"
+    (folder / ".git").mkdir(exist_ok=True)
+    for name in ("urdf", "meshes", "launch"):
+        (package / name).mkdir(parents=True, exist_ok=True)
+    if not (package / "package.xml").exists():
+        (package / "package.xml").write_text("<package><name>arm</name></package>")
+    (package / "meshes" / "a.stl").write_text("solid")
+    (package / "launch" / "sim.launch.py").write_text(launch)
+    file = package / "urdf" / "r.urdf"
+    file.write_text(ROBOT.format("\n".join(map(MESH.format, meshes or [OWN]))))
+    report = check(file, select=["PKG004"], targets=[target])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def test_nothing_tells_gazebo(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, OWN, OWN)
+    assert found.message == (
+        f"Gazebo will not find '{OWN}', nor 1 more of this package: nothing in {tmp_path.name} "
+        "sets GZ_SIM_RESOURCE_PATH or exports gazebo_model_path"
+    )
+    assert (found.span.line, found.span.text) == (2, OWN)
+    assert found.related[0].span.source.path.endswith("launch/sim.launch.py")
+
+
+def test_the_variable_is_that_of_the_target(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, target="classic-ros2")
+    assert "sets GAZEBO_MODEL_PATH or" in found.message
+
+
+@pytest.mark.parametrize("target", ["classic-ros1", "moveit", "ros1"])
+def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> None:
+    assert told(tmp_path, target=target) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("src/arm/hooks/arm.dsv.in", "prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;share"),
+        ("src/bringup/launch/all.launch.py", "SetEnvironmentVariable('GAZEBO_MODEL_PATH', x)"),
+        ("README.md", "export IGN_GAZEBO_RESOURCE_PATH=..."),
+        (
+            "src/arm/package.xml",
+            '<package><name>arm</name><gazebo_ros gazebo_model_path="x/.."/></package>',
+        ),
+    ],
+)
+def test_something_tells_it(tmp_path: Path, file: str, text: str) -> None:
+    (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / file).write_text(text)
+    assert told(tmp_path) == []
+
+
+def test_no_gazebo_no_package_no_file(tmp_path: Path) -> None:
+    assert told(tmp_path, launch="Node(package='rviz2')") == []
+    assert told(tmp_path, "../meshes/a.stl") == []
+    assert told(tmp_path, "package://arm/meshes/b.stl") == []

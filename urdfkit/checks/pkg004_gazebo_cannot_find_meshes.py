@@ -1,0 +1,99 @@
+"""Gazebo is started for the robot, and nothing tells it where the meshes of its package lie.
+
+RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it for
+`model://arm_description/meshes/...` and searches its own resource path: "Unable to find file with
+URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
+gz-sim need the folder *around* the package in `GZ_SIM_RESOURCE_PATH` (or `GAZEBO_MODEL_PATH`), most
+simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.gazebo_paths import survey
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.files import MeshReference
+    from urdfkit.subject import Subject
+
+NAME = "urdf/bot.urdf"
+BAD = """\
+<robot name="bot">
+  <link name="base">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    </inertial>
+    <visual>
+      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+  <gazebo>
+    <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>
+  </gazebo>
+</robot>
+"""
+GOOD = BAD.replace("package://bot_description/meshes", "../meshes")
+FILES = {
+    "package.xml": b'<package format="3"><name>bot_description</name></package>',
+    "launch/sim.launch.py": b"IncludeLaunchDescription(share('ros_gz_sim') / 'gz_sim.launch.py')\n",
+    "meshes/base.stl": b"""solid
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid
+""",
+}
+
+_GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
+
+
+@rule(
+    "PKG004",
+    "gazebo-cannot-find-meshes",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.FILES),
+    by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.targets.any_of(("classic-ros2", *_GZ)) or subject.is_part:
+        return
+    packages = subject.resolver.packages
+    found = _of_packages(subject)
+    if not found or any(True for _ in packages.gazebo_model_paths(subject.source.path)):
+        return
+    workspace = packages.workspace(subject.source.path)
+    seen = survey(workspace, subject.resolver.folders)
+    if seen.is_told or seen.starter is None:
+        return
+    starter = Source.read(seen.starter)
+    variable = "GZ_SIM_RESOURCE_PATH" if subject.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"
+    for package, meshes in found.items():
+        more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""
+        yield Finding(
+            meshes[0].at,
+            f"Gazebo will not find '{meshes[0].at.value}'{more}: nothing in "
+            f"{os.path.basename(workspace)} sets {variable} or exports gazebo_model_path",
+            f'write <gazebo_ros gazebo_model_path="${{prefix}}/.."/> into the <export> of the '
+            f"package.xml of {package}, or set {variable} in the launch file",
+            related=(Related(Span(starter, 0, 0), "this launch file starts Gazebo"),),
+        )
+
+
+def _of_packages(subject: Subject) -> dict[str, list[MeshReference]]:
+    """The meshes that are there and are named by a package, by the package."""
+    found: dict[str, list[MeshReference]] = {}
+    for mesh in subject.files.meshes:
+        if mesh.located.scheme == "package" and mesh.located.path and mesh.located.package:
+            found.setdefault(mesh.located.package, []).append(mesh)
+    return found

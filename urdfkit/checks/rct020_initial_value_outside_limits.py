@@ -1,0 +1,73 @@
+"""A joint starts where its limits do not let it be.
+
+Simulated and mock hardware put the joint at `initial_value`. Outside the limits the first command
+makes it jump, MoveIt refuses to plan from there ("start state out of bounds"), and Gazebo pushes
+the joint back with all its force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import bounds, unit
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position">
+      <param name="min">-1</param>
+      <param name="max">1</param>
+    </command_interface>
+    <state_interface name="position">
+      <param name="initial_value">1.57</param>
+    </state_interface>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("1.57", "0.57")
+
+#: In rad or m; people round.
+TOLERANCE = 1e-3
+
+
+@rule(
+    "RCT020",
+    "initial-value-outside-limits",
+    Severity.WARNING,
+    help="start within the limits, or widen them if they are wrong",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for component in components(subject.model):
+        for part in component.joints:
+            joint = subject.model.joints_by_name.get(part.name)
+            limits = bounds(joint) if joint else None
+            if joint is None or limits is None or limits[0] >= limits[1]:  # JNT003, JNT004
+                continue
+            for interface in part.interfaces:
+                value = interface.bound("initial_value")
+                at = interface.parameter("initial_value")
+                if interface.name != "position" or value is None or at is None:
+                    continue
+                if not limits[0] - TOLERANCE <= value <= limits[1] + TOLERANCE:
+                    yield Finding(
+                        at,
+                        f"joint '{joint.name}' starts at {value:g} {unit(joint)}, its limit is "
+                        f"{limits[0]:g} to {limits[1]:g} {unit(joint)}",
+                    )

@@ -1,0 +1,66 @@
+"""MoveIt's joint_limits.yaml names a joint that the robot does not have.
+
+MoveIt passes over the entry without a word, and plans for the real joint with the limits of the
+URDF, without any bound on its acceleration. The joint was renamed, or has a prefix there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.moveit_limits import planned_limits
+from urdfkit.nearest import Speller
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace("shoulder", "elbow")
+FILES = {
+    "example.srdf": b"""<robot name="example">
+  <group name="arm">
+    <link name="arm"/>
+  </group>
+</robot>
+""",
+    "joint_limits.yaml": b"""joint_limits:
+  elbow:
+    has_velocity_limits: true
+    max_velocity: 2.0
+    has_acceleration_limits: false
+""",
+}
+
+
+@rule(
+    "SRD014",
+    "joint-limits-of-unknown-joint",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.SRDF),
+    help="correct the name, or remove the entry",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = subject.model.joints_by_name
+    speller = Speller(known)
+    planned = list(planned_limits(subject))
+    strange = [limit for limit in planned if limit.joint not in known]
+    if len(strange) == len(planned) > 1:
+        strange = strange[:1]  # of another robot altogether
+    for limit in strange:
+        meant = speller.meant(limit.joint)
+        yield Finding(
+            Written(limit.at.span),
+            f"limits for joint '{limit.joint}', which is not in the model",
+            f"did you mean '{meant}'?" if meant else "",
+        )

@@ -1,0 +1,87 @@
+"""MoveIt plans with wider limits than the robot has.
+
+What joint_limits.yaml says wins over the URDF. MoveIt then plans motions that the robot cannot
+follow: controllers abort with a path tolerance, or the hardware stops. The limits of the URDF were
+lowered and the file was forgotten, or the other way round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.joints import bounds, unit
+from urdfkit.moveit_limits import PlannedLimit, planned_limits
+from urdfkit.rules import Finding, Need, Written, rule
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+#: Relative; people round to three digits.
+TOLERANCE = 0.01
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>"""
+GOOD = BAD.replace('velocity="1"', 'velocity="2"')
+FILES = {
+    "example.srdf": b"""<robot name="example">
+  <group name="arm">
+    <link name="arm"/>
+  </group>
+</robot>
+""",
+    "joint_limits.yaml": b"""joint_limits:
+  shoulder:
+    has_velocity_limits: true
+    max_velocity: 2.0
+    has_acceleration_limits: false
+""",
+}
+
+
+@rule(
+    "SRD015",
+    "joint-limits-wider-than-robot",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.SRDF),
+    help="make the narrower of the two the limit in both files",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for planned in planned_limits(subject):
+        joint = subject.model.joints_by_name.get(planned.joint)
+        for name, said, allowed, measure in _compared(planned, joint) if joint else ():
+            if _is_wider(name, said, allowed):
+                assert joint is not None
+                limit = joint.limit
+                yield Finding(
+                    Written(planned.values[name].span),
+                    f"joint '{joint.name}': MoveIt plans with {name} {said:g} {measure}, the "
+                    f"robot allows {allowed:g} {measure}",
+                    related=(Related(limit.at.span, "the robot's limit"),) if limit else (),
+                )
+
+
+def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float, float, str]]:
+    """Name, value there, value in the URDF, and unit of each bound that both have."""
+    velocity = planned.bound("max_velocity", "has_velocity_limits")
+    limit = joint.limit
+    if velocity is not None and limit and limit.velocity and limit.velocity.value > 0:
+        yield "max_velocity", velocity, limit.velocity.value, f"{unit(joint)}/s"
+    for name, allowed in zip(("min_position", "max_position"), bounds(joint) or (), strict=False):
+        position = planned.bound(name, "has_position_limits")
+        if position is not None:
+            yield name, position, allowed, unit(joint)
+
+
+def _is_wider(name: str, said: float, allowed: float) -> bool:
+    beyond = allowed - said if name.startswith("min") else said - allowed
+    return beyond > TOLERANCE * max(abs(allowed), 0.01)

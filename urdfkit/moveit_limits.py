@@ -1,0 +1,71 @@
+"""MoveIt's joint_limits.yaml, which lies beside the SRDF and overrides limits of the robot.
+
+Source: ``robot_model`` and ``robot_model_loader`` of MoveIt 1 and 2.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.model import number
+from urdfkit.placed_yaml import Value, load
+from urdfkit.record import Record
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+_FILE = "joint_limits.yaml"
+_ON = ("true", "yes", "on", "1")
+
+
+class PlannedLimit(Record):
+    """What the file says of one joint.
+
+    Attributes:
+        joint: its name.
+        at: a value of it, for its place.
+        values: by name, such as ``max_velocity``.
+    """
+
+    joint: str
+    at: Value
+    values: dict[str, Value]
+
+    def bound(self, name: str, switch: str) -> float | None:
+        """A bound in rad, m and seconds, where its switch is on; None without one."""
+        value, on = self.values.get(name), self.values.get(switch)
+        if value is None or on is None or on.text.strip().lower() not in _ON:
+            return None
+        return number(value.text)
+
+
+def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:
+    """The limits that MoveIt plans with, in the order of the file; nothing where there is none."""
+    path = _find(subject)
+    if path is None or not subject.resolver.allows(path, subject.source.path):
+        return
+    try:
+        root = load(subject.resolver.read(path))
+    except UrdfkitError:
+        return
+    limits = root.get("joint_limits") if isinstance(root, dict) else None
+    for name, entry in limits.items() if isinstance(limits, dict) else ():
+        values = entry.items() if isinstance(entry, dict) else ()
+        given = {key: value for key, value in values if isinstance(value, Value)}
+        if given:
+            yield PlannedLimit(name, next(iter(given.values())), given)
+
+
+def _find(subject: Subject) -> str | None:
+    """Beside the SRDF, or in ``config`` of its package."""
+    if subject.srdf is None:
+        return None
+    folder = os.path.dirname(os.path.abspath(subject.srdf.path))
+    for place in (folder, os.path.join(os.path.dirname(folder), "config")):
+        path = os.path.join(place, _FILE)
+        if os.path.isfile(path):
+            return path
+    return None

@@ -1,0 +1,100 @@
+"""YAML whose values know their places.
+
+It is read from the parser's events, without recursion and without aliases: files of parameters
+have a few levels, and what is deeper is no such file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.record import Record
+from urdfkit.source import Source, Span
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+#: Larger files are no lists of parameters.
+MAX_BYTES = 1024 * 1024
+MAX_LEVELS = 30
+
+
+class Value(Record):
+    """A scalar, and the lines and columns of its ends, from 0."""
+
+    text: str
+    source: Source
+    start: tuple[int, int]
+    end: tuple[int, int]
+
+    @property
+    def span(self) -> Span:
+        """Its place, counted when it is asked for: the lines of a hostile file are long."""
+        start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:])
+        return Span(self.source, start, end)
+
+
+#: None stands for an alias.
+Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
+
+
+def load(source: Source) -> Node:
+    """The first document of a YAML file."""
+    if len(source.data) > MAX_BYTES:
+        return None
+    import yaml  # 15 ms, and few models name a file of parameters
+
+    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        return _compose(source, yaml.parse(source.data, loader))
+    except yaml.YAMLError:
+        return None
+
+
+def _compose(source: Source, events: Iterable[Any]) -> Node:
+    """The value that events make; None where it is too deep.
+
+    Raises:
+        yaml.YAMLError: it is not YAML.
+    """
+    import yaml
+
+    top: list[Node] = []
+    stack: list[Node] = [top]  # the collections that are open
+    keys: list[str | None] = [None]  # of each, the key that waits for its value
+    for event in events:
+        if isinstance(event, yaml.DocumentEndEvent):
+            break
+        if isinstance(event, yaml.CollectionEndEvent):
+            stack.pop()
+            keys.pop()
+            continue
+        node = _node(source, event)
+        owner = stack[-1]
+        if isinstance(event, yaml.NodeEvent):
+            if isinstance(owner, list):
+                owner.append(node)
+            elif isinstance(owner, dict):
+                if keys[-1] is None:
+                    keys[-1] = node.text if isinstance(node, Value) else ""
+                else:
+                    owner[keys[-1]] = node
+                    keys[-1] = None
+        if isinstance(event, yaml.CollectionStartEvent):
+            stack.append(node)
+            keys.append(None)
+            if len(stack) > MAX_LEVELS:
+                return None
+    return top[0] if top else None
+
+
+def _node(source: Source, event: Any) -> Node:
+    import yaml
+
+    if isinstance(event, yaml.ScalarEvent):
+        ends: tuple[Any, Any] = (event.start_mark, event.end_mark)
+        return Value(event.value, source, *((mark.line, mark.column) for mark in ends))
+    if isinstance(event, yaml.MappingStartEvent):
+        return {}
+    return [] if isinstance(event, yaml.SequenceStartEvent) else None  # None for an alias
