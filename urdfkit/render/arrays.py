@@ -34,3 +34,22 @@ def cross(left: Floats, right: Floats) -> Floats:
     """Cross products of the rows of two (n, 3); faster than numpy's for many."""
     (a, b, c), (d, e, f) = left.T, right.T
     return np.stack((b * f - c * e, c * d - a * f, a * e - b * d), axis=1)
+
+
+def bounds(points: Floats) -> tuple[Floats, Floats]:
+    """The least and the greatest coordinates of points (n, 3); column by column, which is fast."""
+    if not len(points):
+        return np.zeros(3, dtype=np.float32), np.zeros(3, dtype=np.float32)
+    columns = [points[:, axis] for axis in range(3)]
+    return np.array([c.min() for c in columns]), np.array([c.max() for c in columns])
+
+
+def turned(vectors: Floats, rotation: Floats) -> Floats:
+    """Vectors (n, 3) under a rotation, or another matrix (3, 3).
+
+    Not by ``@``: a library for matrices starts threads for it, and rounds as its version likes.
+    """
+    result = np.empty((len(vectors), 3), dtype=np.float32)
+    for axis in range(3):
+        result[:, axis] = dot(vectors, rotation[axis].astype(np.float32))
+    return result

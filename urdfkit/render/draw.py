@@ -11,17 +11,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Bytes, Floats, Integers
+from urdfkit.render.arrays import Bools, Bytes, Floats, Integers, bounds, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground, world_rays
-from urdfkit.render.light import Rig, ShadowMap, rig, shadow_map, sunlight
+from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.looks import Look
 from urdfkit.render.occlusion import openness
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
-from urdfkit.render.soup import Soup, soup
+from urdfkit.render.soup import CHUNK, Soup, cut, soup
 from urdfkit.render.textures import pyramid, sample, srgb_to_linear
 from urdfkit.render.work import Workers
 
@@ -31,6 +31,8 @@ BAND = 60
 LAYERS = 4
 #: The depth of nothing, in m.
 FAR = np.float32(1e9)
+#: What is less transparent than this hides what is behind it.
+SOLID = 0.98
 #: How far around them surfaces hide the sky from one another, as a part of the robot's size.
 REACH = 0.09
 #: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
@@ -97,16 +99,17 @@ class _Drawing:
     ) -> None:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
         self.rig: Rig = rig(camera)
-        everything = soup(scene, camera)
+        everything = soup(scene, camera, workers)
         self.looks = [item.look for item in scene.items]
-        alphas = np.array([look.rgba[3] for look in self.looks] or [1.0], dtype=np.float32)
-        solid = alphas[everything.item] > 0.98 if len(everything.item) else _no_bools()
-        world = scene.points()
-        self.size = float(np.ptp(world, axis=0).max()) if len(world) else 1.0
+        solid = self._solid(everything)
+        world = self._world(everything)
+        lowest, highest = bounds(world)
+        self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, solid, self.rig, workers)
         self.floor: Ground | None = None
         if floor and solid.any():
-            self.floor = self._ground(everything, solid)
+            self.floor = ground(world, everything.faces[solid], self.sun, self.rig, camera)
+        everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
         self.screen: Projected
         self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
@@ -115,7 +118,7 @@ class _Drawing:
             item=everything.item[chosen],
             flat=everything.flat[chosen],
         )
-        self.solid: Bools = solid[chosen]
+        self.solid: Bools = self._solid(self.soup)
         self.offsets = rooks(quality.samples)
 
     def picture(self, background: Background | None) -> Bytes:
@@ -143,12 +146,23 @@ class _Drawing:
         self.workers.bands(height, BAND, colour)
         return result
 
-    def _ground(self, everything: Soup, solid: Bools) -> Ground:
-        faces = everything.faces[solid]
-        axes = np.asarray(self.camera.axes, dtype=np.float32)
-        used, index = np.unique(faces, return_inverse=True)
-        points = everything.points[used] @ axes + np.asarray(self.camera.eye, dtype=np.float32)
-        return ground(points, index.reshape(-1, 3), self.sun, self.rig, self.camera)
+    def _solid(self, some: Soup) -> Bools:
+        """Which triangles are not seen through, (m,)."""
+        opacity = np.array([look.rgba[3] for look in self.looks] or [1.0], dtype=np.float32)
+        solid: Bools = (opacity > SOLID)[some.item]
+        return solid
+
+    def _world(self, everything: Soup) -> Floats:
+        """The vertices in the world."""
+        points = np.empty_like(everything.points)
+        axes = np.asarray(self.camera.axes, dtype=np.float32).T
+        eye = np.asarray(self.camera.eye, dtype=np.float32)
+
+        def some(first: int, last: int) -> None:
+            points[first:last] = turned(everything.points[first:last], axes) + eye
+
+        self.workers.bands(len(points), CHUNK, some)
+        return points
 
     # -- the first pass: what is seen --
 
@@ -230,10 +244,10 @@ class _Drawing:
         """The pixels of a band."""
         width, height = self.camera.size
         pixels = np.arange(first * width, last * width)
-        smooth = [self._mean(values, depth, first, last) for values in (sky, sun)]
         some, there = band.opaque
         place = self._matching(some, there, depth[first:last], first * width)
-        lit = Lit(sun=smooth[1][place], sky=smooth[0][place])
+        smooth_sky, smooth_sun = self._means((sky, sun), depth, first, last)
+        lit = Lit(sun=smooth_sun[place], sky=smooth_sky[place])
         light, cover = self._sum(some, self._shade(some, there, lit), first, last)
         row, column = np.divmod(pixels, width)
         dark = np.zeros(len(pixels), dtype=np.float32)
@@ -305,22 +319,36 @@ class _Drawing:
             result[:, channel] = np.bincount(place, light[:, channel] * some.weight, count)
         return result, np.bincount(place, some.weight, count).astype(np.float32)
 
-    def _mean(self, values: Floats, depth: Floats, first: int, last: int) -> Floats:
-        """The mean of light over each lattice square around the pixels of a band, (p,)."""
+    def _means(
+        self, images: tuple[Floats, ...], depth: Floats, first: int, last: int
+    ) -> tuple[Floats, ...]:
+        """The means of light over the lattice square around each pixel of a band, (p,).
+
+        What is further in depth belongs to another surface and is left out.
+        """
         height, width = depth.shape
-        rows = np.clip(np.arange(first - 2, last + 1), 0, height - 1)
-        columns = np.clip(np.arange(-2, width + 1), 0, width - 1)
-        around, distances = values[rows][:, columns], depth[rows][:, columns]
-        own = depth[first:last]
-        total, count = np.zeros_like(own), np.zeros_like(own)
+        rows = np.clip(np.arange(first - LATTICE // 2, last + LATTICE // 2), 0, height - 1)
+        shown = np.flatnonzero((depth[rows] < FAR).any(axis=0))
+        totals = [np.zeros((last - first, width), dtype=np.float32) for _ in images]
+        if not len(shown):
+            return tuple(total.reshape(-1) for total in totals)
+        start, end = int(shown[0]), int(shown[-1]) + 1
+        columns = np.clip(np.arange(start - LATTICE // 2, end + LATTICE // 2), 0, width - 1)
+        distances = depth[rows][:, columns]
+        around = [image[rows][:, columns] for image in images]
+        own = depth[first:last, start:end]
+        count = np.zeros_like(own)
         near = np.float32(_NEAR * self.size)
-        for down in range(4):
-            for across in range(4):
-                there = distances[down : down + last - first, across : across + width]
-                alike = np.abs(there - own) < near
-                total += around[down : down + last - first, across : across + width] * alike
+        for down in range(LATTICE):
+            for across in range(LATTICE):
+                window = np.s_[down : down + last - first, across : across + end - start]
+                alike = np.abs(distances[window] - own) < near
                 count += alike
-        return (total / count).reshape(-1)
+                for total, values in zip(totals, around, strict=True):
+                    total[:, start:end] += values[window] * alike
+        for total in totals:
+            total[:, start:end] /= count
+        return tuple(total.reshape(-1) for total in totals)
 
     def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Integers:
         """The pixel of a band beside each fragment whose depth is nearest to that; its own first.
@@ -344,10 +372,6 @@ class _Drawing:
             place[off[better]] = beside[better]
             gap[off[better]] = distance[better]
         return place
-
-
-def _no_bools() -> Bools:
-    return np.zeros(0, dtype=bool)
 
 
 def _area(a: Floats, b: Floats, c: Floats) -> Floats:

@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Integers
+from urdfkit.render.arrays import Floats, Integers, bounds, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, Rig, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
+from urdfkit.render.soup import mentioned
 
 #: Cells of the edge of the floor's map.
 CELLS = 320
@@ -17,6 +18,8 @@ CELLS = 320
 BEYOND = 0.75
 #: How dark the sun's shadow and the robot's nearness make the floor.
 SUN, CONTACT = 0.34, 0.5
+#: Texels of the edge of the squares in which the sun's map is used here: soft shadows need no more.
+COARSE = 4
 #: How high above the floor a surface still darkens it, the blur of it, and how much; the first
 #: two as parts of the robot's size.
 LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
@@ -55,20 +58,20 @@ def world_rays(camera: Camera, x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """Origins and directions (k, 3) in the world of what is seen at pixels."""
     axes = np.asarray(camera.axes, dtype=np.float32)
     origins, ahead = camera.rays(x, y)
-    return origins @ axes + np.asarray(camera.eye, dtype=np.float32), ahead @ axes
+    return turned(origins, axes.T) + np.asarray(camera.eye, dtype=np.float32), turned(ahead, axes.T)
 
 
 def ground(points: Floats, faces: Integers, map_: ShadowMap, rig: Rig, camera: Camera) -> Ground:
     """The floor under a robot that stands on it with its lowest point.
 
     Args:
-        points: (n, 3), of what casts shadows, in the world.
-        faces: (m, 3).
+        points: (n, 3), vertices in the world.
+        faces: (m, 3), of what casts shadows.
         map_: what the sun sees.
         rig: the lamps.
         camera: in whose frame the two are given.
     """
-    lowest, highest = points.min(axis=0), points.max(axis=0)
+    lowest, highest = bounds(points[mentioned(faces, len(points))])
     height, size = float(lowest[2]), float((highest - lowest).max())
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
     middle = (lowest + highest)[:2] / 2
@@ -109,18 +112,28 @@ def _contact(
 def _sun(floor: Floats, map_: ShadowMap, camera: Camera, size: float) -> Floats:
     """How much of the sun the robot hides from points on the floor: blurred with its distance."""
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
-    column, row, level = map_.coordinates(floor @ rotation.T + position)
-    covered = (map_.nearness > 0).astype(np.float32)
-    texels = size * map_.scale
+    column, row, level = map_.coordinates(turned(floor, rotation) + position)
+    covered = _coarse((map_.nearness > 0).astype(np.float32))
+    texels = size * map_.scale / COARSE
     sharp, soft = blurred(covered, 0.006 * texels), blurred(covered, 0.035 * texels)
-    high = blurred(map_.nearness, 0.012 * texels) / np.maximum(
-        blurred(covered, 0.012 * texels), np.float32(1e-3)
+    heights, parts = (
+        blurred(_coarse(map_.nearness), 0.012 * texels),
+        blurred(covered, 0.012 * texels),
     )
+    high = heights / np.maximum(parts, np.float32(1e-3))
     inside = (column > 0) & (column < TEXELS) & (row > 0) & (row < TEXELS)
-    x, y = column - np.float32(0.5), row - np.float32(0.5)
+    x, y = column / COARSE - np.float32(0.5), row / COARSE - np.float32(0.5)
     way = np.clip((_bilinear(high, x, y) - level) / np.float32(size), 0, 1)
     mixed = _bilinear(sharp, x, y) * (1 - way) + _bilinear(soft, x, y) * way
     return np.where(inside, mixed, 0)
+
+
+def _coarse(image: Floats) -> Floats:
+    """The means of squares of an image."""
+    cells = len(image) // COARSE
+    rows = image.reshape(cells, COARSE, -1).mean(axis=1)
+    mean: Floats = rows.reshape(cells, cells, COARSE).mean(axis=2)
+    return mean
 
 
 def _fade() -> Floats:
@@ -143,7 +156,7 @@ def blurred(values: Floats, radius: float) -> Floats:
 def _mean(values: Floats, half: int, axis: int) -> Floats:
     padding = [(0, 0), (0, 0)]
     padding[axis] = (half + 1, half)
-    sums = np.cumsum(np.pad(values, padding), axis=axis, dtype=np.float64)
+    sums = np.cumsum(np.pad(values, padding), axis=axis)
     window = 2 * half + 1
     if axis == 0:
         mean = (sums[window:] - sums[:-window]) / window

@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers
+from urdfkit.render.arrays import Bools, Floats, Integers, bounds, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
-from urdfkit.render.soup import Soup
+from urdfkit.render.soup import Soup, mentioned
 from urdfkit.render.work import Workers
 
 #: Texels of the edge of the shadow map.
@@ -58,7 +58,10 @@ class ShadowMap(NamedTuple):
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""
-        x, y, z = (points @ self.axes.T - self.origin).T
+        x, y, z = (
+            dot(points, axis) - np.float32(start)
+            for axis, start in zip(self.axes, self.origin, strict=True)
+        )
         factor = np.float32(self.scale)
         return x * factor, y * factor, z
 
@@ -73,10 +76,9 @@ def shadow_map(whole: Soup, casts: Bools, rig: Rig, workers: Workers) -> ShadowM
         workers: that do it.
     """
     axes = _axes(rig)
-    seen = whole.points @ axes.T
+    seen = turned(whole.points, axes)
     faces = whole.faces[casts]
-    used = seen[np.unique(faces)] if len(faces) else np.zeros((1, 3), dtype=np.float32)
-    lowest, highest = used.min(axis=0), used.max(axis=0)
+    lowest, highest = bounds(seen[mentioned(faces, len(seen))])
     extent = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
     origin = np.array((middle[0] - extent / 2, middle[1] - extent / 2, lowest[2]))

@@ -11,7 +11,7 @@ import numpy as np
 from urdfkit import kinematics
 from urdfkit.meshes.geometry import Part
 from urdfkit.model import Body, Link, Shape
-from urdfkit.render import primitives
+from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.looks import PLACEHOLDER, Look, Looks
 from urdfkit.render.normals import smooth
@@ -255,5 +255,4 @@ def placed(points: Floats, frame: Frame) -> Floats:
 
 def turned(vectors: Floats, frame: Frame) -> Floats:
     """Directions (n, 3) of a frame in its parent."""
-    result: Floats = vectors @ np.asarray(frame.rotation, dtype=np.float32).T
-    return result
+    return arrays.turned(vectors, np.asarray(frame.rotation))

@@ -6,9 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, cross, unit
+from urdfkit.render.arrays import Bools, Floats, Integers, cross, turned, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.scene import Item, Scene
+from urdfkit.render.work import Workers
+
+#: Vertices or faces that one thread works on at a time.
+CHUNK = 1 << 16
 
 
 class Soup(NamedTuple):
@@ -33,44 +37,56 @@ class Soup(NamedTuple):
     flat: Floats
 
 
-def soup(scene: Scene, camera: Camera) -> Soup:
+def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
     """The triangles of a scene as a camera sees them."""
-    points, normals, uv, colors, faces, item = [], [], [], [], [], []
-    start = 0
+    counts = [len(item.vertices) for item in scene.items]
+    faces = [_valid(item) for item in scene.items]
+    total = sum(counts)
     colored = any(item.colors is not None for item in scene.items)
-    for index, thing in enumerate(scene.items):
-        frame = scene.frames[thing.link]
-        rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
-        count = len(thing.vertices)
-        points.append(thing.vertices @ rotation.T + position)
-        normals.append(_or(thing.normals, count, 3, 0) @ rotation.T)
-        uv.append(_or(thing.uv, count, 2, 0))
-        if colored:
-            colors.append(_or(thing.colors, count, 4, 1))
-        faces.append(_valid(thing) + np.int32(start))
-        item.append(np.full(len(faces[-1]), index, dtype=np.int32))
-        start += count
-    if not faces:
-        none = np.zeros((0, 3), dtype=np.float32)
-        return Soup(none, none, none[:, :2], None, none.astype(np.int32), _none(), none)
     whole = Soup(
-        np.concatenate(points),
-        np.concatenate(normals),
-        np.concatenate(uv),
-        np.concatenate(colors) if colored else None,
-        np.concatenate(faces),
-        np.concatenate(item),
+        np.empty((total, 3), dtype=np.float32),
+        np.zeros((total, 3), dtype=np.float32),
+        np.zeros((total, 2), dtype=np.float32),
+        np.ones((total, 4), dtype=np.float32) if colored else None,
+        np.empty((sum(map(len, faces)), 3), dtype=np.int32),
+        np.repeat(np.arange(len(faces), dtype=np.int32), [len(some) for some in faces]),
         np.zeros((0, 3), dtype=np.float32),
     )
-    return _with_flat(whole if camera.is_orthographic else _cut(whole, np.float32(-camera.near)))
+    start = row = 0
+    for item, count, some in zip(scene.items, counts, faces, strict=True):
+        _place(item, scene, camera, workers, whole, start)
+        whole.faces[row : row + len(some)] = some
+        whole.faces[row : row + len(some)] += np.int32(start)
+        start, row = start + count, row + len(some)
+    return _with_flat(whole, workers)
 
 
-def _none() -> Integers:
-    return np.zeros(0, dtype=np.int32)
+def _place(
+    item: Item, scene: Scene, camera: Camera, workers: Workers, whole: Soup, start: int
+) -> None:
+    """The vertices of an item, from a place in the list on."""
+    frame = scene.frames[item.link]
+    rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
+
+    def some(first: int, last: int) -> None:
+        here = slice(start + first, start + last)
+        whole.points[here] = turned(item.vertices[first:last], rotation) + position
+        if item.normals is not None:
+            whole.normals[here] = turned(item.normals[first:last], rotation)
+
+    workers.bands(len(item.vertices), CHUNK, some)
+    here = slice(start, start + len(item.vertices))
+    if item.uv is not None:
+        whole.uv[here] = item.uv
+    if item.colors is not None and whole.colors is not None:
+        whole.colors[here] = item.colors
 
 
-def _or(given: Floats | None, count: int, width: int, value: float) -> Floats:
-    return np.full((count, width), value, dtype=np.float32) if given is None else given
+def mentioned(faces: Integers, count: int) -> Bools:
+    """Which of so many vertices belong to a face."""
+    found = np.zeros(count, dtype=bool)
+    found[faces] = True
+    return found
 
 
 def _valid(item: Item) -> Integers:
@@ -81,33 +97,45 @@ def _valid(item: Item) -> Integers:
     return item.faces[finite]
 
 
-def _with_flat(whole: Soup) -> Soup:
-    a, b, c = (whole.points[whole.faces[:, corner]] for corner in range(3))
-    return whole._replace(flat=unit(cross(b - a, c - a)))
+def _with_flat(whole: Soup, workers: Workers) -> Soup:
+    flat = np.empty((len(whole.faces), 3), dtype=np.float32)
+
+    def some(first: int, last: int) -> None:
+        a, b, c = (whole.points[whole.faces[first:last, corner]] for corner in range(3))
+        flat[first:last] = unit(cross(b - a, c - a))
+
+    workers.bands(len(flat), CHUNK, some)
+    return whole._replace(flat=flat)
 
 
-def _cut(whole: Soup, plane: np.float32) -> Soup:
-    """Only what lies beyond z = plane (z points to the viewer).
+def cut(whole: Soup, camera: Camera) -> Soup:
+    """Only what lies beyond the near plane of a camera.
 
     A triangle with one corner before the plane becomes two, one with two becomes a smaller one.
     """
+    plane = np.float32(-camera.near)
     before = whole.points[:, 2] > plane
-    if not before.any():
+    if camera.is_orthographic or not before.any():
         return whole
     corners = before[whole.faces]
     count = corners.sum(axis=1)
-    kept = whole._replace(faces=whole.faces[count == 0], item=whole.item[count == 0])
+    kept = _some(whole, count == 0)
     for number in (1, 2):
         some = count == number
         if some.any():
-            kept = _cut_some(kept, whole.faces[some], whole.item[some], corners[some], plane)
+            kept = _add(kept, _some(whole, some), corners[some], plane)
     return kept
 
 
-def _cut_some(
-    kept: Soup, faces: Integers, item: Integers, before: Bools, plane: np.float32
-) -> Soup:
+def _some(whole: Soup, chosen: Bools) -> Soup:
+    return whole._replace(
+        faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
+    )
+
+
+def _add(kept: Soup, cut: Soup, before: Bools, plane: np.float32) -> Soup:
     """Add what is left of triangles of which one corner lies alone on its side of the plane."""
+    faces = cut.faces
     single = before.sum(axis=1)[0] == 1
     lone = np.argmax(before if single else ~before, axis=1)
     rows = np.arange(len(faces))
@@ -118,7 +146,8 @@ def _cut_some(
     new = [(ab, b, c), (ab, c, ac)] if single else [(a, ab, ac)]
     return kept._replace(
         faces=np.concatenate((kept.faces, *(np.stack(corners, 1) for corners in new))),
-        item=np.concatenate((kept.item, *(item for _ in new))),
+        item=np.concatenate((kept.item, *(cut.item for _ in new))),
+        flat=np.concatenate((kept.flat, *(cut.flat for _ in new))),
     )
 
 

@@ -23,7 +23,7 @@ class Workers:
     def bands(self, rows: int, height: int, work: Callable[[int, int], None]) -> None:
         """Call ``work(first, last)`` for all bands of some height; the last row is excluded."""
         edges = [(first, min(first + height, rows)) for first in range(0, rows, height)]
-        if self.threads == 1:
+        if self.threads == 1 or len(edges) == 1:
             for first, last in edges:
                 work(first, last)
             return
