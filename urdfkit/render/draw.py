@@ -22,7 +22,7 @@ from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
 from urdfkit.render.soup import CHUNK, Soup, cut, soup
-from urdfkit.render.textures import pyramid, sample, srgb_to_linear
+from urdfkit.render.textures import sample, srgb_to_linear, texture
 from urdfkit.render.work import Workers
 
 #: Rows of pixels of a band.
@@ -34,7 +34,7 @@ FAR = np.float32(1e9)
 #: What is less transparent than this hides what is behind it.
 SOLID = 0.98
 #: How far around them surfaces hide the sky from one another, as a part of the robot's size.
-REACH = 0.09
+REACH = 0.12
 #: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
 _NEAR = 0.012
 
@@ -52,7 +52,7 @@ class Quality(NamedTuple):
     sun: int
 
 
-QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 14, 10), "high": Quality(16, 40, 32)}
+QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 16, 10), "high": Quality(16, 40, 32)}
 
 #: Two colours, above and below, sRGB from 0 to 1.
 Background = tuple[tuple[float, float, float], tuple[float, float, float]]
@@ -101,6 +101,9 @@ class _Drawing:
         self.rig: Rig = rig(camera)
         everything = soup(scene, camera, workers)
         self.looks = [item.look for item in scene.items]
+        workers.each(
+            sorted({look.texture for look in self.looks if look.texture}, key=str), texture
+        )
         solid = self._solid(everything)
         world = self._world(everything)
         lowest, highest = bounds(world)
@@ -297,8 +300,8 @@ class _Drawing:
     def _textured(self, look: Look, some: Fragments, there: Surface, of_it: Integers) -> Floats:
         """What a texture shows on fragments, (k, 3)."""
         assert look.texture is not None
-        levels = pyramid(look.texture)
-        if levels is None:
+        image = texture(look.texture)
+        if image is None:
             return np.ones((len(of_it), 3), dtype=np.float32)
         faces = self.soup.faces[some.number[of_it]]
         uv = [self.soup.uv[faces[:, corner]] for corner in range(3)]
@@ -307,7 +310,7 @@ class _Drawing:
             for i in range(3)
         ]
         ratio = _area(*uv) / np.maximum(_area(*xy), np.float32(1e-6))
-        return sample(levels, there.uv[of_it], np.sqrt(ratio))[:, :3]
+        return sample(image, there.uv[of_it], np.sqrt(ratio))
 
     def _sum(self, some: Fragments, light: Floats, first: int, last: int) -> tuple[Floats, Floats]:
         """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,)."""

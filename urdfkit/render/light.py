@@ -145,14 +145,18 @@ def lattice(pixel: Integers, width: int) -> Integers:
     return result
 
 
-def spiral(taps: int) -> Floats:
-    """Points of a disc of radius 1, evenly spread, one turn of them for each place of a lattice.
+def spiral(taps: int, power: float = 0.5) -> Floats:
+    """Points of a disc of radius 1, one turn of them for each place of a lattice.
+
+    Args:
+        taps: how many.
+        power: 0.5 spreads them evenly, 1 puts more of them in the middle.
 
     Returns:
         (16, taps, 2)
     """
     golden = np.pi * (3 - np.sqrt(5))
-    radius = np.sqrt((np.arange(taps) + 0.5) / taps)
+    radius = ((np.arange(taps) + 0.5) / taps) ** power
     # Neighbours in the lattice are turned by unlike angles.
     turn = (np.arange(LATTICE**2) * 7 % LATTICE**2) * (2 * np.pi / LATTICE**2)
     angle = np.arange(taps) * golden + turn[:, None]

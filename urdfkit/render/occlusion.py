@@ -13,10 +13,10 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.light import lattice, spiral
 
 #: Largest radius in pixels, as a part of the picture's height.
-MAX_RADIUS = 0.12
+MAX_RADIUS = 0.2
 #: Nothing nearer than this part of the radius hides anything: surfaces do not hide themselves.
-BIAS = 0.015
-STRENGTH = 1.5
+BIAS = 0.02
+STRENGTH = 1.3
 
 
 def openness(
@@ -46,7 +46,7 @@ def openness(
     if not camera.is_orthographic:
         reach /= flat[pixel]
     np.minimum(reach, np.float32(MAX_RADIUS * height), out=reach)
-    offsets = spiral(taps)
+    offsets = spiral(taps, 1.0)
     place = lattice(pixel, width)
     px, py, pz = np.ascontiguousarray(points.T)
     nx, ny, nz = np.ascontiguousarray(normals.T)
@@ -67,7 +67,7 @@ def openness(
         rise -= bias
         np.maximum(rise, 0, out=rise)
         falloff = np.maximum(square - distance, 0)
-        hidden += falloff * falloff * falloff * rise / (distance + np.float32(1e-4) * square)
+        hidden += falloff * falloff * falloff * rise / (distance + np.float32(0.02) * square)
     factor = np.float32(5 * STRENGTH * radius / (taps * radius**6))
-    seen: Floats = np.maximum(1 - hidden * factor, 0)
+    seen: Floats = np.exp(-hidden * factor)
     return seen

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
+
+T = TypeVar("T")
 
 #: More threads than this wait for one another.
 MAX_THREADS = 8
@@ -20,16 +23,20 @@ class Workers:
     def __init__(self, threads: int | None = None) -> None:
         self.threads = threads or min(MAX_THREADS, _processors())
 
+    def each(self, things: Sequence[T], work: Callable[[T], object]) -> None:
+        """Call ``work(thing)`` for all of them."""
+        if self.threads == 1 or len(things) == 1:
+            for thing in things:
+                work(thing)
+            return
+        with ThreadPoolExecutor(self.threads) as pool:
+            for _ in pool.map(work, things):
+                pass
+
     def bands(self, rows: int, height: int, work: Callable[[int, int], None]) -> None:
         """Call ``work(first, last)`` for all bands of some height; the last row is excluded."""
         edges = [(first, min(first + height, rows)) for first in range(0, rows, height)]
-        if self.threads == 1 or len(edges) == 1:
-            for first, last in edges:
-                work(first, last)
-            return
-        with ThreadPoolExecutor(self.threads) as pool:
-            for _ in pool.map(lambda edge: work(*edge), edges):
-                pass
+        self.each(edges, lambda edge: work(*edge))
 
 
 def _processors() -> int:
