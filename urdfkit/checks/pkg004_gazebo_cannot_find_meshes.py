@@ -9,7 +9,6 @@ simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -72,8 +71,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     found = _of_packages(subject)
     if not found or any(True for _ in packages.gazebo_model_paths(subject.source.path)):
         return
-    workspace = packages.workspace(subject.source.path)
-    seen = survey(workspace, subject.resolver.folders)
+    seen = survey(packages.workspace(subject.source.path), subject.resolver.folders)
     if seen.is_told or seen.starter is None:
         return
     starter = Source.read(seen.starter)
@@ -82,8 +80,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         more = f", nor {len(meshes) - 1} more of this package" if len(meshes) > 1 else ""
         yield Finding(
             meshes[0].at,
-            f"Gazebo will not find '{meshes[0].at.value}'{more}: nothing in "
-            f"{os.path.basename(workspace)} sets {variable} or exports gazebo_model_path",
+            f"Gazebo will not find '{meshes[0].at.value}'{more}: nothing in the "
+            f"workspace sets {variable} or exports gazebo_model_path",
             f'write <gazebo_ros gazebo_model_path="${{prefix}}/.."/> into the <export> of the '
             f"package.xml of {package}, or set {variable} in the launch file",
             related=(Related(Span(starter, 0, 0), "this launch file starts Gazebo"),),
