@@ -130,16 +130,31 @@ def _with_line(span: Span) -> Span:
 def insert_before(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
     """Put lines of XML before an element, indented as it is."""
     source, start, _ = element.span
-    separator = newline(source) + (_indent(element) or "")
+    separator = newline(source) + (indent_of(element.span) or "")
     text = "".join(line + separator for line in lines)
     return (Edit(Span(source, start, start), text),)
 
 
 def insert_after(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
     """Put lines of XML behind an element, indented as it is."""
-    source, _, end = element.tag_at.whole_span
-    separator = newline(source) + (_indent(element) or "")
-    return (Edit(Span(source, end, end), "".join(separator + line for line in lines)),)
+    return insert_behind(element.tag_at.whole_span, lines)
+
+
+def insert_behind(span: Span, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML behind a piece of a file, indented as it is."""
+    source, _, end = span
+    return (Edit(Span(source, end, end), _below(span, lines)),)
+
+
+def replace(span: Span, lines: Iterable[str]) -> tuple[Edit, ...]:
+    """Put lines of XML in the place of a piece of a file, indented as it is."""
+    return (Edit(span, _below(span, lines).lstrip()),)
+
+
+def _below(span: Span, lines: Iterable[str]) -> str:
+    """Lines, each behind a line end and indented as a piece of a file is."""
+    end, indent = newline(span.source), indent_of(span) or ""
+    return "".join(end + indent + line if line else end for line in lines)
 
 
 def insert_first(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
@@ -167,7 +182,7 @@ def _opened(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
     """Lines in an element that is written as ``<a/>``, which becomes ``<a>...</a>``."""
     source, start, end = element.span
     slash = start + len(source.data[start : end - 2].rstrip())
-    outer = newline(source) + (_indent(element) or "")
+    outer = newline(source) + (indent_of(element.span) or "")
     inner = "".join(f"{outer}{STEP}{line}" for line in lines)
     return (Edit(Span(source, slash, end), f">{inner}{outer}</{element.tag}>"),)
 
@@ -180,15 +195,15 @@ def _before_content(element: Element) -> str:
     if "\n" not in space:
         return ""
     if not data.strip():  # it holds nothing, and the end tag stands below
-        return newline(source) + (_indent(element) or "") + STEP
+        return newline(source) + (indent_of(element.span) or "") + STEP
     return newline(source) + space.rpartition("\n")[2]
 
 
 def move_after(element: Element, anchor: Element) -> tuple[Edit, ...]:
     """Move an element behind another one that it is in, indented as that one."""
     source, _, end = anchor.tag_at.whole_span
-    new = _indent(anchor)
-    if _indent(element) is None or new is None:
+    new = indent_of(anchor.span)
+    if indent_of(element.span) is None or new is None:
         text = element.tag_at.whole_span.text
     else:
         text = "".join(newline(source) + new + line for line in lines_of(element))
@@ -197,7 +212,7 @@ def move_after(element: Element, anchor: Element) -> tuple[Edit, ...]:
 
 def lines_of(element: Element) -> list[str]:
     """The text of an element as lines, without the indentation that it has."""
-    own = _indent(element) or ""
+    own = indent_of(element.span) or ""
     return [line.removeprefix(own) for line in element.tag_at.whole_span.text.splitlines()]
 
 
@@ -211,9 +226,9 @@ def from_macro(element: Element) -> bool:
     return False
 
 
-def _indent(element: Element) -> str | None:
-    """The white space before an element on its line; None if something else stands there."""
-    source, start, end = element.span
+def indent_of(span: Span) -> str | None:
+    """The white space before a piece of a file on its line; None if something else stands there."""
+    source, start, end = span
     before = source.data[_line(source, start, end)[0] : start].decode("utf-8", "replace")
     return None if before.strip() else before
 

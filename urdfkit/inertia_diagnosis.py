@@ -182,7 +182,7 @@ def _digits(tensor: Tensor) -> list[str]:
 
 def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
     """A fix that writes a tensor in the place of one that stands in the file as numbers."""
-    if tensor is None or from_macro(weighed.at):
+    if tensor is None:
         return None
     edits: list[Edit] = []
     for key, text in zip(Tensor._fields, _digits(tensor), strict=True):

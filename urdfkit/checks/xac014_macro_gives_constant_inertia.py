@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
+from urdfkit.inertial_macros import computing
 from urdfkit.rigid import mass_of
 from urdfkit.rules import Finding, Need, Written, rule
 
@@ -30,12 +31,41 @@ BAD = """\
       <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
     </inertial>
   </xacro:macro>
-  <link name="base"><xacro:inertial mass="8"/></link>
-  <link name="wheel"><xacro:inertial mass="0.5"/></link>
-  <joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>
+  <link name="base">
+    <collision><geometry><sphere radius="0.2"/></geometry></collision>
+    <xacro:inertial mass="8"/>
+  </link>
+  <link name="ball">
+    <collision><geometry><sphere radius="0.05"/></geometry></collision>
+    <xacro:inertial mass="0.5"/>
+  </link>
+  <joint name="axle" type="continuous"><parent link="base"/><child link="ball"/></joint>
 </robot>
 """
 GOOD = BAD.replace('"0.1"', '"${mass * 0.0125}"')
+FIXED = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <!-- Inertial of a uniform sphere; kg and m -->
+  <xacro:macro name="sphere_inertial" params="mass radius xyz:='0 0 0' rpy:='0 0 0'">
+    <inertial>
+      <origin xyz="${xyz}" rpy="${rpy}"/>
+      <mass value="${mass}"/>
+      <inertia ixx="${2 / 5 * mass * radius*radius}" ixy="0" ixz="0"
+               iyy="${2 / 5 * mass * radius*radius}" iyz="0"
+               izz="${2 / 5 * mass * radius*radius}"/>
+    </inertial>
+  </xacro:macro>
+  <link name="base">
+    <collision><geometry><sphere radius="0.2"/></geometry></collision>
+    <xacro:sphere_inertial mass="8" radius="0.2"/>
+  </link>
+  <link name="ball">
+    <collision><geometry><sphere radius="0.05"/></geometry></collision>
+    <xacro:sphere_inertial mass="0.5" radius="0.05"/>
+  </link>
+  <joint name="axle" type="continuous"><parent link="base"/><child link="ball"/></joint>
+</robot>
+"""
 
 
 @rule(
@@ -44,10 +74,12 @@ GOOD = BAD.replace('"0.1"', '"${mass * 0.0125}"')
     Severity.WARNING,
     needs=(Need.XACRO, Need.MODEL),
     help="compute ixx ... izz in the macro from mass and size (urdfkit explain XAC014)",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for tag, links in subject.masses.shared_by_macro.items():
-        yield _finding(links, sorted(filter(None, map(mass_of, links))), tag)
+        finding = _finding(links, sorted(filter(None, map(mass_of, links))), tag)
+        yield finding._replace(fix=computing(subject, links, tag))
 
 
 def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:

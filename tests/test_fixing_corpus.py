@@ -1,0 +1,149 @@
+"""fix() on real robots and on damaged ones: nothing gets worse, and twice is once."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
+from urdfkit.diagnostic import Severity
+from urdfkit.engine import check
+from urdfkit.fixing import fix
+from urdfkit.source import Source
+
+ENTRIES = list(manifest())
+
+
+@pytest.fixture(autouse=True)
+def _only_the_corpus(monkeypatch: pytest.MonkeyPatch) -> None:
+    for variable in corpus_findings.SEARCH_PATHS:
+        monkeypatch.delenv(variable, raising=False)
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of all real robots."""
+    folder = tmp_path_factory.mktemp("corpus") / "corpus"
+    shutil.copytree(CORPUS, folder, symlinks=True)
+    return folder
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
+def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, Any]]) -> None:
+    folder, model = entry
+    file, arguments = copy / folder.name / model["path"], corpus_findings.arguments_of(model)
+    before = check(file, arguments=arguments)
+    fixes = fix(file, arguments=arguments, force=True)
+    fixes.write()
+    after = check(file, arguments=arguments)
+    assert not _codes(after) - _codes(before)
+    assert after.count(Severity.ERROR) <= before.count(Severity.ERROR)
+    assert [one for one in after.diagnostics if one.fix and one.fix.safe] == []
+    if fixes.files:
+        assert fix(file, arguments=arguments, force=True).files == ()
+
+
+@needs_corpus
+def test_unsafe_fixes_add_no_error_and_are_applied_once() -> None:
+    done = 0
+    for folder, model in ENTRIES:
+        file, arguments = folder / model["path"], corpus_findings.arguments_of(model)
+        fixes = fix(file, arguments=arguments, force=True, unsafe=True)
+        texts = {rewrite.path: rewrite.after for rewrite in fixes.files}
+        if not texts:
+            continue
+        done += 1
+        before = check(file, arguments=arguments)
+        assert not _errors(fixes.report) - _errors(before)
+        assert {one.path for one in fixes.report.skipped} <= {one.path for one in before.skipped}
+        again = fix(file, arguments=arguments, force=True, unsafe=True, texts=texts)
+        assert again.files == (), (model["path"], [one.code for one in again.applied])
+    assert done >= 80
+
+
+def _codes(report: Any) -> Counter[str]:
+    return Counter(one.code for one in report.diagnostics)
+
+
+def _errors(report: Any) -> Counter[str]:
+    found = (one for one in report.diagnostics if one.severity is Severity.ERROR)
+    return Counter(one.code for one in found)
+
+
+#: What a slip of the hand does to a robot.
+SLIPS = (
+    (b"<origin", b"<orgin"),
+    (b'link="', b'link="x'),
+    (b"limit ", b"limti "),
+    (b"lower=", b"upper="),
+    (b"xyz=", b"xzy="),
+    (b'type="revolute"', b'type="Revolute"'),
+    (b'type="continuous"', b'type="fixed"'),
+    (b"<axis", b"<mu1>1</mu1><axis"),
+    (b"</link>", b"<kp>1e6</kp></link>"),
+    (b"1.57", b"90"),
+    (b"0 0 1", b"0 0 1.0001"),
+    (b".stl", b".STL"),
+    (b"<geometry>", b"<geometry><material name='m'/>"),
+    (b"</joint>", b"<anchor/></joint>"),
+    (b'ixx="', b'ixx="100'),
+    (b"<?xml", b"\n<?xml"),
+    (b"\n", b"\r\n"),
+)
+
+
+def _robots() -> list[Path]:
+    real = (folder / model["path"] for folder, model in ENTRIES)
+    small = [file for file in real if file.is_file() and file.stat().st_size < 30_000]
+    return [
+        *sorted(MODELS.rglob("*.urdf")),
+        MODELS / "gazebo_pkg/urdf/waking_robot_new.xacro",
+        *small,
+    ]
+
+
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.data())
+def test_a_damaged_robot_is_mended_once_and_for_all(data: st.DataObject) -> None:
+    """In memory, where the files beside the robot are found as ever."""
+    file = data.draw(st.sampled_from(_robots()))
+    text = Source.read(file).data
+    for old, new in data.draw(st.lists(st.sampled_from(SLIPS), min_size=1, max_size=4)):
+        places = text.count(old)
+        if places:
+            text = _replaced(text, old, new, data.draw(st.integers(0, min(places, 20) - 1)))
+    unsafe = data.draw(st.booleans())
+    with tempfile.TemporaryDirectory() as folder:
+        robot = Path(folder) / file.name
+        robot.write_bytes(text)
+        before = check(robot)
+        once = fix(robot, unsafe=unsafe, force=True)
+        once.write()
+        after = check(robot)
+        assert not _errors(after) - _errors(before) or _hidden(before)
+        assert after.crashed == ()
+        twice = fix(robot, unsafe=unsafe, force=True)
+        assert [one.code for one in twice.applied] == []
+        assert twice.files == ()
+
+
+def _replaced(text: bytes, old: bytes, new: bytes, number: int) -> bytes:
+    """The text with one of the occurrences replaced."""
+    at = -1
+    for _ in range(number + 1):
+        at = text.index(old, at + 1)
+    return text[:at] + new + text[at + len(old) :]
+
+
+def _hidden(report: Any) -> bool:
+    """True if rules could not look, because the robot could not be read."""
+    return any("read" in one.reason or "expand" in one.reason for one in report.skipped)
