@@ -44,8 +44,8 @@ def fixed(folder: Path, body: str, name: str = "r.xacro") -> tuple[Fixes, Path]:
 def moments(file: Path, name: str) -> tuple[float, float, float]:
     inertial = load(file).links_by_name[name].inertial
     assert inertial is not None
-    assert inertial.inertia is not None
-    tensor = inertial.inertia.value
+    assert inertial.tensor is not None
+    tensor = inertial.tensor.value
     assert (tensor.ixy, tensor.ixz, tensor.iyz) == (0, 0, 0)
     return tensor.ixx, tensor.iyy, tensor.izz
 
