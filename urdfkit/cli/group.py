@@ -23,6 +23,7 @@ COMMANDS = (
     "info",
     "tree",
     "kinematics",
+    "statics",
     "gazebo",
     "mesh",
     "migrate",

@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from math import hypot
+from math import hypot, isfinite
+from typing import NamedTuple
 
 import numpy as np
 import pinocchio as pin
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.inertia import MassProperties, combined
-from urdfkit.kinematics import direction, laws, positions
+from urdfkit.kinematics import direction, laws
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
 from urdfkit.rigid import properties_of
@@ -99,7 +100,7 @@ class Dynamics:
                     found[start + offset, self.columns.index(name)] = 1.0
                 continue
             leader, factor, _ = self._laws[joint.name]
-            if leader in self.columns and _KINDS[joint.kind].nv == 1:
+            if leader in self.columns and _KINDS[joint.kind].nv == 1 and isfinite(factor):
                 found[start, self.columns.index(leader)] = factor
         return found
 
@@ -109,14 +110,40 @@ class Dynamics:
         Args:
             pose: positions of joints in rad or m; the others are at 0.
         """
-        q: Floats = pin.neutral(self.model)
-        for name, position in positions(self.tree, pose).items():
-            joint = self._joint(name)
-            if joint.nq == 2:
-                q[joint.idx_q : joint.idx_q + 2] = np.cos(position), np.sin(position)
-            else:
-                q[joint.idx_q] = position
+        return self.expanded(np.array([pose.get(name, 0.0) for name in self.columns]))
+
+    def expanded(self, x: Floats) -> Floats:
+        """Pinocchio's vector q of positions in the order of ``columns``, (nv,).
+
+        Joints of several coordinates stay at zero.
+        """
+        places = self._places
+        positions = places.factors @ x + places.shifts
+        q: Floats = places.neutral.copy()
+        q[places.plain] = positions[places.is_plain]
+        q[places.turning] = np.cos(positions[~places.is_plain])
+        q[places.turning + 1] = np.sin(positions[~places.is_plain])
         return q
+
+    @cached_property
+    def _places(self) -> _Places:
+        """Where the positions of the joints that one number moves stand in q."""
+        joints = [joint for joint in self._joints if _KINDS[joint.kind].nv == 1]
+        numbers = [self._joint(joint.name) for joint in joints]
+        factors = np.zeros((len(joints), self.nv))
+        shifts = np.zeros(len(joints))
+        for row, joint in enumerate(joints):
+            leader, factor, shift = self._laws[joint.name]
+            if not isfinite(factor) or not isfinite(shift):
+                continue  # of multipliers that overflow; it stands still
+            if leader in self.columns:
+                factors[row, self.columns.index(leader)] = factor
+            shifts[row] = shift
+        is_plain = np.array([number.nq == 1 for number in numbers], dtype=bool)
+        starts = np.array([number.idx_q for number in numbers], dtype=np.int64)
+        return _Places(
+            pin.neutral(self.model), factors, shifts, is_plain, starts[is_plain], starts[~is_plain]
+        )
 
     def mass_properties(self, pose: Mapping[str, float] | None = None) -> MassProperties:
         """Mass, centre and tensor of the whole robot in the frame of its root; 0 if massless."""
@@ -174,6 +201,25 @@ class Dynamics:
             meant = did_you_mean(link, self.tree.model.links_by_name)
             raise Unsuitable(f"there is no link '{link}'{meant}")
         return link
+
+
+class _Places(NamedTuple):
+    """From coordinates to Pinocchio's q.
+
+    Attributes:
+        neutral: q with all joints at zero.
+        factors, shifts: positions of the joints are ``factors @ x + shifts``.
+        is_plain: of each joint, whether q holds its position, not the cosine and sine of it.
+        plain: where the positions go.
+        turning: where the cosines go; the sines follow them.
+    """
+
+    neutral: Floats
+    factors: Floats
+    shifts: Floats
+    is_plain: NDArray[np.bool_]
+    plain: NDArray[np.int64]
+    turning: NDArray[np.int64]
 
 
 def _downwards(tree: KinematicTree) -> list[Joint]:

@@ -1,0 +1,70 @@
+"""The statics command."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+BASE = str(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
+
+
+def test_the_weakest_joint_and_what_would_suffice(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pinocchio")
+    assert main(["statics", ARM, "--payload", "5kg@forearm"]) == 0
+    page = capsys.readouterr().out
+    assert "weakest: shoulder, at shoulder " in page
+    assert "shoulder cannot hold: an effort of 23.14 N m would suffice" in page
+    assert "margin 0.0597 m; tips over" in page.replace("0.05971", "0.0597")
+
+
+def test_a_base_on_wheels(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pinocchio")
+    assert main(["statics", BASE]) == 0
+    page = capsys.readouterr().out
+    assert "stands on left_wheel, right_wheel, caster\n" in page
+    assert "\n\n\n" not in page
+
+
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("pinocchio")
+    words = ["--format", "json", "--samples", "10", "--contact", "base", "--joint", "shoulder=1.4"]
+    assert main(["statics", ARM, *words]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["weakest"] == "shoulder"
+    assert [joint["joint"] for joint in document["joints"]] == ["shoulder", "elbow"]
+    assert document["joints"][0]["exceeded"] is False
+    assert document["stability"]["tips"] is True
+    assert document["stability"]["links"] == ["base"]
+
+
+def test_without_pinocchio_it_says_what_is_missing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    assert main(["statics", ARM]) == 2
+    assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--payload", "5"], "--payload 5: write a mass in kg, '@' and a link"),
+        (["--payload", "x@forearm"], "--payload x@forearm: write a mass in kg, '@' and a link"),
+        (["--payload", "5@foream"], "there is no link 'foream'; did you mean 'forearm'?"),
+        (["--contact", "bse"], "there is no link 'bse'; did you mean 'base'?"),
+        (["--samples", "-1"], "-1 is not in the range"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("pinocchio")
+    assert main(["statics", ARM, *words]) == 2
+    assert told in capsys.readouterr().err

@@ -1,0 +1,106 @@
+"""Gravity torques over a pose set: closed forms of the worst pose, and no sample is worse."""
+
+from __future__ import annotations
+
+from math import pi, sin
+
+import pytest
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("pinocchio")
+
+from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.dynamics.test_robot import dynamics, moving
+from tests.jointed import mimic
+from tests.massive import inertial, link
+from urdfkit.dynamics.robot import Dynamics
+from urdfkit.dynamics.statics import statics
+from urdfkit.loading import read
+
+G = 9.81
+ARM = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+
+
+def test_a_two_link_arm_stretched_as_far_out_as_its_limits_let_it() -> None:
+    """The shoulder stops at 1.5 rad; the elbow makes the forearm level: pi / 2 - 1.5."""
+    found = statics(ARM.dynamics)
+    shoulder = found.loads[0]
+    expected = G * ((1.5 * 0.15 + 0.7 * 0.36) * sin(1.5) + 0.7 * 0.125)
+    assert shoulder.joint == "shoulder"
+    assert shoulder.worst == pytest.approx(expected, rel=1e-10)
+    assert abs(shoulder.pose["shoulder"]) == 1.5
+    assert abs(sum(shoulder.pose.values())) == pytest.approx(pi / 2)
+    assert shoulder.used == pytest.approx(expected / 20)
+    assert found.weakest == shoulder
+    assert not shoulder.is_exceeded
+    elbow = found.loads[1]
+    assert elbow.worst == pytest.approx(G * 0.7 * 0.125, rel=1e-10)
+
+
+def test_a_payload_exceeds_the_effort_and_what_would_suffice_is_told() -> None:
+    found = statics(Dynamics(ARM.tree, {"forearm": 5.0}))
+    shoulder = found.loads[0]
+    expected = G * ((1.5 * 0.15 + 5.7 * 0.36) * sin(1.5) + 0.7 * 0.125)
+    assert shoulder.is_exceeded
+    assert shoulder.worst == pytest.approx(expected, rel=1e-10)
+    assert found.mass == pytest.approx(10.2)
+    assert found.payload == {"forearm": 5.0}
+
+
+def test_the_search_finds_what_no_sample_does() -> None:
+    found = statics(ARM.dynamics, samples=0)
+    assert found.loads[0].worst == pytest.approx(statics(ARM.dynamics).loads[0].worst, rel=1e-10)
+
+
+def test_the_same_seed_gives_the_same_poses() -> None:
+    first, again, other = (statics(ARM.dynamics, seed=seed) for seed in (1, 1, 2))
+    assert first == again
+    assert first.loads[0].worst == pytest.approx(other.loads[0].worst, rel=1e-10)
+
+
+def test_a_slide_and_a_joint_without_effort() -> None:
+    text = link("base", inertial(1, (1, 1, 1))) + link("cage", inertial(4, (1, 1, 1)))
+    text += moving("base", "cage", "prismatic", "0 0 1").replace('effort="10"', 'effort="0"')
+    (load,) = statics(dynamics(text)).loads
+    assert load.worst == pytest.approx(4 * G)
+    assert (load.effort, load.used) == (None, None)
+    assert statics(dynamics(text)).weakest is None
+
+
+def test_a_lever_on_a_slide_is_worst_at_its_end() -> None:
+    """A mass that slides out to 3 m on an arm that turns: linear in the slide."""
+    text = link("base", inertial(1, (1, 1, 1))) + link("arm", inertial(1, (1, 1, 1)))
+    text += link("slider", inertial(2, (1, 1, 1))) + moving("base", "arm", "continuous", "0 1 0")
+    text += moving("arm", "slider", "prismatic", "1 0 0")
+    found = {load.joint: load for load in statics(dynamics(text), samples=0).loads}
+    assert found["arm_joint"].worst == pytest.approx(2 * G * 3, rel=1e-10)
+    assert abs(found["arm_joint"].pose["slider_joint"]) == 3
+
+
+def test_a_leader_holds_what_follows_it() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    text = link("base", inertial(1, (1, 1, 1))) + link("a", ball) + link("b", ball)
+    text += moving("base", "a", "continuous", "0 1 0")
+    text += moving("base", "b", "continuous", "0 1 0", more=mimic("a_joint"))
+    (load,) = statics(dynamics(text)).loads
+    assert load.worst == pytest.approx(2 * 2 * G * 0.5, rel=1e-2)
+
+
+def test_nothing_to_hold() -> None:
+    found = statics(dynamics(link("base", inertial(1, (1, 1, 1)))))
+    assert (found.loads, found.weakest) == ((), None)
+
+
+@needs_corpus
+def test_no_sample_of_a_real_arm_is_worse() -> None:
+    file = CORPUS / "Universal_Robots_ROS2_Description" / "urdf" / "ur.urdf.xacro"
+    arm = read(file, arguments={"name": "ur", "ur_type": "ur5e"}).dynamics
+    found = {load.joint: load for load in statics(arm, samples=100).loads}
+    random = np.random.default_rng(7)
+    drawn = random.uniform(-pi, pi, (3000, arm.nv))
+    torques = np.abs([arm.gravity_at(arm.expanded(x)) for x in drawn]).max(axis=0)
+    for name, torque in zip(arm.columns, torques, strict=True):
+        assert torque <= found[name].worst * (1 + 1e-9) + 1e-9
+        at_worst = arm.gravity(found[name].pose)[arm.columns.index(name)]
+        assert abs(at_worst) == pytest.approx(found[name].worst, rel=1e-9, abs=1e-9)
+    assert 0.3 < found["shoulder_lift_joint"].used < 0.6  # type: ignore[operator]

@@ -1,0 +1,189 @@
+"""``urdfkit statics``: can the robot hold itself, and does it stand."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from math import degrees, isfinite
+from typing import Any
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.errors import UrdfkitError
+from urdfkit.joints import effort_unit
+from urdfkit.model import RobotModel, number
+from urdfkit.nearest import did_you_mean
+from urdfkit.stability import Stability, stability
+from urdfkit.subject import Subject, Unavailable
+
+TYPE_CHECKING = False
+
+if TYPE_CHECKING:
+    from urdfkit.dynamics.statics import Statics
+
+VERSION = 1
+
+#: Torques in N m under this are rounding.
+NOISE = 1e-9
+
+#: More poses than this tell nothing new, and take minutes.
+MAX_SAMPLES = 1_000_000
+
+
+@click.command("statics")
+@one_robot
+@posed
+@click.option("--payload", multiple=True, metavar="KG@LINK", help="A mass that a link carries.")
+@click.option("--samples", type=click.IntRange(0, MAX_SAMPLES), default=1000, show_default=True)
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True)
+@click.option(
+    "--contact", multiple=True, metavar="LINK", help="It stands on this. [default: the lowest]"
+)
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+def command(
+    words: tuple[str, ...],
+    joint: tuple[str, ...],
+    pose: str | None,
+    payload: tuple[str, ...],
+    samples: int,
+    seed: int,
+    contact: tuple[str, ...],
+    form: str,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell whether a robot can hold itself, and whether it stands.
+
+    Gravity torques over many poses (zero, the limits, SAMPLES drawn with SEED, and a search for
+    the worst) against the effort of each joint; and the centre of mass above the contacts with
+    the ground, at the given pose.
+
+    Exit codes: 0 done, 2 it cannot be computed.
+    """
+    subject = robot(words, package, trust)
+    given = positions(subject, joint, pose)
+    carried = _payload(subject, payload)
+    loads = _statics(subject, carried, samples, seed)
+    stands = _stability(subject, given, contact, carried)
+    if form == "json":
+        text = json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2)
+    else:
+        roots = {root.name for root in subject.tree.roots}
+        lines = (*render(loads, subject.model), "", *standing(stands, roots))
+        text = "\n".join(lines)
+    output.write(text + "\n")
+    return 0
+
+
+def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
+    found: dict[str, float] = {}
+    for word in words:
+        mass, at, link = word.partition("@")
+        value = number(mass.removesuffix("kg"))
+        if not at or value is None or not isfinite(value):
+            raise options.UsageError(f"--payload {word}: write a mass in kg, '@' and a link")
+        found[_known(subject, link)] = found.get(link, 0.0) + value
+    return found
+
+
+def _known(subject: Subject, link: str) -> str:
+    if link not in subject.model.links_by_name:
+        hint = did_you_mean(link, subject.model.links_by_name)
+        raise UrdfkitError(f"there is no link '{link}'{hint}")
+    return link
+
+
+def _statics(subject: Subject, payload: dict[str, float], samples: int, seed: int) -> Statics:
+    try:
+        bare = subject.dynamics
+    except Unavailable as reason:
+        raise UrdfkitError(str(reason)) from reason
+    from urdfkit.dynamics.robot import Dynamics
+    from urdfkit.dynamics.statics import statics
+
+    loaded = Dynamics(subject.tree, payload) if payload else bare
+    return statics(loaded, samples=samples, seed=seed)
+
+
+def _stability(
+    subject: Subject,
+    given: dict[str, float],
+    contact: tuple[str, ...],
+    payload: dict[str, float],
+) -> Stability | None:
+    contacts = [_known(subject, link) for link in contact] or None
+    try:
+        return stability(subject, given, contacts, payload=payload)
+    except ImportError:
+        return stability(subject, given, contacts, payload=payload, meshes=False)
+
+
+def render(found: Statics, model: RobotModel) -> Iterator[str]:
+    """A table of the joints, the weakest first, and what is to be said of it."""
+    carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
+    yield f"gravity on {found.mass:.6g} kg{carried}, {found.poses} poses and a search for the worst"
+    if not found.loads:
+        yield "no joint to hold"
+        return
+    yield ""
+    width = max(5, *(len(load.joint) for load in found.loads))
+    yield f"{'joint':<{width}}  {'at zero':>9}  {'worst':>9}  {'effort':>9}  {'used':>6}"
+    for load in found.loads:
+        unit = effort_unit(model.joints_by_name[load.joint])
+        limit = "not given" if load.effort is None else f"{load.effort:.4g}"
+        used = "" if load.used is None else f"{load.used:.0%}"
+        yield (
+            f"{load.joint:<{width}}  {_small(load.at_zero):>9}  {_small(load.worst):>9}"
+            f"  {limit:>9}  {used:>6}  {unit}"
+        )
+    weakest = found.weakest
+    if weakest is not None and weakest.worst > NOISE:
+        pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
+        yield ""
+        yield f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"
+    for load in found.loads:
+        if load.is_exceeded:
+            unit = effort_unit(model.joints_by_name[load.joint])
+            yield f"{load.joint} cannot hold: an effort of {load.worst:.4g} {unit} would suffice"
+
+
+def _small(value: float) -> str:
+    """A number, or 0 where it is but the rounding of sums."""
+    return f"{0.0 if abs(value) < NOISE else value:.4g}"
+
+
+def standing(found: Stability | None, roots: set[str]) -> Iterator[str]:
+    """What it stands on, and how safely."""
+    if found is None:
+        yield "stands on no area: nothing to tip over"
+        return
+    x, y, z = found.center
+    yield f"stands on {', '.join(found.links)}"
+    yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
+    if found.tips:
+        bolted = ", unless it is bolted down" if roots.issuperset(found.links) else ""
+        out = f"{-found.margin:.4g} m outside of its contacts"
+        yield f"tips over {found.way}{bolted}: the centre is {out}"
+        return
+    slope = f"{degrees(found.angle):.3g} deg"
+    yield f"margin {found.margin:.4g} m; tips over {found.way} on a slope of {slope}"
+
+
+def as_json(found: Statics, stands: Stability | None) -> dict[str, Any]:
+    """The same for programs; N m or N, m, rad."""
+    weakest = found.weakest
+    return {
+        "version": VERSION,
+        "mass": found.mass,
+        "payload": found.payload,
+        "poses": found.poses,
+        "joints": [
+            {**load._asdict(), "used": load.used, "exceeded": load.is_exceeded}
+            for load in found.loads
+        ],
+        "weakest": weakest.joint if weakest else None,
+        "stability": {**stands._asdict(), "tips": stands.tips} if stands else None,
+    }

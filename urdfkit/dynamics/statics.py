@@ -1,0 +1,198 @@
+"""What gravity asks of the joints of a robot that stands still, against what they can exert.
+
+The poses looked at: all joints at zero; each joint at its limits, alone and all together; poses
+sampled with a fixed seed; and for every joint a climb from its worst one among these, one
+coordinate at a time. The torque of a joint is a sine of the angle of any other one, and linear in
+the way of a slide, so each step of the climb is a closed form. The root is held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from urdfkit.dynamics.robot import Dynamics, Floats
+from urdfkit.joints import bounds
+from urdfkit.kinematics import SLIDING
+from urdfkit.loads import effort
+from urdfkit.model import Joint
+from urdfkit.record import Record
+
+#: Sampled poses, the seed of them, and rounds of a climb at most.
+SAMPLES, SEED, ROUNDS = 1000, 0, 50
+
+
+class Load(Record):
+    """What gravity asks of one joint.
+
+    Attributes:
+        joint: its name.
+        effort: what it can exert, in N m or N; None where the model does not say.
+        at_zero: what it holds with all joints at zero; the sign is that of its axis.
+        worst: the largest that any pose asks of it, without sign: what effort would suffice.
+        pose: in which it does, in rad or m.
+    """
+
+    joint: str
+    effort: float | None
+    at_zero: float
+    worst: float
+    pose: dict[str, float]
+
+    @property
+    def used(self) -> float | None:
+        """The part of its effort that the worst pose takes."""
+        return None if self.effort is None else self.worst / self.effort
+
+    @property
+    def is_exceeded(self) -> bool:
+        """True if no controller can hold the worst pose."""
+        return self.used is not None and self.used > 1
+
+
+class Statics(Record):
+    """The loads of all joints, the weakest first: those with the largest part of effort used.
+
+    Attributes:
+        loads: of the joints that can be set.
+        poses: how many were looked at before the climbs.
+        mass: of the robot with its payload, in kg.
+        payload: masses in kg by link.
+    """
+
+    loads: tuple[Load, ...]
+    poses: int
+    mass: float
+    payload: dict[str, float]
+
+    @property
+    def weakest(self) -> Load | None:
+        """The joint that uses the largest part of its effort; None where none has one."""
+        return next((load for load in self.loads if load.used is not None), None)
+
+
+def statics(
+    robot: Dynamics,
+    *,
+    samples: int = SAMPLES,
+    seed: int = SEED,
+    joints: Iterable[str] | None = None,
+) -> Statics:
+    """The loads over the pose set.
+
+    Args:
+        robot: with its payload.
+        samples: how many poses are drawn between the limits.
+        seed: of that drawing.
+        joints: the names of those that are judged; all that can be set if None.
+    """
+    by_name = robot.tree.model.joints_by_name
+    wanted = set(by_name if joints is None else joints)
+    search = _Search(robot)
+    poses = np.array([*search.corners(), *search.drawn(samples, seed)])
+    torques = np.array([robot.gravity_at(robot.expanded(x)) for x in poses])
+    found: list[Load] = []
+    for column, name in enumerate(robot.columns):
+        if name not in by_name or name not in wanted:
+            continue  # a coordinate of a planar or floating joint, which nothing drives
+        start = poses[int(np.argmax(np.abs(torques[:, column])))]
+        worst, x = search.climb(column, start)
+        pose = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
+        at_zero = float(torques[0, column])
+        found.append(Load(name, effort(by_name[name]), at_zero, worst, pose))
+    found.sort(key=lambda load: (-(load.used or 0.0), -load.worst))
+    mass = robot.mass_properties().mass
+    return Statics(tuple(found), len(poses), mass, dict(robot.payload))
+
+
+class _Search:
+    """Poses of a robot, and climbs among them."""
+
+    def __init__(self, robot: Dynamics) -> None:
+        self.robot = robot
+        by_name = robot.tree.model.joints_by_name
+        ranges = [span(by_name.get(name)) for name in robot.columns]
+        self.low = np.array([low for low, _ in ranges])
+        self.high = np.array([high for _, high in ranges])
+        slides = {name for name, joint in by_name.items() if joint.kind in SLIDING}
+        self.slides = np.array([name in slides for name in robot.columns], dtype=bool)
+        led = np.count_nonzero(robot.selection, axis=0) > 1
+        self.is_led = led  # more than one joint moves with the coordinate
+
+    def corners(self) -> Iterator[Floats]:
+        """Zero, or what is nearest to it; each joint at its ends; all at their ends."""
+        zero = np.clip(np.zeros(self.robot.nv), self.low, self.high)
+        yield np.zeros(self.robot.nv)
+        yield zero
+        yield self.low
+        yield self.high
+        for column in range(self.robot.nv):
+            for end in (self.low, self.high):
+                pose = zero.copy()
+                pose[column] = end[column]
+                yield pose
+
+    def drawn(self, samples: int, seed: int) -> Floats:
+        """Poses between the limits, (samples, nv)."""
+        random = np.random.default_rng(seed)
+        drawn: Floats = random.uniform(self.low, self.high, (samples, self.robot.nv))
+        return drawn
+
+    def climb(self, column: int, start: Floats) -> tuple[float, Floats]:
+        """The largest torque of a coordinate near a pose, without sign, and where it is."""
+        x = start.copy()
+        best = self._torque(x, column)
+        sign = 1.0 if best >= 0 else -1.0
+        for _ in range(ROUNDS):
+            before = abs(best)
+            for other in range(self.robot.nv):
+                best = self._improve(x, column, other, sign, best)
+            if abs(best) <= before * (1 + 1e-12):
+                break
+        return abs(best), x
+
+    def _improve(self, x: Floats, column: int, other: int, sign: float, best: float) -> float:
+        """Move one coordinate to where it makes the torque largest; keep it if it does."""
+        kept = float(x[other])
+        for candidate in self._candidates(x, column, other, sign):
+            x[other] = candidate
+            torque = self._torque(x, column)
+            if sign * torque > sign * best:
+                best, kept = torque, candidate
+        x[other] = kept
+        return best
+
+    def _candidates(self, x: Floats, column: int, other: int, sign: float) -> list[float]:
+        low, high = float(self.low[other]), float(self.high[other])
+        if self.slides[other] and not self.is_led[other]:
+            return [low, high]
+        if self.is_led[other]:
+            return [float(place) for place in np.linspace(low, high, 33)]
+        return [low, high, *self._top(x, column, other, sign, low, high)]
+
+    def _top(
+        self, x: Floats, column: int, other: int, sign: float, low: float, high: float
+    ) -> list[float]:
+        """Where ``a + b cos q + c sin q`` is largest, from three of its values."""
+        kept, values = float(x[other]), []
+        for angle in (0.0, np.pi / 2, np.pi):
+            x[other] = angle
+            values.append(sign * self._torque(x, column))
+        x[other] = kept
+        middle = (values[0] + values[2]) / 2
+        top = float(np.arctan2(values[1] - middle, values[0] - middle))
+        return [angle for angle in (top - 2 * np.pi, top, top + 2 * np.pi) if low <= angle <= high]
+
+    def _torque(self, x: Floats, column: int) -> float:
+        return float(self.robot.gravity_at(self.robot.expanded(x))[column])
+
+
+def span(joint: Joint | None) -> tuple[float, float]:
+    """From where to where a coordinate moves; a full turn where nothing bounds an angle."""
+    if joint is None or joint.kind in ("planar", "floating"):
+        return 0.0, 0.0
+    ends = bounds(joint)
+    if ends is None or ends[0] > ends[1]:
+        return (0.0, 0.0) if joint.kind in SLIDING else (-np.pi, np.pi)
+    return ends
