@@ -1,7 +1,8 @@
 """Run the commands that README and ``docs`` show, and write below them what they print.
 
 In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the folder
-of the project; what follows is its output.
+of the project; what follows is its output. A page that says "commands run beside a copy of ..." tells
+one story: its commands run one after the other in a folder with that copy.
 
 Usage: python docs/transcripts.py
 """
@@ -11,6 +12,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,6 +26,8 @@ README = ROOT / "README.md"
 PAGES = [README, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
+#: All commands of such a page run in one folder, which holds a copy of a package.
+_COPY = re.compile(r"<!-- commands run beside a copy of (\S+) -->")
 
 
 def _is_installed() -> bool:
@@ -42,7 +46,13 @@ _PRELUDE = (
 
 def with_output(page: str) -> str:
     """A page with the output of its commands as it is now."""
-    return _BLOCK.sub(lambda block: _run_block(block.group()), page)
+    given = _COPY.search(page)
+    if given is None:
+        return _BLOCK.sub(lambda block: _run_block(block.group()), page)
+    with tempfile.TemporaryDirectory() as scratch:
+        shutil.copytree(ROOT / given[1], Path(scratch, Path(given[1]).name))
+        text = _BLOCK.sub(lambda block: _run_lines(_commands(block.group()), scratch), page)
+        return text.replace(f"{scratch}/", "")
 
 
 def _run_block(block: str) -> str:
@@ -50,21 +60,27 @@ def _run_block(block: str) -> str:
 
     Where it says /tmp, it is a folder of its own: several blocks may be run at a time.
     """
-    commands = [line[2:] for line in block.splitlines() if line.startswith("$ ")]
     with tempfile.TemporaryDirectory() as scratch:
-        lines = [
-            f"printf '$ %s\\n' {shlex.quote(one)}; {one.replace('/tmp/', f'{scratch}/')}"
-            for one in commands
-        ]
-        return _run("; ".join(lines)).replace(f"{scratch}/", "/tmp/")
+        commands = {one: one.replace("/tmp/", f"{scratch}/") for one in _commands(block)}
+        return _run_lines(commands, str(ROOT)).replace(f"{scratch}/", "/tmp/")
 
 
-def _run(command: str) -> str:
+def _commands(block: str) -> dict[str, str]:
+    """The commands as they are shown and as they are run."""
+    return {line[2:]: line[2:] for line in block.splitlines() if line.startswith("$ ")}
+
+
+def _run_lines(commands: dict[str, str], folder: str) -> str:
+    lines = [f"printf '$ %s\\n' {shlex.quote(shown)}; {run}" for shown, run in commands.items()]
+    return _run("; ".join(lines), folder)
+
+
+def _run(command: str, folder: str) -> str:
     environment = {key: value for key, value in os.environ.items() if key != "FORCE_COLOR"}
     done = subprocess.run(
         ["sh", "-c", _PRELUDE + command],
         check=False,
-        cwd=ROOT,
+        cwd=folder,
         env=environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
