@@ -1,8 +1,8 @@
 """Run the commands that README and ``docs`` show, and write below them what they print.
 
 In a block of the kind ``console`` a line that begins with ``$`` is run by a shell in the folder
-of the project; what follows is its output. A page that says "commands run beside a copy of ..." tells
-one story: its commands run one after the other in a folder with that copy.
+of the project; what follows is its output. A page that says "commands run beside a copy of ..."
+tells one story: its commands run one after the other in a folder with that copy.
 
 Usage: python docs/transcripts.py
 """

@@ -47,6 +47,15 @@ class Located(Record):
     tried: tuple[str, ...] = ()
     searched: tuple[str, ...] = ()
 
+    @property
+    def attempts(self) -> str:
+        """The paths that were tried, for a message; those below the current folder from there."""
+        try:
+            here = os.path.join(os.getcwd(), "")
+        except OSError:  # the current folder is gone
+            here = ""
+        return ", ".join(path.removeprefix(here) for path in self.tried)
+
 
 class Resolver:
     """Finds packages and files; everything is read once.

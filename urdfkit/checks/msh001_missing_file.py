@@ -59,8 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         located = mesh.located
         where = f" in package '{located.package}'" if located.package else ""
-        tried = ", ".join(located.tried)
-        message = f"{mesh.who} does not exist{where}; tried {tried}"
+        message = f"{mesh.who} does not exist{where}; tried {located.attempts}"
         meant = files.nearest(mesh)
         if meant is None:
             yield Finding(mesh.at, message)
