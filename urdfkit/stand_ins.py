@@ -1,8 +1,8 @@
 """Meshes that stand in for files that are missing or broken, made from what the robot tells.
 
-The names of file and link tell a real part (a lidar, a camera, a wheel), and the other shapes of
-the link its place and size; where no name does, those shapes themselves are taken. Nothing here
-guesses without saying so.
+What is left of a broken file is kept where it is most of it. Else the names of file and link tell
+a real part (a lidar, a camera, a wheel), and the other shapes of the link its place and size; where
+no name does, those shapes themselves are taken. Nothing here guesses without saying so.
 """
 
 from __future__ import annotations
@@ -17,13 +17,15 @@ from urdfkit.meshes.sniff import sniff_file
 from urdfkit.model import Body, Link
 from urdfkit.record import Record
 from urdfkit.rooms import Room, counterparts, room, turning_axis
-from urdfkit.spatial import IDENTITY, Frame, Rotation, Vector, transposed
+from urdfkit.spatial import IDENTITY, Frame, Rotation, Vector, cross, transposed
 
 if TYPE_CHECKING:
     from urdfkit.meshes.geometry import Mesh, Part
     from urdfkit.meshes.parts import RealPart
     from urdfkit.subject import Subject
 
+#: A broken file is salvaged if this part of its triangles is left.
+_ENOUGH = 0.5
 #: A part is stretched to its room if no edge needs this many times the factor of another one.
 _DISTORTION = 2.0
 #: Guessed rooms, out of an inertia tensor, overrule the data sheet up to this factor.
@@ -207,6 +209,13 @@ def _make(
     if os.path.splitext(path)[1].lower() not in SUFFIXES:
         known = ", ".join(SUFFIXES)
         return Undone(path, references, defect, f"only {known} can be written")
+    facts = references[0].facts
+    if part is None and size is None and facts is not None and facts.defect:
+        from urdfkit.meshes.salvage import salvage
+
+        left = salvage(path)
+        if left is not None and left.share >= _ENOUGH:
+            return StandIn(path, references, defect, left.mesh, f"what is left of it: {left}")
     made = _generated(subject, references, part, size)
     if made is None:
         reason = "neither its name nor its link tells what it is, or how large"
@@ -312,17 +321,9 @@ def _with_z_along(axis: Vector) -> Rotation:
         if abs(axis[i]) > _ALMOST:
             axis = (float(i == 0), float(i == 1), float(i == 2))
     helper = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.9 else (0.0, 1.0, 0.0)
-    y = _unit(_cross(axis, helper))
-    x = _cross(y, axis)
+    y = _unit(cross(axis, helper))
+    x = cross(y, axis)
     return transposed((x, y, axis))
-
-
-def _cross(a: Vector, b: Vector) -> Vector:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
 
 
 def _unit(vector: Vector) -> Vector:

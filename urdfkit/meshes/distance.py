@@ -30,11 +30,24 @@ def distance(
         other_vertices: of the other surface.
         other_faces: likewise.
     """
+    return max(
+        one_way(vertices, faces, other_vertices, other_faces),
+        one_way(other_vertices, other_faces, vertices, faces),
+    )
+
+
+def one_way(
+    vertices: Floats, faces: Integers, other_vertices: Floats, other_faces: Integers
+) -> float:
+    """The greatest distance from a point of the first surface to the second one.
+
+    Arguments as for `distance`.
+    """
     import trimesh
 
     one = trimesh.Trimesh(vertices, faces, process=False)
     other = trimesh.Trimesh(other_vertices, other_faces, process=False)
-    return max(_farthest(one, other), _farthest(other, one))
+    return _farthest(one, other)
 
 
 def _farthest(one: Trimesh, other: Trimesh) -> float:

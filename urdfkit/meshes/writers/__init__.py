@@ -29,8 +29,8 @@ class UnwritableMesh(UrdfkitError):
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
     """The bytes of a mesh file, and of the files beside it that it needs.
 
-    Lengths are metres and z is upwards in every format, as the mesh has them: its own unit and
-    up axis are not applied (see `urdfkit.meshes.baking`).
+    Lengths are metres in every format: a unit that the mesh has is applied, as RViz and Gazebo
+    would. Its axes stay as they are, for neither of them turns a mesh by its up axis.
 
     Args:
         mesh: with at least one triangle.
@@ -54,6 +54,10 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
         raise UnwritableMesh(f"{name}: there are no triangles to write")
     if not np.isfinite(mesh.vertices).all():
         raise UnwritableMesh(f"{name}: a vertex is not finite; repair the mesh first")
+    if mesh.unit != 1.0:
+        from urdfkit.meshes.transforms import scaled
+
+        mesh = scaled(mesh, (mesh.unit,) * 3)._replace(unit=1.0)
     writer = import_module(f"urdfkit.meshes.writers.{_WRITERS[suffix]}")
     files: dict[str, bytes] = writer.encode(mesh, name)
     return files

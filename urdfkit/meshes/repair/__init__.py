@@ -1,0 +1,137 @@
+"""Repairing meshes: what was wrong, what was done, and that nothing became worse."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.meshes.distance import one_way
+from urdfkit.meshes.edges import finite
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.health import Health, examine
+from urdfkit.meshes.repair.cleaning import (
+    drop_collapsed,
+    drop_fins,
+    drop_repeated,
+    drop_scraps,
+    drop_walls,
+)
+from urdfkit.meshes.repair.holes import fill
+from urdfkit.meshes.repair.seams import split_at_points, weld_rims
+from urdfkit.meshes.repair.soup import Soup, mesh_of, soup_of
+from urdfkit.meshes.repair.winding import agree, face_outwards
+from urdfkit.record import Record
+
+#: Points of open edges this near, as a part of the diagonal, are meant to be one.
+WELD = 2e-5
+
+
+class Step(Record):
+    """One thing that was done.
+
+    Attributes:
+        name: in the past tense, such as ``closed holes``.
+        removed: how many faces it took away.
+        added: how many faces it made.
+        turned: how many faces it turned over.
+    """
+
+    name: str
+    removed: int = 0
+    added: int = 0
+    turned: int = 0
+
+
+class Repair(Record):
+    """What came of a repair.
+
+    Attributes:
+        mesh: repaired; the very one that was given if there was nothing to do, or nothing helped.
+        steps: what was done, in order.
+        before, after: the state of the mesh.
+        lost: how far the old surface lies from the new one at most, in the unit of the mesh.
+        gained: how far the new surface lies from the old one at most.
+        refused: why the repair was given up; empty if it was not.
+    """
+
+    mesh: Mesh
+    steps: tuple[Step, ...]
+    before: Health
+    after: Health
+    lost: float = 0.0
+    gained: float = 0.0
+    refused: str = ""
+
+    @property
+    def changed(self) -> bool:
+        """True if the mesh is another one now."""
+        return bool(self.steps) and not self.refused
+
+
+def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
+    """Make a mesh the surface of a solid, as far as that can be done without inventing much.
+
+    A mesh that is one already is given back as it is.
+
+    Args:
+        mesh: any.
+        holes: close holes, too.
+    """
+    before = examine(mesh.vertices, mesh.faces)
+    if before.is_solid and not before.repeated:
+        return Repair(mesh, (), before, before)
+    soup = soup_of(mesh)
+    steps: list[Step] = []
+    if before.non_finite:
+        steps.append(Step("dropped triangles that are not finite", before.non_finite))
+    tolerance = WELD * soup.size
+    for name, act in (
+        ("dropped collapsed triangles", drop_collapsed),
+        ("dropped repeated triangles", drop_repeated),
+        ("welded open edges", lambda soup: drop_collapsed(weld_rims(soup, tolerance))),
+        ("dropped repeated triangles", drop_repeated),
+        ("cut edges at points that lie on them", lambda soup: split_at_points(soup, tolerance)),
+        ("dropped fins", drop_fins),
+        ("dropped walls inside", drop_walls),
+        ("dropped loose scraps", drop_scraps),
+        ("turned triangles to agree with their neighbours", agree),
+        ("closed holes", fill if holes else _nothing),
+        ("turned bodies outside out", face_outwards),
+    ):
+        soup = _do(name, act, soup, steps)
+    if not steps:
+        return Repair(mesh, (), before, before)
+    return _judged(mesh, soup, steps, before)
+
+
+def _nothing(soup: Soup) -> Soup:
+    return soup
+
+
+def _do(name: str, act: object, soup: Soup, steps: list[Step]) -> Soup:
+    assert callable(act)
+    done: Soup = act(soup)
+    if done is soup:
+        return soup
+    change = len(done.faces) - len(soup.faces)
+    same = change == 0 and done.faces.shape == soup.faces.shape
+    turned = int((done.faces[:, 0] != soup.faces[:, 0]).sum()) if same else 0
+    moved = same and not np.array_equal(done.faces, soup.faces)
+    if change or moved:
+        steps.append(Step(name, max(0, -change), max(0, change), turned if moved else 0))
+        return done
+    return soup
+
+
+def _judged(mesh: Mesh, soup: Soup, steps: list[Step], before: Health) -> Repair:
+    """The repair, or the mesh as it was if the repair is no gain."""
+    after = examine(soup.points, soup.faces)
+    if not len(soup.faces):
+        return Repair(mesh, tuple(steps), before, before, refused="nothing would be left")
+    if after.ailments >= before.ailments:
+        return Repair(mesh, tuple(steps), before, before, refused="it would be no better")
+    is_finite = finite(mesh.vertices)
+    sound = mesh.faces[is_finite[mesh.faces].all(axis=1)]
+    old = (np.where(is_finite[:, None], mesh.vertices, 0.0), sound)
+    new = (soup.points, soup.faces)
+    lost, gained = one_way(*old, *new), one_way(*new, *old)
+    return Repair(mesh_of(soup, mesh), tuple(steps), before, after, lost, gained)

@@ -1,0 +1,66 @@
+"""What is left of a broken mesh file, and how much of it that is."""
+
+from __future__ import annotations
+
+import os
+import re
+
+from urdfkit.meshes import binary_stl, facts
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.load import UnloadableMesh, parse, read_bytes
+from urdfkit.meshes.sniff import sniff
+from urdfkit.record import Record
+
+_COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^>]*?\bcount\s*=\s*["']\s*(\d{1,9})""")
+
+
+class Salvaged(Record):
+    """What is left of a file.
+
+    Attributes:
+        mesh: the triangles.
+        declared: how many the file says that it has; 0 where it does not say.
+    """
+
+    mesh: Mesh
+    declared: int
+
+    @property
+    def found(self) -> int:
+        """How many triangles are left."""
+        return len(self.mesh.faces)
+
+    @property
+    def share(self) -> float:
+        """The part that is left, from 0 to 1, as far as the file tells."""
+        return min(1.0, self.found / self.declared) if self.declared else 1.0
+
+    def __str__(self) -> str:
+        """Such as ``6 of 12 triangles``."""
+        if self.declared > self.found:
+            return f"{self.found} of {self.declared} triangles"
+        return f"{self.found} triangles"
+
+
+def salvage(path: str) -> Salvaged | None:
+    """The triangles that are left in a mesh file; None if there are none.
+
+    Args:
+        path: of a file that is cut off or malformed.
+    """
+    try:
+        data = read_bytes(path)
+        found = sniff(data, os.path.splitext(path)[1])
+        mesh = parse(data, path, found, recover=True)
+    except UnloadableMesh:
+        return None
+    return Salvaged(mesh, _declared(data, found.format)) if len(mesh.faces) else None
+
+
+def _declared(data: bytes, form: str) -> int:
+    """The number of triangles that a file announces; a lower bound where it counts polygons."""
+    if form == facts.COLLADA:
+        return sum(int(count) for count in _COUNT.findall(data))
+    if form == facts.BINARY_STL:
+        return (binary_stl.whole_size(data) - binary_stl.HEADER) // binary_stl.TRIANGLE
+    return 0
