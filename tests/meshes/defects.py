@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import trimesh
@@ -13,21 +14,21 @@ Arrays = tuple[np.ndarray, np.ndarray]
 def shapes() -> dict[str, trimesh.Trimesh]:
     """Solids of different kinds: convex and not, with and without holes, one with two bodies."""
     make = trimesh.creation
-    bracket: trimesh.Trimesh = trimesh.boolean.union(
+    bracket: Any = trimesh.boolean.union(
         [
             make.box((0.2, 0.1, 0.02)),
             make.box((0.02, 0.1, 0.15)).apply_translation((-0.09, 0, 0.07)),
         ],
         engine="manifold",
     )
-    plate: trimesh.Trimesh = trimesh.boolean.difference(
+    plate: Any = trimesh.boolean.difference(
         [
             make.box((0.3, 0.2, 0.03)),
             make.cylinder(0.04, 0.1, sections=32).apply_translation((0.05, 0, 0)),
         ],
         engine="manifold",
     )
-    two: trimesh.Trimesh = trimesh.util.concatenate(
+    two: Any = trimesh.util.concatenate(
         [make.icosphere(2, 0.05), make.box((0.05, 0.06, 0.07)).apply_translation((0.3, 0, 0))]
     )
     return {

@@ -25,6 +25,10 @@ from urdfkit.record import Record
 WELD = 2e-5
 
 
+#: What one round leaves behind, such as a fill that meets another one, the next may mend.
+_ROUNDS = 3
+
+
 class Step(Record):
     """One thing that was done.
 
@@ -83,6 +87,22 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
     steps: list[Step] = []
     if before.non_finite:
         steps.append(Step("dropped triangles that are not finite", before.non_finite))
+    best = examine(soup.points, soup.faces)
+    for _ in range(_ROUNDS):
+        more: list[Step] = []
+        tried = _round(soup, more, holes=holes)
+        state = examine(tried.points, tried.faces)
+        if not more or state.ailments >= best.ailments:
+            break
+        soup, best = tried, state
+        steps += more
+    if not steps:
+        return Repair(mesh, (), before, before)
+    return _judged(mesh, soup, _summed(steps), before)
+
+
+def _round(soup: Soup, steps: list[Step], *, holes: bool) -> Soup:
+    """Everything once; what is done is added to the steps."""
     tolerance = WELD * soup.size
     for name, act in (
         ("dropped collapsed triangles", drop_collapsed),
@@ -98,9 +118,16 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
         ("turned bodies outside out", face_outwards),
     ):
         soup = _do(name, act, soup, steps)
-    if not steps:
-        return Repair(mesh, (), before, before)
-    return _judged(mesh, soup, steps, before)
+    return soup
+
+
+def _summed(steps: list[Step]) -> list[Step]:
+    """What was done in several rounds, each thing once."""
+    sums: dict[str, Step] = {}
+    for name, *counts in steps:
+        before = sums.get(name, Step(name))
+        sums[name] = Step(name, *(a + b for a, b in zip(before[1:], counts, strict=True)))
+    return [*sums.values()]
 
 
 def _nothing(soup: Soup) -> Soup:
