@@ -15,9 +15,9 @@ from tests.meshes.made import binary_stl
 from tests.meshes.shapes_made import as_trimesh
 from urdfkit.loading import read
 from urdfkit.meshes.parts import PARTS
+from urdfkit.meshes.writers import GoodMesh
 from urdfkit.stand_ins import (
     NoSuchMesh,
-    NothingMissing,
     StandIn,
     Undone,
     generate,
@@ -200,7 +200,7 @@ def test_a_file_that_several_links_name_is_made_once(tmp_path: Path) -> None:
 def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     (tmp_path / "good.stl").write_bytes(binary_stl())
     subject = read(robot(tmp_path, "good.stl", BOX))
-    with pytest.raises(NothingMissing, match=r"good\.stl is a good mesh already"):
+    with pytest.raises(GoodMesh, match=r"good\.stl is a good mesh already"):
         generate(subject, "good.stl")
     with pytest.raises(NoSuchMesh, match=r"'god\.stl'; did you mean 'good\.stl'\?"):
         generate(subject, "god.stl")
@@ -217,7 +217,7 @@ def test_a_part_for_a_new_file(tmp_path: Path) -> None:
     path = tmp_path / "imu.glb"
     one = generate_part(str(path), PARTS_BY_MODULE["xsens_mti"])
     one.write()
-    with pytest.raises(NothingMissing):
+    with pytest.raises(GoodMesh):
         generate_part(str(path), PARTS_BY_MODULE["xsens_mti"])
     path.write_bytes(b"")
     assert generate_part(str(path), PARTS_BY_MODULE["xsens_mti"]).defect == "is empty"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.files import MeshReference
 from urdfkit.meshes.sniff import sniff_file
+from urdfkit.meshes.writers import SUFFIXES, refuse_good, write
 from urdfkit.model import Body, Link
 from urdfkit.record import Record
 from urdfkit.rooms import Room, counterparts, room, turning_axis
@@ -62,8 +63,6 @@ class StandIn(Record):
         Raises:
             UrdfkitError: it cannot be written.
         """
-        from urdfkit.meshes.writers import write
-
         return write(self.mesh, self.path)
 
 
@@ -85,10 +84,6 @@ class StandIns(Record):
 
 class NoSuchMesh(UrdfkitError):
     """No shape of the robot names that mesh."""
-
-
-class NothingMissing(UrdfkitError):
-    """The file is a good mesh, which is not replaced unless that is asked for."""
 
 
 def generate_missing(subject: Subject) -> StandIns:
@@ -129,7 +124,7 @@ def generate(
 
     Raises:
         NoSuchMesh: no shape of the robot has this reference.
-        NothingMissing: the file is good, and not to be replaced.
+        GoodMesh: the file is good, and not to be replaced.
     """
     references = tuple(mesh for mesh in subject.files.meshes if mesh.at.value == reference)
     if not references:
@@ -140,8 +135,8 @@ def generate(
         hint = f"; did you mean '{near}'?" if near else ""
         raise NoSuchMesh(f"no shape of the robot names '{reference}'{hint}")
     path, defect = _place(references[0])
-    if not defect and not force:
-        raise NothingMissing(f"{path} is a good mesh already; --force replaces it")
+    if not force:
+        refuse_good(path)
     return _make(subject, path, references, defect or "is to be replaced", part, size)
 
 
@@ -157,11 +152,11 @@ def generate_part(
         force: also where the file is a good mesh.
 
     Raises:
-        NothingMissing: the file is good, and not to be replaced.
+        GoodMesh: the file is good, and not to be replaced.
     """
+    if not force:
+        refuse_good(path)
     facts = sniff_file(path) if os.path.exists(path) else None
-    if facts and not facts.defect and not force:
-        raise NothingMissing(f"{path} is a good mesh already; --force replaces it")
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
     return StandIn(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")
@@ -196,8 +191,6 @@ def _make(
     part: RealPart | None = None,
     size: Vector | None = None,
 ) -> StandIn | Undone:
-    from urdfkit.meshes.writers import SUFFIXES
-
     located = references[0].located
     if located.package is not None and located.folder is None:
         reason = f"package '{located.package}' is not found; name its folder with --package"

@@ -24,21 +24,23 @@ def shapes() -> dict[str, trimesh.Trimesh]:
     plate: Any = trimesh.boolean.difference(
         [
             make.box((0.3, 0.2, 0.03)),
-            make.cylinder(0.04, 0.1, sections=32).apply_translation((0.05, 0, 0)),
+            make.cylinder(0.04, 0.1, sections=16).apply_translation((0.05, 0, 0)),
         ],
         engine="manifold",
     )
     two: Any = trimesh.util.concatenate(
-        [make.icosphere(2, 0.05), make.box((0.05, 0.06, 0.07)).apply_translation((0.3, 0, 0))]
+        [
+            make.icosphere(2, 0.05),
+            make.box((0.05, 0.06, 0.07)).subdivide().apply_translation((0.3, 0, 0)),
+        ]
     )
     return {
-        "ball": make.icosphere(3, 0.1),
-        "cylinder": make.cylinder(0.05, 0.2, sections=48),
-        "torus": make.torus(0.1, 0.03),
+        "ball": make.icosphere(2, 0.1),
+        "cylinder": make.cylinder(0.05, 0.2, sections=32),
+        "torus": make.torus(0.1, 0.03, major_sections=24, minor_sections=12),
         "bracket": bracket.subdivide(),
         "plate": plate.subdivide(),
-        "capsule": make.capsule(0.2, 0.05),
-        "two bodies": two.subdivide(),
+        "two bodies": two,
         "ring": make.annulus(0.03, 0.08, 0.05),
     }
 

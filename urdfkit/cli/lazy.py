@@ -8,6 +8,12 @@ from typing import Any
 
 import click
 
+from urdfkit.errors import UrdfkitError
+
+
+class MissingExtra(UrdfkitError):
+    """A command needs a library that is not installed."""
+
 
 class LazyGroup(click.Group):
     """A group that imports a command when it is asked for.
@@ -15,12 +21,16 @@ class LazyGroup(click.Group):
     Args:
         package: that has a module for each command, with a ``command`` in it.
         names: of the commands, in the order in which they are listed.
+        extra: of urdfkit, that the commands need.
     """
 
-    def __init__(self, *args: Any, package: str, names: Sequence[str], **more: Any) -> None:
+    def __init__(
+        self, *args: Any, package: str, names: Sequence[str], extra: str = "", **more: Any
+    ) -> None:
         super().__init__(*args, **more)
         self.package = package
         self.names = tuple(names)
+        self.extra = extra
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.names)
@@ -28,6 +38,14 @@ class LazyGroup(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in self.names:
             return None
-        command = import_module(f"{self.package}.{cmd_name}").command
+        try:
+            command = import_module(f"{self.package}.{cmd_name}").command
+        except ModuleNotFoundError as error:
+            if not self.extra or (error.name or "").startswith("urdfkit"):
+                raise
+            install = f"pip install 'urdfkit[{self.extra}]'"
+            raise MissingExtra(
+                f"'{ctx.command_path}' needs {error.name}, which is not installed: {install}"
+            ) from error
         assert isinstance(command, click.Command)
         return command

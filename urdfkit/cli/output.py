@@ -71,15 +71,21 @@ def shorter(path: str) -> str:
     return path if relative.startswith(os.pardir) else relative
 
 
-def indented(text: str) -> list[str]:
+def labelled(label: str, text: str) -> list[str]:
+    """A text behind a word, in lines no wider than the terminal."""
+    lines = indented(text, first=f"  {label:<10} ", rest=" " * 13)
+    return lines or [f"  {label}"]
+
+
+def indented(text: str, first: str = "  ", rest: str = "    ") -> list[str]:
     """A text in lines that are indented and no wider than the terminal."""
     import textwrap
 
     return textwrap.wrap(
         text,
         max(width(), 40),
-        initial_indent="  ",
-        subsequent_indent="    ",
+        initial_indent=first,
+        subsequent_indent=rest,
         break_long_words=False,
         break_on_hyphens=False,
     )

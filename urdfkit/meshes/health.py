@@ -44,9 +44,7 @@ class Health(Record):
     @property
     def is_solid(self) -> bool:
         """True if it is the surface of a solid: closed, and outside is outside everywhere."""
-        return self.is_closed and not (
-            self.twisted_edges or self.inverted or self.non_finite or self.collapsed
-        )
+        return self.faces > 0 and self.volume > 0 and self.ailments == 0
 
     @property
     def ailments(self) -> int:

@@ -7,7 +7,7 @@ import re
 
 from urdfkit.meshes import binary_stl, facts
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.load import UnloadableMesh, parse, read_bytes
+from urdfkit.meshes.load import UnloadableMesh, load, parse, read_bytes
 from urdfkit.meshes.sniff import sniff
 from urdfkit.record import Record
 
@@ -64,3 +64,21 @@ def _declared(data: bytes, form: str) -> int:
     if form == facts.BINARY_STL:
         return (binary_stl.whole_size(data) - binary_stl.HEADER) // binary_stl.TRIANGLE
     return 0
+
+
+def load_or_salvage(path: str) -> tuple[Mesh, str]:
+    """The triangles of a mesh file, whole or broken.
+
+    Returns:
+        The mesh, and what is wrong with the file; empty if it is whole.
+
+    Raises:
+        UnloadableMesh: there are none.
+    """
+    try:
+        return load(path), ""
+    except UnloadableMesh as error:
+        left = salvage(path)
+        if left is None:
+            raise
+        return left.mesh, f"{error.reason}; {left} are left"

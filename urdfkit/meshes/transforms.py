@@ -42,3 +42,24 @@ def _scaled(part: Part, stretch: Floats, mirrored: bool) -> Part:
         normals = normals / np.where(lengths > 0, lengths, 1.0)
     faces = part.faces[:, ::-1].copy() if mirrored else part.faces
     return part._replace(vertices=part.vertices * stretch, faces=faces, normals=normals)
+
+
+def in_metres(mesh: Mesh) -> Mesh:
+    """A mesh with its unit of length applied, as RViz and Gazebo do."""
+    if mesh.unit == 1.0:
+        return mesh
+    return scaled(mesh, (mesh.unit,) * 3)._replace(unit=1.0)
+
+
+def upright(mesh: Mesh) -> Mesh:
+    """A mesh turned so that what its file calls upwards is z.
+
+    RViz and Gazebo do not turn it, Bullet and Blender do: after this they agree.
+    """
+    rows = {
+        "Y_UP": ((1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),
+        "X_UP": ((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0)),
+    }.get(mesh.up_axis)
+    if rows is None:
+        return mesh
+    return moved(mesh, Frame(rows))._replace(up_axis="Z_UP")

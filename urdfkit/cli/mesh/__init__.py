@@ -6,7 +6,7 @@ import click
 
 from urdfkit.cli.lazy import LazyGroup
 
-COMMANDS = ("generate",)
+COMMANDS = ("info", "convert", "repair", "generate")
 
 
 @click.group(
@@ -14,6 +14,7 @@ COMMANDS = ("generate",)
     cls=LazyGroup,
     package="urdfkit.cli.mesh",
     names=COMMANDS,
+    extra="meshes",
     invoke_without_command=True,
 )
 @click.pass_context

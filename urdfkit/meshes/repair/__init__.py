@@ -81,7 +81,7 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
         holes: close holes, too.
     """
     before = examine(mesh.vertices, mesh.faces)
-    if before.is_solid and not before.repeated:
+    if before.is_solid:
         return Repair(mesh, (), before, before)
     soup = soup_of(mesh)
     steps: list[Step] = []
@@ -140,13 +140,15 @@ def _do(name: str, act: object, soup: Soup, steps: list[Step]) -> Soup:
     if done is soup:
         return soup
     change = len(done.faces) - len(soup.faces)
-    same = change == 0 and done.faces.shape == soup.faces.shape
-    turned = int((done.faces[:, 0] != soup.faces[:, 0]).sum()) if same else 0
-    moved = same and not np.array_equal(done.faces, soup.faces)
-    if change or moved:
-        steps.append(Step(name, max(0, -change), max(0, change), turned if moved else 0))
-        return done
-    return soup
+    if change == 0:
+        moved = (done.faces != soup.faces).any(axis=1)
+        if not moved.any():
+            return soup
+        same = (np.sort(done.faces, axis=1) == np.sort(soup.faces, axis=1)).all(axis=1)
+        steps.append(Step(name, turned=int((moved & same).sum())))
+    else:
+        steps.append(Step(name, max(0, -change), max(0, change)))
+    return done
 
 
 def _judged(mesh: Mesh, soup: Soup, steps: list[Step], before: Health) -> Repair:

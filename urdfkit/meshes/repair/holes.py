@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from urdfkit.meshes.edges import Edges
-from urdfkit.meshes.geometry import Floats, Integers
+from urdfkit.meshes.geometry import Flags, Floats, Integers
 from urdfkit.meshes.repair.soup import Soup
 
 #: Rims of more edges are closed in their plane; the best triangulation costs the third power.
@@ -20,71 +20,127 @@ def fill(soup: Soup) -> Soup:
         return soup
     faces: list[Integers] = []
     parts: list[int] = []
+    there = set(map(tuple, np.sort(soup.faces, axis=1).tolist()))
+    taken = set(map(tuple, Edges(soup.faces).ends.tolist()))
     for loop, part in _loops(soup):
-        triangles = triangulated(soup.points[loop])
-        faces.append(loop[triangles])
-        parts += [part] * len(triangles)
-    if not faces:
+        triangles = triangulated(soup.points[loop], _barred(loop, taken))
+        new = [row for row in loop[triangles].tolist() if tuple(sorted(row)) not in there]
+        faces.append(np.array(new, dtype=np.int64).reshape(-1, 3))
+        parts += [part] * len(new)
+    if not parts:
         return soup
     return soup.with_faces(np.concatenate(faces), np.array(parts, dtype=np.int64))
 
 
+#: By point, the points that a rim goes on to, each with the part of the face beside it.
+_Ways = dict[int, list[tuple[int, int]]]
+
+
 def _loops(soup: Soup) -> list[tuple[Integers, int]]:
-    """The rims, each as points in the order in which filling faces see them, and a part."""
+    """The rims, each as points in the order in which filling faces see them, and a part.
+
+    Where faces do not agree on what is outside, a rim has no direction; those are walked in any.
+    """
     edges = Edges(soup.faces)
     rows, sides = np.nonzero(edges.is_open[edges.of_face])
-    following: dict[int, list[tuple[int, int]]] = {}
+    ways: _Ways = {}
     for face, side in zip(rows.tolist(), sides.tolist(), strict=True):
         start, end = int(soup.faces[face, side]), int(soup.faces[face, (side + 1) % 3])
-        following.setdefault(end, []).append((start, int(soup.parts[face])))
+        ways.setdefault(end, []).append((start, int(soup.parts[face])))
+    left: _Ways = {}
+    loops = _walks(ways, left, both=False)
+    for start, end, part in [(start, *way) for start, found in left.items() for way in found]:
+        left.setdefault(end, []).append((start, part))
+    return loops + _walks(left, {}, both=True)
+
+
+def _walks(ways: _Ways, left: _Ways, *, both: bool) -> list[tuple[Integers, int]]:
+    """Take rims out of the ways until none is left; what leads nowhere is put aside."""
     loops = []
-    while following:
-        loop, part = _walk(following)
+    while ways:
+        loop, part = _walk(ways, left, both=both)
         if len(loop) >= 3:
             loops.append((np.array(loop, dtype=np.int64), part))
     return loops
 
 
-def _walk(following: dict[int, list[tuple[int, int]]]) -> tuple[list[int], int]:
+def _walk(ways: _Ways, left: _Ways, *, both: bool) -> tuple[list[int], int]:
     """Take one rim out; empty if it leads nowhere.
 
     Where rims touch in a point, the walk comes back to it and cuts off what it has gone around.
     """
-    here = next(iter(following))
+    here = next(iter(ways))
     path, places, part = [here], {here: 0}, 0
-    while True:
-        choices = following.get(here)
-        if not choices:
-            return [], 0
-        there, part = choices.pop()
-        if not choices:
-            del following[here]
+    while here in ways:
+        there, part = _take(ways, here)
+        if both:
+            _take(ways, there, here)
         if there in places:
             loop = path[places[there] :]
             # What the walk passed before it came to this loop goes back.
             for start, end in pairwise(path[: places[there] + 1]):
-                following.setdefault(start, []).append((end, part))
+                ways.setdefault(start, []).append((end, part))
+                if both:
+                    ways.setdefault(end, []).append((start, part))
             return loop, part
         places[there] = len(path)
         path.append(there)
         here = there
+    for start, end in pairwise(path):
+        left.setdefault(start, []).append((end, part))
+    return [], 0
 
 
-def triangulated(points: Floats) -> Integers:
-    """Triangles between the points of a closed line, as (k, 3) indices, in its direction."""
+def _take(ways: _Ways, start: int, end: int | None = None) -> tuple[int, int]:
+    """Take one way out: the last one from a point, or that to a certain one."""
+    choices = ways[start]
+    if end is None:
+        taken = choices.pop()
+    else:
+        taken = next(choice for choice in choices if choice[0] == end)
+        choices.remove(taken)
+    if not choices:
+        del ways[start]
+    return taken
+
+
+def _barred(loop: Integers, taken: set[tuple[int, int]]) -> Flags:
+    """(n, n), True for diagonals of a rim that are edges of the mesh already."""
+    number = len(loop)
+    barred = np.zeros((number, number), dtype=bool)
+    if number > _LONGEST:
+        return barred
+    for start in range(number):
+        for end in range(start + 2, number - (start == 0)):
+            a, b = int(loop[start]), int(loop[end])
+            barred[start, end] = ((a, b) if a < b else (b, a)) in taken
+    return barred
+
+
+def triangulated(points: Floats, barred: Flags) -> Integers:
+    """Triangles between the points of a closed line, as (k, 3) indices, in its direction.
+
+    Args:
+        points: (n, 3).
+        barred: (n, n), diagonals that may not be used, by start and end.
+    """
     if len(points) > _LONGEST:
         return _in_plane(points)
-    return _smallest(points)
+    return _smallest(points, barred)
 
 
-def _smallest(points: Floats) -> Integers:
+def _smallest(points: Floats, barred: Flags) -> Integers:
     """The triangulation of least area, which for a flat hole has no folds.
+
+    A diagonal that is an edge already would fold the fill back onto the surface: the costs of
+    such a one are those of a thousand times the area of all.
 
     Source: G. Barequet, M. Sharir, "Filling gaps in the boundary of a polyhedron", Computer Aided
     Geometric Design 12 (1995): dynamic programming over the stretches of the line.
     """
     number = len(points)
-    cost = np.zeros((number, number))
+    extent = points.max(axis=0) - points.min(axis=0)
+    cost = np.where(barred, 1000 * float(extent @ extent), 0.0)
     middle = np.zeros((number, number), dtype=np.int64)
     for width in range(2, number):
         for start in range(number - width):
@@ -93,7 +149,7 @@ def _smallest(points: Floats) -> Integers:
             cross = np.cross(points[between] - points[start], points[end] - points[start])
             total = cost[start, between] + cost[between, end] + np.sqrt((cross**2).sum(axis=1)) / 2
             best = int(np.argmin(total))
-            cost[start, end] = total[best]
+            cost[start, end] += total[best]
             middle[start, end] = between[best]
     triangles = []
     stack = [(0, number - 1)]

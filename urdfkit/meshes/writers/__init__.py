@@ -54,12 +54,10 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
         raise UnwritableMesh(f"{name}: there are no triangles to write")
     if not np.isfinite(mesh.vertices).all():
         raise UnwritableMesh(f"{name}: a vertex is not finite; repair the mesh first")
-    if mesh.unit != 1.0:
-        from urdfkit.meshes.transforms import scaled
+    from urdfkit.meshes.transforms import in_metres
 
-        mesh = scaled(mesh, (mesh.unit,) * 3)._replace(unit=1.0)
     writer = import_module(f"urdfkit.meshes.writers.{_WRITERS[suffix]}")
-    files: dict[str, bytes] = writer.encode(mesh, name)
+    files: dict[str, bytes] = writer.encode(in_metres(mesh), name)
     return files
 
 
@@ -84,6 +82,23 @@ def losses(mesh: Mesh, name: str) -> list[str]:
     if suffix == ".stl" and colors:
         lost.append("colours of vertices")
     return lost
+
+
+class GoodMesh(UrdfkitError):
+    """A file is a good mesh, which is not replaced unless that is asked for."""
+
+
+def refuse_good(path: str | os.PathLike[str]) -> None:
+    """Do nothing where a mesh may be written without a loss.
+
+    Raises:
+        GoodMesh: the file is a good mesh.
+    """
+    from urdfkit.meshes.sniff import sniff_file
+
+    name = os.fspath(path)
+    if os.path.exists(name) and sniff_file(name).defect is None:
+        raise GoodMesh(f"{name} is a good mesh already; --force replaces it")
 
 
 def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:

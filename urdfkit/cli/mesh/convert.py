@@ -1,0 +1,37 @@
+"""``urdfkit mesh convert``: a mesh in another format."""
+
+from __future__ import annotations
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.mesh.saving import save
+from urdfkit.meshes.load import load
+from urdfkit.meshes.transforms import scaled, upright
+from urdfkit.meshes.writers import refuse_good
+
+
+@click.command("convert")
+@click.argument("file", metavar="FILE")
+@click.argument("out", metavar="OUT")
+@click.option("--upright", "turn", is_flag=True, help="Turn the up axis of the file to z.")
+@click.option("--scale", type=float, default=1.0, metavar="FACTOR", help="Multiply all lengths.")
+@click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh.")
+def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
+    """Write a mesh in another format, or in the same one, clean.
+
+    The suffix of OUT says the format. The unit of FILE is applied, so that OUT is in metres.
+
+    Exit codes: 0 done, 2 it cannot be done.
+    """
+    if not scale > 0:
+        raise click.BadParameter("must be more than 0", param_hint="--scale")
+    mesh = load(file)
+    if not force:
+        refuse_good(out)
+    mesh = scaled(upright(mesh) if turn else mesh, (scale,) * 3)
+    lines = [*save(mesh, out)]
+    for lost in mesh.losses:
+        lines += output.indented(f"not in the mesh any more: {lost}")
+    output.write("\n".join(lines) + "\n")
+    return 0

@@ -1,0 +1,66 @@
+"""``urdfkit mesh info``: what mesh files hold."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.mesh import tables
+from urdfkit.meshes.describe import Description, describe
+from urdfkit.meshes.geometry import Part
+
+VERSION = 1
+
+
+@click.command("info")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+def command(files: tuple[str, ...], form: str) -> int:
+    """Tell what mesh files hold: size, triangles, materials, unit, and whether they are solids.
+
+    Exit codes: 0 done, 2 a file holds no triangles.
+    """
+    found = [describe(file) for file in files]
+    if form == "json":
+        document = {"version": VERSION, "meshes": [one.as_json() for one in found]}
+        output.write(json.dumps(document, ensure_ascii=False, indent=2) + "\n")
+    else:
+        output.write("\n\n".join("\n".join(render(one)) for one in found) + "\n")
+    return 0
+
+
+def render(found: Description) -> Iterator[str]:
+    """The lines about one file."""
+    yield f"{found.path}: {found.format}, {found.bytes} bytes"
+    if found.defect:
+        yield from output.indented(f"broken: {found.defect}")
+    size = [high - low for low, high in zip(found.low, found.high, strict=True)]
+    yield "  size       {:.4g} x {:.4g} x {:.4g} m".format(*size)
+    ranges = [f"{low:.4g} to {high:.4g}" for low, high in zip(found.low, found.high, strict=True)]
+    yield "  reaches    x {}, y {}, z {}".format(*ranges)
+    bodies = found.health.bodies
+    yield f"  triangles  {found.health.faces} in {bodies} {'body' if bodies == 1 else 'bodies'}"
+    yield from output.labelled("surface", tables.surface(found.health))
+    if found.health.is_solid:
+        yield f"  volume     {tables.volume(found.health.volume)}"
+    yield f"  area       {found.area:.4g} m^2"
+    if found.mesh.unit != 1.0:
+        yield f"  unit       {found.mesh.unit:g} m, applied above"
+    if found.mesh.up_axis:
+        yield f"  up axis    {found.mesh.up_axis}, not applied"
+    for part in found.mesh.parts:
+        yield from output.labelled("part", _part(part))
+    for lost in found.mesh.losses:
+        yield from output.labelled("lost", lost)
+
+
+def _part(part: Part) -> str:
+    text = f"{len(part.faces)} triangles"
+    if part.material is None:
+        return text
+    color = " ".join(f"{value:.3g}" for value in part.material.rgba)
+    texture = ", with a texture" if part.material.texture else ""
+    return f"{text}, {part.material.name or 'unnamed'} ({color}){texture}"

@@ -1,0 +1,83 @@
+"""``urdfkit mesh repair``: a mesh made the surface of a solid."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.mesh import tables
+from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.meshes.repair import Repair, Step, repair
+from urdfkit.meshes.salvage import load_or_salvage
+from urdfkit.meshes.transforms import in_metres
+
+
+@click.command("repair")
+@click.argument("file", metavar="FILE")
+@writes
+@click.option("--keep-holes", is_flag=True, help="Do not close holes.")
+def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes: bool) -> int:
+    """Repair a mesh: weld, clean, turn outwards, close holes.
+
+    Tells what was wrong and what was done, and how far the surface has moved. A mesh that is the
+    surface of a solid is left as it is; a repair that would make it no better is given up. Of a
+    broken file, what is left is taken.
+
+    Exit codes: 0 nothing to repair, or repaired and written; 1 there is something to repair, or
+    it could not be repaired fully; 2 it cannot be done.
+    """
+    path = destination(file, out, in_place, force)
+    mesh, defect = load_or_salvage(file)
+    done = repair(in_metres(mesh), holes=not keep_holes)
+    lines = [*render(done, defect)]
+    if done.changed or defect or (path and path != file):
+        lines += save(done.mesh, path)
+    output.write("\n".join(lines) + "\n")
+    if not done.changed and not defect:
+        return int(not done.after.is_solid)
+    return int(path is None or not done.after.is_solid)
+
+
+def render(done: Repair, defect: str) -> Iterator[str]:
+    """What was wrong, what was done, and the state before and after."""
+    if defect:
+        yield from output.indented(f"the file {defect}", first="")
+    if not done.steps:
+        if done.before.is_solid:
+            yield "nothing to repair: the triangles are the surface of a solid"
+        else:
+            yield from output.indented(f"not repaired: {tables.surface(done.before)}", first="")
+        return
+    yield from output.indented(f"found {tables.surface(done.before)}", first="")
+    for step in done.steps:
+        yield f"  {_step(step)}"
+    if done.refused:
+        yield f"given up: {done.refused}; the mesh stays as it is"
+        return
+    rows = [
+        ("", "before", "after"),
+        ("triangles", str(done.before.faces), str(done.after.faces)),
+        ("bodies", str(done.before.bodies), str(done.after.bodies)),
+        ("closed", *(("no", "yes")[health.is_closed] for health in (done.before, done.after))),
+        ("volume", tables.volume(done.before.volume), tables.volume(done.after.volume)),
+    ]
+    yield from tables.columns(rows)
+    yield f"farthest from the new surface, on the old one  {tables.length(done.lost)}"
+    yield f"farthest from the old surface, on the new one  {tables.length(done.gained)}"
+    if not done.after.is_solid:
+        yield from output.indented(f"left: {tables.surface(done.after)}", first="")
+
+
+def _step(step: Step) -> str:
+    changes = [
+        f"{number} triangles {words}"
+        for number, words in (
+            (step.removed, "fewer"),
+            (step.added, "more"),
+            (step.turned, "turned"),
+        )
+        if number
+    ]
+    return step.name + (f": {', '.join(changes)}" if changes else "")

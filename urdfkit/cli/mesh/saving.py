@@ -1,0 +1,51 @@
+"""Where commands about meshes write: a new file, or the file itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.writers import losses, refuse_good, write
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def writes(command: Command) -> Command:
+    """Give a command the options that say where the mesh goes."""
+    for add in (
+        click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh."),
+        click.option("--write", "in_place", is_flag=True, help="Replace FILE itself."),
+        click.option("-o", "--output", "out", metavar="OUT", help="Write the mesh to this file."),
+    ):
+        command = add(command)
+    return command
+
+
+def destination(file: str, out: str | None, in_place: bool, force: bool) -> str | None:
+    """Where to write; None for nowhere.
+
+    Raises:
+        UsageError: both a file and in place.
+        GoodMesh: the file is a good mesh, and not to be replaced.
+    """
+    if out and in_place:
+        raise options.UsageError("--output and --write exclude one another")
+    if in_place:
+        return file
+    if out and not force:
+        refuse_good(out)
+    return out
+
+
+def save(mesh: Mesh, path: str | None) -> Iterator[str]:
+    """Write a mesh, and say so."""
+    if path is None:
+        yield "nothing is written; --output OUT or --write does"
+        return
+    yield "wrote " + ", ".join(map(output.shorter, write(mesh, path)))
+    if lost := losses(mesh, path):
+        yield f"  this format cannot hold: {', '.join(lost)}"

@@ -1,0 +1,56 @@
+"""Numbers of meshes as people read them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfkit.meshes.health import Health
+
+
+def length(metres: float) -> str:
+    """A length with a unit that suits it."""
+    size = abs(metres)
+    if size == 0:
+        return "0 m"
+    if size < 1e-4:
+        return f"{metres * 1e6:.3g} um"
+    return f"{metres * 1e3:.3g} mm" if size < 0.1 else f"{metres:.4g} m"
+
+
+def volume(cubic_metres: float) -> str:
+    """A volume in cm^3 or m^3."""
+    if abs(cubic_metres) < 0.1:
+        return f"{cubic_metres * 1e6:.6g} cm^3"
+    return f"{cubic_metres:.6g} m^3"
+
+
+def surface(health: Health) -> str:
+    """In one phrase, whether the triangles enclose a solid."""
+    if health.is_solid:
+        return "closed, a solid"
+    found = [
+        f"{number} {words}"
+        for number, words in (
+            (health.non_finite, "triangles that are not finite"),
+            (health.collapsed, "collapsed triangles"),
+            (health.repeated, "repeated triangles"),
+            (health.open_edges, "open edges"),
+            (health.crowded_edges, "edges with more than two triangles"),
+            (health.twisted_edges, "edges where outside meets inside"),
+            (health.inverted, "bodies inside out"),
+        )
+        if number
+    ]
+    return ", ".join(found) or "closed, and flat: it encloses nothing"
+
+
+def columns(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Rows in columns, the first to the left and the others to the right."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return [
+        "  ".join(
+            cell.ljust(width) if number == 0 else cell.rjust(width)
+            for number, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
