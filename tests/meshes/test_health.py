@@ -7,8 +7,10 @@ import pytest
 import trimesh
 
 from tests.meshes.defects import shapes
+from tests.meshes.shapes_made import as_part
 from urdfkit.meshes.edges import Edges, volumes, welded
-from urdfkit.meshes.health import contains, examine
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.health import contains, examine, examine_mesh
 
 
 @pytest.mark.parametrize("name", shapes())
@@ -36,6 +38,19 @@ def test_every_defect_is_counted() -> None:
     assert examine(bad, np.vstack([faces, [[0, 1, 8]]])).non_finite == 1
     assert examine(points, faces[:0]).ailments == 0
     assert not examine(points, faces[:0]).is_closed
+
+
+def test_touching_parts_are_solids_of_their_own_and_colours_are_not() -> None:
+    box = trimesh.creation.box()
+    other = box.copy().apply_translation((1, 0, 0))
+    assembly = Mesh((as_part(box), as_part(other)))
+    assert examine(assembly.vertices, assembly.faces).crowded_edges == 4
+    assert examine_mesh(assembly).is_solid
+    assert examine_mesh(assembly).volume == pytest.approx(2)
+    halves = [
+        as_part(box)._replace(faces=np.array(faces)) for faces in (box.faces[:5], box.faces[5:])
+    ]
+    assert examine_mesh(Mesh(tuple(halves))).is_solid
 
 
 def test_edges() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.health import Health, examine
+from urdfkit.meshes.health import Health, examine_mesh
 from urdfkit.meshes.salvage import load_or_salvage
 from urdfkit.meshes.sniff import sniff_file
 from urdfkit.meshes.transforms import in_metres
@@ -86,6 +86,6 @@ def describe(path: str) -> Description:
         mesh,
         (low[0], low[1], low[2]),
         (high[0], high[1], high[2]),
-        examine(vertices, faces),
+        examine_mesh(metric),
         float(areas(vertices, faces).sum()),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.meshes.edges import Edges, finite, volumes, welded
-from urdfkit.meshes.geometry import Flags, Floats, Integers
+from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.record import Record
 
 
@@ -58,6 +58,20 @@ class Health(Record):
             + self.twisted_edges
             + self.inverted
         )
+
+
+def examine_mesh(mesh: Mesh) -> Health:
+    """The state of a mesh with its parts.
+
+    A part may be a solid of its own that touches others, as in an assembly, or one colour of the
+    surface of a whole: that reading is taken in which less is wrong.
+    """
+    whole = examine(mesh.vertices, mesh.faces)
+    if whole.ailments == 0 or len(mesh.parts) < 2:
+        return whole
+    parts = [examine(part.vertices, part.faces) for part in mesh.parts]
+    together = Health(*(sum(values) for values in zip(*parts, strict=True)))
+    return together if together.ailments < whole.ailments else whole
 
 
 def examine(vertices: Floats, faces: Integers) -> Health:

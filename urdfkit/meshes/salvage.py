@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.meshes import binary_stl, facts
+from urdfkit.meshes import binary_stl, facts, load
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.load import UnloadableMesh, load, parse, read_bytes
+from urdfkit.meshes.load import UnloadableMesh
 from urdfkit.meshes.sniff import sniff
 from urdfkit.record import Record
 
@@ -49,12 +49,12 @@ def salvage(path: str) -> Salvaged | None:
         path: of a file that is cut off or malformed.
     """
     try:
-        data = read_bytes(path)
-        found = sniff(data, os.path.splitext(path)[1])
-        mesh = parse(data, path, found, recover=True)
+        mesh = load.salvage(path)
+        data = load.read_bytes(path)
     except UnloadableMesh:
         return None
-    return Salvaged(mesh, _declared(data, found.format)) if len(mesh.faces) else None
+    form = sniff(data, os.path.splitext(path)[1]).format
+    return Salvaged(mesh, _declared(data, form)) if len(mesh.faces) else None
 
 
 def _declared(data: bytes, form: str) -> int:
@@ -76,7 +76,7 @@ def load_or_salvage(path: str) -> tuple[Mesh, str]:
         UnloadableMesh: there are none.
     """
     try:
-        return load(path), ""
+        return load.load(path), ""
     except UnloadableMesh as error:
         left = salvage(path)
         if left is None:

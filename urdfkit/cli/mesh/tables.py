@@ -10,7 +10,7 @@ from urdfkit.meshes.health import Health
 def length(metres: float) -> str:
     """A length with a unit that suits it."""
     size = abs(metres)
-    if size == 0:
+    if size < 1e-9:
         return "0 m"
     if size < 1e-4:
         return f"{metres * 1e6:.3g} um"

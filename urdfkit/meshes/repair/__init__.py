@@ -7,7 +7,7 @@ import numpy as np
 from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.edges import finite
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.health import Health, examine
+from urdfkit.meshes.health import Health, examine, examine_mesh
 from urdfkit.meshes.repair.cleaning import (
     drop_collapsed,
     drop_fins,
@@ -80,7 +80,7 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
         mesh: any.
         holes: close holes, too.
     """
-    before = examine(mesh.vertices, mesh.faces)
+    before = examine_mesh(mesh)
     if before.is_solid:
         return Repair(mesh, (), before, before)
     soup = soup_of(mesh)
