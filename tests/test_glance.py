@@ -51,7 +51,7 @@ def test_no_rule_is_silenced_that_would_speak_of_an_example(code: str, which: st
     text = rule.example(which)
     assert text
     with examples.laid_out(rule, text) as source:
-        subject = Subject(source, Resolver(environment={}))
+        subject = examples.subject_of(rule, source)
         assert overlooked(subject) == []
         assert which == "GOOD" or code not in silent(subject)
 

@@ -4,7 +4,8 @@ A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a 
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
 beside the robot, by relative path; ``FOLDER`` stands for the folder that holds them all. Rules
 of other packages are tested with the same functions. ``NAME`` is the name of the example's file
-where it is no ``example.urdf``.
+where it is no ``example.urdf``; ``TARGETS`` are the consumers that it is checked for where it does
+not give them away.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from urdfkit.resolve import Resolver
 from urdfkit.rules import Rule
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.targets import parse
 
 #: In an example, the absolute path of the folder of the robot.
 FOLDER = "/home/student/arm_description"
@@ -54,11 +56,22 @@ def laid_out(rule: Rule, text: str) -> Iterator[Source]:
         yield Source(os.path.join(folder, example), robot.encode("utf-8", "surrogateescape"))
 
 
+def targets_of(rule: Rule) -> tuple[str, ...]:
+    """The consumers that the examples of a rule are checked for; empty if they tell it."""
+    names: tuple[str, ...] = getattr(sys.modules[rule.module], "TARGETS", ())
+    return names
+
+
+def subject_of(rule: Rule, source: Source) -> Subject:
+    """An example as a rule sees it."""
+    names = targets_of(rule)
+    return Subject(source, Resolver(environment={}), targets=parse(names) if names else None)
+
+
 def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
     """What one rule says about one of its examples."""
     with laid_out(rule, text) as source:
-        subject = Subject(source, Resolver(environment={}))
-        return diagnose(rule, list(rule.check(subject)))
+        return diagnose(rule, list(rule.check(subject_of(rule, source))))
 
 
 def assert_examples(rule: Rule) -> None:
@@ -85,7 +98,7 @@ def assert_examples(rule: Rule) -> None:
 def apply_fixes(rule: Rule, text: str) -> str | None:
     """An example after all fixes that one rule proposes; None if it proposes none."""
     with laid_out(rule, text) as source:
-        found = diagnose(rule, list(rule.check(Subject(source, Resolver(environment={})))))
+        found = diagnose(rule, list(rule.check(subject_of(rule, source))))
         edits = list(dict.fromkeys(edit for one in found if one.fix for edit in one.fix.edits))
         if not edits:
             return None

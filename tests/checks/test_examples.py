@@ -66,7 +66,7 @@ def test_the_engine_does_not_pass_over_bad(code: str) -> None:
     rule = rules.get(code)
     alone = examples.diagnose_example(rule, example(rule, "BAD"))
     with examples.laid_out(rule, example(rule, "BAD")) as source:
-        report = engine.check(source)
+        report = engine.check(source, targets=examples.targets_of(rule))
     among_others = [found for found in report.diagnostics if found.code == code]
     assert places(among_others) == sorted(places(alone))
     assert report.crashed == ()
@@ -76,7 +76,7 @@ def test_good_is_good(code: str) -> None:
     rule = rules.get(code)
     assert examples.diagnose_example(rule, example(rule, "GOOD")) == []
     with examples.laid_out(rule, example(rule, "GOOD")) as source:
-        report = engine.check(source)
+        report = engine.check(source, targets=examples.targets_of(rule))
     assert [found for found in report.diagnostics if found.severity is Severity.ERROR] == []
     assert report.crashed == ()
 

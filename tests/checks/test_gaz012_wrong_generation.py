@@ -74,3 +74,15 @@ def test_of_a_vendors_plugin_there_may_be_a_port() -> None:
 
 def test_an_unknown_plugin_is_of_no_generation() -> None:
     assert heard(BASE + plugin("libvendor.so"), "gz-harmonic") == []
+
+
+def test_the_names_of_fortress_are_a_pure_rename() -> None:
+    text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
+    (found,) = told("GAZ012", text, targets=("gz-fortress",))
+    assert found.fix is not None
+    assert [edit.text for edit in found.fix.edits] == [
+        "ignition-gazebo-diff-drive-system",
+        "ignition::gazebo::systems::DiffDrive",
+    ]
+    (found,) = told("GAZ012", LASER, targets=("classic-ros2",))
+    assert found.fix is None

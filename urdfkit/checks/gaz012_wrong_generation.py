@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import GENERATIONS, find
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.targets import GAZEBO
@@ -19,28 +20,19 @@ from urdfkit.targets import GAZEBO
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-FILES = {
-    "package.xml": b"""<package format="3">
-  <name>arm_description</name>
-  <buildtool_depend>ament_cmake</buildtool_depend>
-  <depend>gazebo_ros2_control</depend>
-</package>
-"""
-}
+TARGETS = ("gz-fortress",)
 BAD = """\
-<link name="laser">
+<link name="base">
   <inertial>
     <mass value="1"/>
     <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
   </inertial>
 </link>
-<gazebo reference="laser">
-  <sensor name="scan" type="ray">
-    <update_rate>10</update_rate>
-    <plugin name="laser" filename="libgazebo_ros_laser.so"/>
-  </sensor>
+<gazebo>
+  <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>
 </gazebo>"""
-GOOD = BAD.replace("libgazebo_ros_laser", "libgazebo_ros_ray_sensor")
+GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
+FIXED = GOOD
 
 _NAMES = {
     "classic-ros1": "Gazebo Classic with ROS 1",
@@ -59,6 +51,7 @@ _NAMES = {
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     targets = [name for name in subject.targets.names if name in GENERATIONS]
@@ -72,6 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             use.at.attributes["filename"],
             f"{use.title} is a plugin of {found}, and the robot is for {wanted}",
             _successor(use, targets[0]),
+            _fix(use) if targets[0] == "gz-fortress" else None,
         )
 
 
@@ -79,6 +73,18 @@ def _runs(use: Use, target: str) -> bool:
     if target == "gz-fortress" and use.name.startswith("gz::sim::"):
         return False
     return not generations(use).isdisjoint(GENERATIONS[target])
+
+
+def _fix(use: Use) -> Fix | None:
+    """The names of Fortress: the same system, which reads the same tags."""
+    plugin = next((one for one in use.known if one.generation == "gz"), None)
+    if plugin is None or not plugin.fortress_files or not plugin.fortress_class:
+        return None
+    names = {"filename": plugin.fortress_files[0], "name": plugin.fortress_class}
+    edits = [replace_value(use.at.attributes[key], text) for key, text in names.items()]
+    if None in edits:
+        return None
+    return Fix("take the names of Fortress", tuple(e for part in edits for e in part or ()))
 
 
 def _successor(use: Use, target: str) -> str:
