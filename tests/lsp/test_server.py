@@ -19,7 +19,9 @@ from pygls.lsp.client import LanguageClient
 import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
-from urdfkit.lsp.text import to_uri
+from urdfkit.formatter import formatted
+from urdfkit.lsp.text import to_bytes, to_uri
+from urdfkit.source import Source
 
 #: Seconds that a test waits for anything.
 PATIENCE = 30
@@ -195,6 +197,47 @@ def test_every_question_has_an_answer() -> None:
     talk(conversation)
 
 
+def applied(text: str, edits: Any) -> str:
+    """A text after edits as an editor makes them: all at once, places of the text before."""
+    lines = text.splitlines(keepends=True)
+    for edit in sorted(edits, key=lambda edit: (edit.range.start.line, edit.range.start.character))[
+        ::-1
+    ]:
+        start, end = (
+            sum(map(len, lines[: at.line])) + at.character
+            for at in (edit.range.start, edit.range.end)
+        )
+        text = text[:start] + edit.new_text + text[end:]
+    return text
+
+
+def test_formatting_and_all_safe_fixes() -> None:
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(MISSION, TEXT)
+        await editor.until(file.uri, lambda found: "JNT020" in codes(found))
+        options = lsp.FormattingOptions(2, True)
+        params = lsp.DocumentFormattingParams(file, options)
+        edits = await editor.client.text_document_formatting_async(params)
+        assert applied(TEXT, edits) == formatted(Source.read(MISSION)).decode()
+        assert all(edit.range.end.line - edit.range.start.line < 60 for edit in edits)
+
+        top = lsp.Range(lsp.Position(0, 0), lsp.Position(0, 0))
+        only = lsp.CodeActionContext([], [lsp.CodeActionKind.SourceFixAll])
+        (action,) = await editor.client.text_document_code_action_async(
+            lsp.CodeActionParams(file, top, only)
+        )
+        mended = applied(TEXT, action.edit.changes[file.uri])
+        (rewrite,) = urdfkit.fix(MISSION).files
+        assert mended.encode() == rewrite.after
+        editor.retype(file.uri, mended)
+        await editor.until(file.uri, lambda found: "JNT020" not in codes(found))
+
+        editor.retype(file.uri, TEXT[:200])
+        assert await editor.client.text_document_formatting_async(params) is None
+
+    talk(conversation)
+
+
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-32"])
 def test_positions_count_as_the_client_counts(tmp_path: Path, encoding: str) -> None:
     text = '<robot name="轮🦾"><link name="é🦾a"/><link name="é🦾a"/></robot>'
@@ -313,3 +356,18 @@ async def _run(folder: Path) -> tuple[int | None, str]:
     )
     _, errors = await process.communicate()
     return process.returncode, errors.decode()
+
+
+@pytest.mark.parametrize(
+    ("declared", "encoding"), [("utf-8", "utf-8"), ("iso-8859-1", "latin-1"), ("UTF-16", "utf-16")]
+)
+def test_a_text_is_what_its_file_would_be(declared: str, encoding: str) -> None:
+    text = f'<?xml version="1.0" encoding="{declared}"?><robot name="é"/>'
+    data = to_bytes("r.urdf", text)
+    assert data.decode(encoding) == text
+    assert Source("r.urdf", data).data == text.encode()
+
+
+def test_a_text_of_no_known_encoding_is_taken_as_it_is() -> None:
+    text = '<?xml version="1.0" encoding="klingon"?><robot/>'
+    assert to_bytes("r.urdf", text) == text.encode()

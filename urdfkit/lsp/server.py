@@ -15,6 +15,8 @@ import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from difflib import SequenceMatcher
+from itertools import accumulate
 from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
@@ -25,7 +27,7 @@ from urdfkit.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp import actions, completion, hover, navigation, outline
 from urdfkit.lsp.markup import Page
-from urdfkit.lsp.text import Places, to_path, to_uri
+from urdfkit.lsp.text import Places, to_bytes, to_path, to_uri
 from urdfkit.lsp.workspace import Robot, Workspace, slow_rules
 from urdfkit.source import Source, Span
 
@@ -98,7 +100,7 @@ class Server(LanguageServer):
         """Take over the text of a document as the client has it; its path."""
         path = self.path(uri)
         self.uris[path] = uri
-        text = self.workspace.get_text_document(uri).source.encode("utf-8", "replace")
+        text = to_bytes(path, self.workspace.get_text_document(uri).source)
         self.worker.submit(self.robots.set_text, path, text)
         return path
 
@@ -171,6 +173,18 @@ class Server(LanguageServer):
     def locations(self, spans: list[Span]) -> list[lsp.Location]:
         return [self.places.location(span, self.uris) for span in dict.fromkeys(spans)]
 
+    def replaced(self, path: str, text: bytes) -> list[lsp.TextEdit]:
+        """Edits of the lines in which a file differs from a text; the worker asks."""
+        source = self.robots.robot(path).source(path)
+        old, new = source.data.splitlines(keepends=True), text.splitlines(keepends=True)
+        starts = [0, *accumulate(map(len, old))]
+        edits = []
+        for kind, first, last, begin, end in SequenceMatcher(None, old, new).get_opcodes():
+            if kind != "equal":
+                place = self.places.range(Span(source, starts[first], starts[last]))
+                edits.append(lsp.TextEdit(place, b"".join(new[begin:end]).decode()))
+        return edits
+
     def edit(self, edits: tuple[Edit, ...] | list[Edit]) -> lsp.WorkspaceEdit:
         """Edits of texts, for the client to make."""
         changes: dict[str, list[lsp.TextEdit]] = {}
@@ -186,6 +200,7 @@ def make() -> Server:
     _add_documents(server)
     _add_reading(server)
     _add_writing(server)
+    _add_mending(server)
     return server
 
 
@@ -294,14 +309,28 @@ def _add_writing(server: Server) -> None:
 
         return await server.ask(answer, None)
 
-    kinds = lsp.CodeActionOptions(code_action_kinds=[lsp.CodeActionKind.QuickFix])
+
+def _add_mending(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
+    async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
+        def answer() -> list[lsp.TextEdit]:
+            path = server.path(params.text_document.uri)
+            return server.replaced(path, server.robots.laid_out(path))
+
+        return await server.ask(answer, None)
+
+    kinds = lsp.CodeActionOptions(
+        code_action_kinds=[lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
+    )
 
     @server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, kinds)
     async def _(params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
         def answer() -> list[lsp.CodeAction]:
+            path = server.path(params.text_document.uri)
+            if any(kind.startswith("source") for kind in params.context.only or ()):
+                return _fix_all(server, path)
             _, page, start = server.at(params.text_document.uri, params.range.start)
             end = server.places.offset(page.source, params.range.end)
-            path = server.path(params.text_document.uri)
             return [
                 _action(server, action)
                 for found in server.robots.diagnostics(path)
@@ -346,6 +375,19 @@ def _action(server: Server, action: actions.Action) -> lsp.CodeAction:
         action.preferred,
         edit=server.edit(action.edits),
     )
+
+
+def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
+    """All safe fixes at once; computed only where they are asked for, as on saving."""
+    changes = {
+        server.uris.get(file) or to_uri(file): server.replaced(file, text)
+        for file, text in server.robots.mended(path).items()
+    }
+    if not changes:
+        return []
+    edit = lsp.WorkspaceEdit(changes)
+    title = "Apply all fixes that cannot change what the robot does"
+    return [lsp.CodeAction(title, lsp.CodeActionKind.SourceFixAll, edit=edit)]
 
 
 def serve() -> None:

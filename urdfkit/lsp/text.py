@@ -45,6 +45,16 @@ class Places:
         return Location((uris or {}).get(path) or to_uri(path), self.range(span))
 
 
+def to_bytes(path: str, text: str) -> bytes:
+    """The bytes that a text would have on disk, in the encoding that it declares."""
+    data = text.encode("utf-8", "replace")
+    encoding = Source(path, data).encoding
+    try:
+        return data if encoding.startswith("utf-8") else text.encode(encoding, "replace")
+    except (LookupError, UnicodeError):  # there is no such encoding
+        return data
+
+
 def to_uri(path: str) -> str:
     """The URI of a file."""
     path = os.path.abspath(path).replace(os.sep, "/")

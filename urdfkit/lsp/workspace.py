@@ -18,6 +18,8 @@ from urdfkit.document import Attribute, Document
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.expansion import Xacro, expand
+from urdfkit.fixing import fix
+from urdfkit.formatter import formatted
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import Names
 from urdfkit.model import RobotModel
@@ -249,6 +251,25 @@ class Workspace:
     def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
         ignore = () if thorough else slow_rules()
         return check(root, config=config, texts=self.texts, ignore=ignore).diagnostics
+
+    def mended(self, path: str) -> dict[str, bytes]:
+        """The texts that change when all safe fixes of a file's robots are applied, by path.
+
+        Raises:
+            UrdfkitError: a robot cannot be read.
+        """
+        config, _ = self.config(path)
+        roots = dict.fromkeys(entry.file for entry in self.entries(path))
+        fixes = fix(*list(roots)[:MAX_ROBOTS], config=config, texts=self.texts)
+        return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
+
+    def laid_out(self, path: str) -> bytes:
+        """The text of a file in the layout of ``urdfkit format``.
+
+        Raises:
+            UrdfkitError: it is no XML, or no robot.
+        """
+        return formatted(self.robot(path).source(path))
 
     def _files(self) -> Iterator[str]:
         return (file for by_file in self._found.values() for file in by_file)
