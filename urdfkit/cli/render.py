@@ -20,6 +20,7 @@ VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
 @click.option("-o", "--output", "path", required=True, metavar="FILE", help="robot.png, .webp ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
+@click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
 @click.option("--azimuth", type=float, help="Of the camera, in degrees from the front to the left.")
 @click.option("--elevation", type=float, help="Of the camera, in degrees above the horizon.")
 @click.option("--distance", type=float, help="Of the camera, in m. [default: all in view]")
@@ -36,6 +37,7 @@ def command(
     words: tuple[str, ...],
     path: str,
     views: tuple[str, ...],
+    layers: tuple[str, ...],
     azimuth: float | None,
     elevation: float | None,
     distance: float | None,
@@ -59,7 +61,7 @@ def command(
     from urdfkit import poses, render
     from urdfkit.loading import read
 
-    values = {options.FILES: words, "package": package, "view": views}
+    values = {options.FILES: words, "package": package, "view": views, "layers": layers}
     files = options.files(values)
     if len(files) != 1:
         raise options.UsageError("render takes one file; xacro arguments are written name:=value")
@@ -70,7 +72,15 @@ def command(
         packages=options.packages(values),
         trust=trust,
     )
-    scene = render.build(robot, poses.pose(robot, _joints(joints), pose))
+    positions = poses.pose(robot, _joints(joints), pose)
+    shown = options.words(values, "layers") or ["visual"]
+    roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
+    scene = render.explained(
+        render.build(robot, positions, roles),
+        robot,
+        [layer for layer in shown if layer not in roles],
+        positions,
+    )
     image = render.picture(
         scene,
         VIEWS if named == ["all"] else named,

@@ -17,21 +17,24 @@ from urdfkit.errors import MissingLibrary
 try:
     from urdfkit.render.camera import VIEWS, Camera, looking
     from urdfkit.render.draw import QUALITIES, STUDIO, Background, draw
+    from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.looks import Look
     from urdfkit.render.picture import PictureError, colour, picture, save
-    from urdfkit.render.scene import Item, Missing, Scene, build
+    from urdfkit.render.scene import Item, Label, Missing, Scene, build
 except ImportError as error:
     raise MissingLibrary(
         f"pictures need {error.name}, which is not installed: pip install 'urdfkit[render]'"
     ) from error
 
 __all__ = [
+    "LAYERS",
     "QUALITIES",
     "STUDIO",
     "VIEWS",
     "Background",
     "Camera",
     "Item",
+    "Label",
     "Look",
     "Missing",
     "PictureError",
@@ -39,6 +42,7 @@ __all__ = [
     "build",
     "colour",
     "draw",
+    "explained",
     "looking",
     "picture",
     "save",

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Bytes, Floats, Integers, bounds, turned
+from urdfkit.render.arrays import Bytes, Floats, Integers, Keys, bounds, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground, world_rays
@@ -21,14 +21,16 @@ from urdfkit.render.occlusion import openness
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
-from urdfkit.render.soup import CHUNK, Soup, cut, soup
+from urdfkit.render.soup import CHUNK, Soup, cut, mentioned, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
 from urdfkit.render.work import Workers
 
 #: Rows of pixels of a band.
 BAND = 60
 #: Surfaces that are seen through one another; those behind are left out.
-LAYERS = 4
+PEELS = 4
+#: How much is seen of a sign that something hides.
+HIDDEN = 0.45
 #: The depth of nothing, in m.
 FAR = np.float32(1e9)
 #: What is less transparent than this hides what is behind it.
@@ -59,11 +61,15 @@ Background = tuple[tuple[float, float, float], tuple[float, float, float]]
 STUDIO: Background = ((0.965, 0.97, 0.978), (0.862, 0.878, 0.9))
 
 
+_OPAQUE, _CLEAR, _SIGN = range(3)
+
+
 class _Band(NamedTuple):
     """What the first pass finds out about a band."""
 
     opaque: tuple[Fragments, Surface]
     clear: tuple[tuple[Fragments, Surface], ...]
+    signs: tuple[tuple[Fragments, Surface], ...]
 
 
 def draw(
@@ -104,14 +110,16 @@ class _Drawing:
         workers.each(
             sorted({look.texture for look in self.looks if look.texture}, key=str), texture
         )
-        solid = self._solid(everything)
+        kind = self._kind(everything)
         world = self._world(everything)
-        lowest, highest = bounds(world)
+        robot = everything.faces[kind != _SIGN]
+        lowest, highest = bounds(world[mentioned(robot, len(world))])
         self.size = float((highest - lowest).max()) or 1.0
-        self.sun: ShadowMap = shadow_map(everything, solid, self.rig, workers)
+        self.sun: ShadowMap = shadow_map(everything, kind == _OPAQUE, self.rig, workers)
         self.floor: Ground | None = None
-        if floor and solid.any():
-            self.floor = ground(world, everything.faces[solid], self.sun, self.rig, camera)
+        if floor and (kind == _OPAQUE).any():
+            casts = everything.faces[kind == _OPAQUE]
+            self.floor = ground(world, casts, self.sun, self.rig, camera)
         everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
         self.screen: Projected
@@ -121,7 +129,7 @@ class _Drawing:
             item=everything.item[chosen],
             flat=everything.flat[chosen],
         )
-        self.solid: Bools = self._solid(self.soup)
+        self.kind = self._kind(self.soup)
         self.offsets = rooks(quality.samples)
 
     def picture(self, background: Background | None) -> Bytes:
@@ -149,11 +157,14 @@ class _Drawing:
         self.workers.bands(height, BAND, colour)
         return result
 
-    def _solid(self, some: Soup) -> Bools:
-        """Which triangles are not seen through, (m,)."""
-        opacity = np.array([look.rgba[3] for look in self.looks] or [1.0], dtype=np.float32)
-        solid: Bools = (opacity > SOLID)[some.item]
-        return solid
+    def _kind(self, some: Soup) -> Integers:
+        """What each triangle is: opaque, seen through, or a sign, (m,)."""
+        kinds = [
+            _SIGN if look.sign else _OPAQUE if look.rgba[3] > SOLID else _CLEAR
+            for look in self.looks
+        ]
+        result: Integers = np.array(kinds, dtype=np.int8)[some.item]
+        return result
 
     def _world(self, everything: Soup) -> Floats:
         """The vertices in the world."""
@@ -172,19 +183,25 @@ class _Drawing:
     def _see(self, first: int, last: int, depth: Floats) -> _Band:
         """The surfaces of a band; their depth goes to the picture's."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
-        solid, clear = np.flatnonzero(self.solid), np.flatnonzero(~self.solid)
-        opaque = nearest(self.screen, solid, grid)
+        opaque = nearest(self.screen, np.flatnonzero(self.kind == _OPAQUE), grid)
         found = self._surfaces(fragments(opaque, grid, self.soup, self.camera))
         self._fill_depth(*found, first, last, depth)
+        clear = self._peeled(np.flatnonzero(self.kind == _CLEAR), grid, opaque)
+        signs = self._peeled(np.flatnonzero(self.kind == _SIGN), grid, np.zeros_like(opaque))
+        return _Band(found, clear, signs)
+
+    def _peeled(
+        self, numbers: Integers, grid: Grid, above: Keys
+    ) -> tuple[tuple[Fragments, Surface], ...]:
+        """The surfaces of what is seen through, from the nearest on, as far as nothing hides it."""
         layers = []
         below = None
-        if len(clear):
-            for _ in range(LAYERS):
-                below = nearest(self.screen, clear, grid, above=opaque, below=below)
-                if not below.any():
-                    break
-                layers.append(self._surfaces(fragments(below, grid, self.soup, self.camera)))
-        return _Band(found, tuple(layers))
+        for _ in range(PEELS if len(numbers) else 0):
+            below = nearest(self.screen, numbers, grid, above=above, below=below)
+            if not below.any():
+                break
+            layers.append(self._surfaces(fragments(below, grid, self.soup, self.camera)))
+        return tuple(layers)
 
     def _surfaces(self, some: Fragments) -> tuple[Fragments, Surface]:
         return some, surface(some, self.soup, self.screen, self.camera)
@@ -267,14 +284,23 @@ class _Drawing:
         else:
             alpha = np.ones_like(cover)
             light += (free * (1 - dark))[:, None] * _gradient(background, row, height)
-        for few, on in reversed(band.clear):
+        for few, on in (*reversed(band.clear), *reversed(band.signs)):
+            opacity = self._opacity(few, on, depth)
             ones = np.ones(len(few.pixel), dtype=np.float32)
-            opacity = np.array([look.rgba[3] for look in self.looks], dtype=np.float32)
-            seen = few._replace(weight=few.weight * opacity[self.soup.item[few.number]])
-            over, part = self._sum(seen, self._shade(few, on, Lit(ones, ones)), first, last)
+            colours = self._shade(few, on, Lit(ones, ones))
+            over, part = self._sum(few._replace(weight=few.weight * opacity), colours, first, last)
             light = over + light * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
         return _encoded(light, alpha).reshape(last - first, width, 4)
+
+    def _opacity(self, some: Fragments, there: Surface, depth: Floats) -> Floats:
+        """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
+        rgba = np.array([look.rgba[3] for look in self.looks], dtype=np.float32)
+        signs = np.array([look.sign for look in self.looks])
+        item = self.soup.item[some.number]
+        hidden = signs[item] & (depth.reshape(-1)[some.pixel] < -there.position[:, 2])
+        opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
+        return opacity
 
     def _shade(self, some: Fragments, there: Surface, lit: Lit) -> Floats:
         """The light that fragments send, (k, 3)."""

@@ -1,10 +1,38 @@
-"""Text in pictures, in the font that comes with Pillow."""
+"""Words in pictures, in the font that comes with Pillow."""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-INK, PAPER = (42, 48, 58, 255), (255, 255, 255, 205)
+from urdfkit.render.arrays import turned
+from urdfkit.render.camera import Camera
+from urdfkit.render.scene import Scene, placed
+
+INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
+#: Places of a label around its point, the nearest first: directions and distances in letters.
+_DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
+_DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
+
+
+class Box(NamedTuple):
+    """Where a word stands, in pixels."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def meets(self, other: Box) -> bool:
+        """True if the two overlap."""
+        return (
+            self.left < other.right
+            and other.left < self.right
+            and self.top < other.bottom
+            and other.top < self.bottom
+        )
 
 
 def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
@@ -16,3 +44,74 @@ def caption(image: Image.Image, text: str) -> None:
     """Write a word in the upper left corner of a picture."""
     size = max(11, min(22, image.height // 22))
     ImageDraw.Draw(image).text((size * 0.7, size * 0.5), text, fill=INK, font=font(size))
+
+
+def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
+    """Write the labels of a scene beside their points, so that none covers another.
+
+    Where there is no place left for a label it is left out; points outside of the picture have
+    none.
+    """
+    size = max(10.0, min(20.0, image.height / 52))
+    letters = font(size)
+    anchors = _anchors(scene, camera)
+    boxes: list[Box] = []
+    layer = Image.new("RGBA", image.size, (0, 0, 0, 0))
+    draw = ImageDraw.Draw(layer)
+    for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
+        x, y = anchors[number]
+        text = _printable(scene.labels[number].text)
+        wide, high = draw.textlength(text, font=letters) + 0.6 * size, 1.35 * size
+        box = _free(x, y, wide, high, size, image.size, boxes)
+        if box is None:
+            continue
+        boxes.append(box)
+        end = (min(max(x, box.left), box.right), min(max(y, box.top), box.bottom))
+        draw.line([(x, y), end], fill=LEADER, width=max(1, round(size / 12)))
+        spot = size / 7
+        draw.ellipse((x - spot, y - spot, x + spot, y + spot), fill=LEADER)
+        draw.rounded_rectangle(box, radius=size / 4, fill=PAPER)
+        draw.text((box.left + 0.3 * size, box.top + 0.1 * size), text, fill=INK, font=letters)
+    image.alpha_composite(layer)
+
+
+def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
+    """Where the points of labels are in the picture, by the number of the label."""
+    found = {}
+    rotation, position = camera.to_view(np.eye(3), np.zeros(3))
+    for number, label in enumerate(scene.labels):
+        point = np.array([label.point], dtype=np.float32)
+        seen = turned(placed(point, scene.frames[label.link]), rotation) + position
+        if not camera.is_orthographic and seen[0, 2] > -camera.near:
+            continue
+        x, y, _ = (float(part[0]) for part in camera.project(seen))
+        if 0 <= x < camera.size[0] and 0 <= y < camera.size[1]:
+            found[number] = (x, y)
+    return found
+
+
+def _free(
+    x: float,
+    y: float,
+    wide: float,
+    high: float,
+    size: float,
+    picture: tuple[int, int],
+    taken: list[Box],
+) -> Box | None:
+    """The nearest place beside a point that no other label has."""
+    for distance in _DISTANCES:
+        for across, down in _DIRECTIONS:
+            left = x + across * distance * size + (wide * (across - 1) / 2)
+            top = y + down * distance * size * 0.8 + (high * (down - 1) / 2)
+            box = Box(left, top, left + wide, top + high)
+            inside = left >= 0 and top >= 0 and box.right <= picture[0] and box.bottom <= picture[1]
+            if inside and not any(map(box.meets, taken)):
+                return box
+    return None
+
+
+def _printable(text: str) -> str:
+    """A name from anywhere in one short line."""
+    line = "".join(letter if letter.isprintable() else "?" for letter in text)
+    return line if len(line) <= 60 else f"{line[:59]}…"

@@ -19,10 +19,13 @@ class Look(NamedTuple):
     Attributes:
         rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
         texture: path of an image, or its bytes; None without one.
+        sign: True for what explains the robot and is no part of it: it casts no shadow, and is
+            seen through what hides it.
     """
 
     rgba: Colour
     texture: str | bytes | None = None
+    sign: bool = False
 
 
 #: For what says nothing about its looks.
@@ -30,7 +33,7 @@ PLAIN = Look((0.72, 0.74, 0.77, 1.0))
 #: For the box that stands for a missing mesh; the name is drawn as stripes.
 STRIPES = "urdfkit:stripes"
 PLACEHOLDER = Look((1.0, 1.0, 1.0, 1.0), STRIPES)
-#: Collisions are seen through.
+#: Collisions are seen through where visuals are shown, too.
 COLLISION = Look((0.93, 0.42, 0.12, 0.45))
 
 
@@ -39,10 +42,15 @@ class Looks:
 
     A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
     the link's Gazebo material counts.
+
+    Args:
+        subject: the description.
+        see_through: whether collisions show what is in them.
     """
 
-    def __init__(self, subject: Subject) -> None:
+    def __init__(self, subject: Subject, *, see_through: bool = True) -> None:
         self._subject = subject
+        self._collision = COLLISION if see_through else Look((*COLLISION.rgba[:3], 1.0))
         self._colours = Colours(subject.model)
         self._gazebo = {
             block.get("reference"): material.text.strip()
@@ -60,7 +68,7 @@ class Looks:
             embedded: the material in the mesh file.
         """
         if role == "collision":
-            return COLLISION
+            return self._collision
         own = self._colours.of(body)
         if own is not None:
             return self._written(own)

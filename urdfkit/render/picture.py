@@ -12,7 +12,7 @@ from urdfkit import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.camera import looking
 from urdfkit.render.draw import STUDIO, Background, draw
-from urdfkit.render.labels import caption
+from urdfkit.render.labels import caption, write
 from urdfkit.render.scene import Scene
 
 #: Pixels of a picture at most; a sheet of paper at 600 dpi has as many.
@@ -86,6 +86,8 @@ def picture(
                 threads=threads,
             )
         )
+        if scene.labels:
+            write(image, scene, camera)
         if len(views) > 1:
             caption(image, view)
         whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))

@@ -15,7 +15,7 @@ from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Floats, Integers
 from urdfkit.render.looks import PLACEHOLDER, Look, Looks
 from urdfkit.render.normals import smooth
-from urdfkit.spatial import Frame
+from urdfkit.spatial import Frame, Vector
 from urdfkit.subject import Subject
 
 #: The least edge of the box that stands for a missing mesh, as a part of the robot.
@@ -64,6 +64,20 @@ class Missing(NamedTuple):
     reason: str
 
 
+class Label(NamedTuple):
+    """A word in a picture.
+
+    Attributes:
+        text: the word.
+        link: in whose frame the point is.
+        point: what it belongs to, in m.
+    """
+
+    text: str
+    link: str
+    point: Vector
+
+
 class Scene(NamedTuple):
     """A robot in a configuration.
 
@@ -71,18 +85,20 @@ class Scene(NamedTuple):
         items: what there is to draw.
         frames: where each link is, by its name.
         missing: the meshes that placeholders stand for.
+        labels: words to write.
     """
 
     items: tuple[Item, ...]
     frames: Mapping[str, Frame]
     missing: tuple[Missing, ...] = ()
+    labels: tuple[Label, ...] = ()
 
-    def points(self, *roles: str) -> Floats:
-        """All vertices in the world, (n, 3), in m; of some roles only if they are named."""
+    def points(self) -> Floats:
+        """All vertices of the robot in the world, (n, 3), in m; signs are no part of it."""
         found = [
             placed(item.vertices, self.frames[item.link])
             for item in self.items
-            if not roles or item.role in roles
+            if not item.look.sign
         ]
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
 
@@ -105,7 +121,7 @@ def build(
         Unavailable: the description cannot be read.
     """
     frames = kinematics.frames(subject.tree, positions or {})
-    looks = Looks(subject)
+    looks = Looks(subject, see_through="visual" in roles)
     items: list[Item] = []
     absent: list[tuple[Link, str, Body, str]] = []
     for link in subject.model.links_by_name.values():

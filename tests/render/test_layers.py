@@ -1,0 +1,133 @@
+"""Layers over a robot: where signs stand, and that they tell the truth."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from tests.render.scenes import alone, link, robot
+from urdfkit.render import LAYERS, build, explained, looking, picture
+from urdfkit.render.layers import NoSuchLayer
+from urdfkit.render.scene import Item, placed
+
+SOLID = (
+    '<inertial><origin xyz="0.1 0 0" rpy="0 0 0.5"/><mass value="12"/>'
+    '<inertia ixx="{}" ixy="0" ixz="0" iyy="{}" iyz="0" izz="{}"/></inertial>'
+)
+
+
+def signs(layer: str, subject, given=None) -> list[Item]:
+    scene = explained(build(subject, given), subject, [layer], given)
+    return [item for item in scene.items if item.role == layer or item.look.sign]
+
+
+def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
+    x, y, z = 0.2, 0.3, 0.6  # 12 kg of it: I = m/12 (b^2 + c^2)
+    tensor = SOLID.format(y * y + z * z, x * x + z * z, x * x + y * y)
+    subject = robot(f'<link name="a">{tensor}</link>')
+    (item,) = signs("inertia", subject)
+    turned_back = item.vertices - np.array((0.1, 0, 0))
+    c, s = np.cos(-0.5), np.sin(-0.5)
+    own = turned_back @ np.array(((c, -s, 0), (s, c, 0), (0, 0, 1))).T
+    assert np.ptp(own, axis=0) == pytest.approx((x, y, z), rel=1e-4)
+    (ball,) = signs("ellipsoids", subject)
+    extent = np.ptp(
+        (ball.vertices - (0.1, 0, 0)) @ np.array(((c, -s, 0), (s, c, 0), (0, 0, 1))).T, axis=0
+    )
+    # A second moment of an ellipsoid is m a^2 / 5, that of a box m x^2 / 12.
+    assert extent == pytest.approx(2 * np.sqrt(5 / 12) * np.array((x, y, z)), rel=1e-2)
+
+
+def test_a_tensor_that_no_matter_has_is_drawn_flat_not_refused() -> None:
+    subject = robot(f'<link name="a">{SOLID.format(1, 1, 5)}</link>')
+    (item,) = signs("inertia", subject)
+    assert np.isfinite(item.vertices).all()
+
+
+def test_frames_point_where_the_axes_do() -> None:
+    subject = robot(link("a", '<box size="1 1 1"/>'))
+    x, y, z = signs("frames", subject)
+    for axis, item in enumerate((x, y, z)):
+        tip = item.vertices[np.argmax(item.vertices[:, axis])]
+        assert np.argmax(item.look.rgba[:3]) == axis
+        assert tip == pytest.approx(np.eye(3)[axis] * tip[axis], abs=1e-3)
+
+
+JOINT = (
+    '<joint name="j" type="{}"><origin xyz="0 0 1"/><parent link="a"/><child link="b"/>'
+    '<axis xyz="0 0 1"/><limit lower="{}" upper="{}" effort="1" velocity="1"/></joint>'
+)
+
+
+def test_the_sector_of_a_joint_spans_its_range() -> None:
+    subject = robot(
+        link("a", '<box size="1 1 1"/>'),
+        link("b", '<box size="1 1 1"/>'),
+        joints=JOINT.format("revolute", -pi / 4, pi / 2),
+    )
+    _, sector, hand = signs("joints", subject, {"j": pi / 4})
+
+    def angles(item: Item) -> np.ndarray:
+        rim = item.vertices[1:]
+        return np.arctan2(rim[:, 1], rim[:, 0])
+
+    span = angles(sector)
+    assert (span.min(), span.max()) == pytest.approx((-pi / 4, pi / 2), abs=1e-3)
+    assert angles(hand).mean() == pytest.approx(pi / 4, abs=1e-3)
+    assert sector.vertices[:, 2] == pytest.approx(1)
+
+
+def test_the_rail_of_a_slide_is_as_long_as_its_way() -> None:
+    subject = robot(
+        link("a", '<box size="1 1 1"/>'),
+        link("b", '<box size="1 1 1"/>'),
+        joints=JOINT.format("prismatic", -0.5, 1.5),
+    )
+    _, rail, ball = signs("joints", subject, {"j": 0.25})
+    assert (rail.vertices[:, 2].min(), rail.vertices[:, 2].max()) == pytest.approx((0.5, 2.5))
+    assert (ball.vertices[:, 2].min() + ball.vertices[:, 2].max()) / 2 == pytest.approx(1.25)
+
+
+def test_the_centre_of_mass_is_that_of_all_links() -> None:
+    mass = '<inertial><origin xyz="{} 0 0"/><mass value="{}"/></inertial>'
+    subject = robot(
+        f'<link name="a">{mass.format(0, 1)}</link>', f'<link name="b">{mass.format(4, 3)}</link>'
+    )
+    scene = explained(build(subject), subject, ["mass"])
+    (label,) = scene.labels
+    assert label.text == "4 kg"
+    assert placed(np.array([label.point]), scene.frames[label.link])[0] == pytest.approx((3, 0, 0))
+
+
+def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
+    subject = robot(link("a", '<box size="1 1 1"/>', rgba="1 1 1 1"))
+    scene = explained(build(subject), subject, ["frames"])
+    camera = looking(scene.points(), "front", size=(200, 200))
+    plain, signed = alone(build(subject), camera).astype(int), alone(scene, camera).astype(int)
+    changed = np.abs(plain - signed).sum(axis=2) > 20
+    assert 0 < changed.sum() < 0.05 * changed.size
+    assert (plain[..., 3] == signed[..., 3]).mean() > 0.95
+
+
+def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
+    links = [link(f"link_{i}", '<sphere radius="0.1"/>', f"0 {i * 0.05} 0") for i in range(12)]
+    subject = robot(*links)
+    scene = explained(build(subject), subject, ["names"])
+    assert [label.text for label in scene.labels] == [f"link_{i}" for i in range(12)]
+    bare = np.asarray(picture(build(subject), size=(480, 270), quality="draft"), dtype=int)
+    named = np.asarray(picture(scene, size=(480, 270), quality="draft"), dtype=int)
+    assert (np.abs(bare - named).sum(axis=2) > 60).sum() > 500
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
+    subject = robot('<link name="a"/>')
+    picture(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
+
+
+def test_a_layer_that_is_not_there_is_named() -> None:
+    subject = robot('<link name="a"/>')
+    with pytest.raises(NoSuchLayer, match="frames"):
+        explained(build(subject), subject, ["frame"])

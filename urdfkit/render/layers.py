@@ -1,0 +1,272 @@
+"""What is drawn over a robot to explain it: frames, joints, masses, names.
+
+Signs are seen through what hides them, faintly. Their sizes follow from that of the robot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import pi
+
+import numpy as np
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.inertia import combined
+from urdfkit.joints import bounds
+from urdfkit.kinematics import SLIDING, TURNING, direction, positions
+from urdfkit.model import Joint, Link, Tensor
+from urdfkit.nearest import did_you_mean
+from urdfkit.render import primitives
+from urdfkit.render.arrays import Floats
+from urdfkit.render.looks import Colour, Look
+from urdfkit.render.primitives import Triangles
+from urdfkit.render.scene import Item, Label, Scene, placed, turned
+from urdfkit.rigid import properties_of
+from urdfkit.spatial import Frame, Rotation, Vector
+from urdfkit.subject import Subject
+
+RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
+AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
+MASS, WHOLE, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 0.55, 0.95, 0.32)
+#: Lengths as parts of the size of the robot.
+FRAME, ARC, BALL = 0.08, 0.075, 0.011
+#: Corners of an arc of a full turn.
+_STEPS = 72
+
+
+class NoSuchLayer(UrdfkitError):
+    """A layer that has no such name."""
+
+
+def explained(
+    scene: Scene,
+    subject: Subject,
+    layers: Sequence[str],
+    given: Mapping[str, float] | None = None,
+) -> Scene:
+    """A scene with layers over it.
+
+    Args:
+        scene: the robot.
+        subject: its description.
+        layers: names of `LAYERS`.
+        given: positions of joints, as for the scene.
+
+    Raises:
+        NoSuchLayer: there is no layer of that name.
+    """
+    points = scene.points()
+    places = np.array([frame.position for frame in scene.frames.values()], dtype=np.float32)
+    extent = np.concatenate((points, places.reshape(-1, 3)))
+    size = float(np.ptp(extent, axis=0).max()) if len(extent) else 0.0
+    items: list[Item] = []
+    labels: list[Label] = []
+    for layer in layers:
+        if layer not in LAYERS:
+            hint = did_you_mean(layer, list(LAYERS)) or f"; there are {', '.join(LAYERS)}"
+            raise NoSuchLayer(f"there is no layer '{layer}'{hint}")
+        for thing in LAYERS[layer](scene, subject, size or 1.0, given or {}):
+            if isinstance(thing, Item):
+                items.append(thing)
+            else:
+                labels.append(thing)
+    return scene._replace(items=(*scene.items, *items), labels=(*scene.labels, *labels))
+
+
+Drawn = Iterator["Item | Label"]
+
+
+def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
+    """x, y and z of every link in red, green and blue."""
+    arrow = _arrow(FRAME * size)
+    for name in scene.frames:
+        for axis, colour in (((1, 0, 0), RED), ((0, 1, 0), GREEN), ((0, 0, 1), BLUE)):
+            yield _sign(name, "frames", arrow, Frame(_towards(axis)), colour)
+
+
+def _names(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+    """The name of every link, at the middle of what it shows."""
+    for name in scene.frames:
+        yield Label(name, name, middle(scene, name))
+
+
+def middle(scene: Scene, link: str) -> Vector:
+    """The middle of what a link shows, in its frame; its origin if it shows nothing."""
+    shown = [item.vertices for item in scene.items if item.link == link and not item.look.sign]
+    if not shown:
+        return (0.0, 0.0, 0.0)
+    points = np.concatenate(shown)
+    x, y, z = ((points.min(axis=0) + points.max(axis=0)) / 2).tolist()
+    return (x, y, z)
+
+
+def _joints(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
+    """The axis of every joint that moves, its range, and where in it the joint is."""
+    at = positions(subject.tree, given)
+    for joint in subject.model.joints_by_name.values():
+        ends = subject.tree.ends(joint)
+        if ends is None or ends[1] not in scene.frames or joint.name not in at:
+            continue
+        here = joint.origin @ Frame(_towards(direction(joint)))
+        yield _sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
+        if joint.kind in TURNING:
+            yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
+        elif joint.kind in SLIDING:
+            yield from _sliding(ends[0], joint, here, BALL * size, at[joint.name])
+
+
+def _turning(parent: str, joint: Joint, here: Frame, radius: float, now: float) -> Drawn:
+    """The sector that a joint turns in, and a hand that shows where it stands."""
+    low, high = bounds(joint) or (-pi, pi)
+    if high - low >= 2 * pi:
+        low, high = -pi, pi
+    yield _sign(parent, "joints", _sector(radius, low, high), here, RANGE)
+    hand = _sector(radius * 1.25, now - 0.035, now + 0.035)
+    yield _sign(parent, "joints", hand, here, NOW)
+
+
+def _sliding(parent: str, joint: Joint, here: Frame, radius: float, now: float) -> Drawn:
+    """The way that a joint slides on, and a ball that shows where it stands."""
+    ends = bounds(joint)
+    if ends and ends[1] > ends[0]:
+        rail = primitives.cylinder(radius * 0.45, ends[1] - ends[0])
+        at = here @ Frame(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
+        yield _sign(parent, "joints", rail, at, RANGE)
+    ball = primitives.sphere(radius)
+    yield _sign(parent, "joints", ball, here @ Frame(position=(0.0, 0.0, now)), NOW)
+
+
+def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
+    """A ball at the centre of mass of each link, as large as its mass, and one of the robot."""
+    total = sum(link.mass for link in _weighed(scene, subject))
+    if total <= 0:
+        return
+    for link in _weighed(scene, subject):
+        assert link.inertial is not None
+        radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
+        ball = primitives.sphere(max(radius, BALL * size * 0.35))
+        yield _sign(link.name, "mass", ball, Frame(position=link.inertial.origin.position), MASS)
+    root = subject.tree.roots[0].name
+    whole = combined(
+        properties_of(link, scene.frames[link.name]) for link in _weighed(scene, subject)
+    )
+    ball = primitives.sphere(BALL * size * 1.3)
+    yield _sign(root, "mass", ball, Frame(position=whole.center), WHOLE)
+    yield Label(f"{whole.mass:.4g} kg", root, whole.center)
+
+
+def _weighed(scene: Scene, subject: Subject) -> list[Link]:
+    links = subject.model.links_by_name.values()
+    return [link for link in links if link.name in scene.frames and link.mass > 0]
+
+
+def _boxes(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+    """The box of even density that has the mass and the inertia of each link, as Gazebo shows."""
+    yield from _equivalent(scene, subject, 12.0, primitives.box)
+
+
+def _ellipsoids(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+    """The ellipsoid of even density that has the mass and the inertia of each link."""
+    ball = primitives.sphere(1.0)
+    yield from _equivalent(
+        scene,
+        subject,
+        5.0,
+        lambda x, y, z: Triangles(
+            ball.vertices * np.array((x, y, z), dtype=np.float32),
+            ball.faces,
+            ball.vertices / np.maximum(np.array((x, y, z), dtype=np.float32), 1e-9),
+        ),
+    )
+
+
+def _equivalent(
+    scene: Scene,
+    subject: Subject,
+    factor: float,
+    solid: Callable[[float, float, float], Triangles],
+) -> Drawn:
+    """Solids of even density with the moments of the links.
+
+    A second moment of mass along an axis is half of the other two moments less its own; the edge
+    of a box, or the half axis of an ellipsoid, is the root of a factor times it over the mass.
+    """
+    for link in _weighed(scene, subject):
+        inertial = link.inertial
+        assert inertial is not None
+        if inertial.tensor is None:
+            continue
+        moments, axes = _principal(inertial.tensor.value)
+        seconds = np.maximum(moments.sum() / 2 - moments, 0)
+        edges = np.sqrt(factor * seconds / link.mass)
+        if edges.max() > 0:
+            frame = inertial.origin @ Frame(axes)
+            x, y, z = (float(edge) for edge in np.maximum(edges, edges.max() * 1e-3))
+            yield _sign(link.name, "inertia", solid(x, y, z), frame, INERTIA)
+
+
+def _principal(tensor: Tensor) -> tuple[Floats, Rotation]:
+    """Principal moments, and axes as the columns of a rotation."""
+    ixx, ixy, ixz, iyy, iyz, izz = tensor
+    moments, axes = np.linalg.eigh(np.array(((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz))))
+    if np.linalg.det(axes) < 0:
+        axes[:, 0] = -axes[:, 0]
+    a, b, c = (tuple(float(part) for part in row) for row in axes)
+    return moments, ((a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2]))
+
+
+#: What can be drawn over a robot.
+LAYERS: dict[
+    str, Callable[[Scene, Subject, float, Mapping[str, float]], Iterator[Item | Label]]
+] = {
+    "frames": _frames,
+    "joints": _joints,
+    "mass": _masses,
+    "inertia": _boxes,
+    "ellipsoids": _ellipsoids,
+    "names": _names,
+}
+
+
+def _sign(link: str, layer: str, shape: Triangles, frame: Frame, colour: Colour) -> Item:
+    vertices, faces, normals, _ = shape
+    return Item(
+        link,
+        layer,
+        layer,
+        Look(colour, sign=True),
+        placed(vertices, frame),
+        faces,
+        None if normals is None else turned(normals.astype(np.float32), frame),
+    )
+
+
+def _arrow(length: float, *, both: bool = False) -> Triangles:
+    """An arrow along z from the origin; from as far behind it if ``both``."""
+    thin, thick = length * 0.028, length * 0.075
+    start, neck = -0.75 * length if both else 0.0, length * 0.78
+    return primitives.revolved((0.0, thin, thin, thick, 0.0), (start, start, neck, neck, length))
+
+
+def _sector(radius: float, low: float, high: float) -> Triangles:
+    """A sector of a disc about z, from an angle to another, in rad from x."""
+    count = max(2, int(_STEPS * min(high - low, 2 * pi) / (2 * pi)) + 1)
+    angles = np.linspace(low, high, count)
+    rim = np.stack((np.cos(angles), np.sin(angles), np.zeros(count)), axis=1) * radius
+    vertices = np.concatenate((np.zeros((1, 3)), rim)).astype(np.float32)
+    index = np.arange(1, count, dtype=np.int32)
+    return Triangles(vertices, np.stack((np.zeros_like(index), index, index + 1), axis=1))
+
+
+def _towards(axis: Vector) -> Rotation:
+    """A rotation that takes z to a unit vector.
+
+    x goes to a fixed direction across: the arc of a joint has its zero there.
+    """
+    z = np.array(axis, dtype=np.float64)
+    aside = np.eye(3)[int(np.argmin(np.abs(z)))]
+    x = aside - z * (aside @ z)
+    x /= np.linalg.norm(x)
+    rows = np.stack((x, np.cross(z, x), z), axis=1).tolist()
+    a, b, c = ((float(row[0]), float(row[1]), float(row[2])) for row in rows)
+    return (a, b, c)
