@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import io
 import json
 import subprocess
 from math import cos, pi, sin
@@ -11,6 +13,7 @@ from typing import Any
 import pytest
 
 from urdfkit.comparison import KINDS, Comparison, compare
+from urdfkit.comparison import html as as_html
 from urdfkit.comparison import json as as_json
 from urdfkit.comparison import markdown as as_markdown
 from urdfkit.comparison import text as as_text
@@ -260,3 +263,43 @@ def test_markdown_fits_a_comment(pair: Path) -> None:
     assert len(page) <= 65_536
     assert page.endswith("_Cut to 65536 characters; the JSON has everything._\n")
     assert page.splitlines()[-3].startswith("| link ")
+
+
+BOX = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+
+
+def test_html_is_whole_and_escaped(pair: Path) -> None:
+    pytest.importorskip("jinja2")
+    pytest.importorskip("PIL")
+    evil = "</script><script>alert(1)</script>"
+    old = ARM.replace('<link name="tool"/>', f'<link name="tool">{BOX}</link>')
+    new = old.replace("tool", evil.replace("<", "&lt;"))
+    (pair / "a" / "arm.urdf").write_text(old)
+    (pair / "b" / "arm.urdf").write_text(new)
+    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
+    assert len(found.pictures) == 2
+    assert all(one.startswith("data:image/webp;base64,") for one in found.pictures)
+    page = as_html.render(found)
+    assert page.count("<script>") == 1
+    assert "&lt;/script&gt;&lt;script&gt;alert(1)" in page
+    assert page.count('src="data:') == 2
+    assert "src=" not in page.replace('src="data:', "")
+
+
+def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
+    """A red box in the state before, where the state after has a green one."""
+    np = pytest.importorskip("numpy")
+    image = pytest.importorskip("PIL.Image")
+    old = ARM.replace('<link name="tool"/>', f'<link name="tool">{BOX}</link>')
+    (pair / "a" / "arm.urdf").write_text(old)
+    (pair / "b" / "arm.urdf").write_text(old.replace("tool", "hand"))
+    found = compare("a/arm.urdf", "b/arm.urdf", has_pictures=True)
+    shown = []
+    for address in found.pictures:
+        data = base64.b64decode(address.partition(",")[2])
+        pixels = np.asarray(image.open(io.BytesIO(data)).convert("RGB"), dtype=int)
+        red, green, blue = (pixels[..., i] for i in range(3))
+        reds = np.count_nonzero((red > 2 * green) & (red > 2 * blue))
+        greens = np.count_nonzero((green > 1.5 * red) & (green > 1.5 * blue))
+        shown.append((reds > 5000, greens > 5000))
+    assert shown == [(True, False), (False, True)]

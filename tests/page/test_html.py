@@ -96,11 +96,18 @@ def test_the_same_robot_gives_the_same_page() -> None:
     assert report(MISSION)[0] == report(MISSION)[0]
 
 
+def test_pictures_are_inside() -> None:
+    text, _ = report(MISSION)
+    assert len(re.findall(r'<img class="picture" src="data:image/webp;base64,', text)) == 2
+    text, _ = report(MISSION, has_pictures=False)
+    assert "image/webp" not in text
+
+
 def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing(subject: object) -> None:
         raise Unavailable(scene.INSTALL)
 
-    monkeypatch.setattr(scene, "build", missing)
+    monkeypatch.setattr(scene, "surfaces", missing)
     text, document = report(MISSION)
     assert document["missing"] == {"3D view": scene.INSTALL}
     assert "THREE" not in text

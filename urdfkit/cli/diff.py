@@ -12,7 +12,7 @@ from urdfkit.comparison import KINDS, compare
 from urdfkit.differences import Tolerances
 
 #: Formats, by the suffix of a file.
-SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown"}
+SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
 _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
 
 
@@ -57,7 +57,8 @@ def command(
     files = options.files({**values, options.FILES: words})
     if len(files) != 2:
         raise options.UsageError("diff takes two files; xacro arguments are written name:=value")
-    render = import_module(f"urdfkit.comparison.{_format(form, target)}").render
+    name = _format(form, target)
+    render = import_module(f"urdfkit.comparison.{name}").render
     counted = _kinds(fail_on)
     comparison = compare(
         *files,
@@ -66,6 +67,7 @@ def command(
         tolerances=_tolerances(tolerance),
         targets=options.words(values, "target"),
         trust=trust,
+        has_pictures=name == "html",
     )
     if target:
         atomic.write(target, output.encode(render(comparison)))

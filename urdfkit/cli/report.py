@@ -16,6 +16,7 @@ from urdfkit.page.writing import form_of, report
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
 @click.option("-o", "target", metavar="FILE", help="Write .html, .md, .json or .csv to FILE.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
+@click.option("--no-pictures", is_flag=True, help="Of a .html: sooner done, without pictures.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 @click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
@@ -27,6 +28,7 @@ def command(
     words: tuple[str, ...],
     target: str | None,
     lang: str,
+    no_pictures: bool,
     table: str,
     fail_on: str | None,
     targets: tuple[str, ...],
@@ -59,6 +61,7 @@ def command(
         form_of(target) if target else "markdown",
         language=lang,
         table=table,
+        has_pictures=not no_pictures,
         arguments=options.arguments(values),
         packages=options.packages(values),
         targets=options.words(values, "target"),

@@ -39,6 +39,7 @@ class Comparison(Record):
         went: findings that only the state before had.
         notes: what could not be compared, a sentence each.
         tolerances: what was let pass.
+        pictures: addresses of pictures of the states before and after; empty if not asked for.
     """
 
     before: str
@@ -51,6 +52,7 @@ class Comparison(Record):
     went: tuple[Diagnostic, ...]
     notes: tuple[str, ...]
     tolerances: Tolerances
+    pictures: tuple[str, ...] = ()
 
     @property
     def center_moved(self) -> float:
@@ -90,6 +92,7 @@ def compare(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    has_pictures: bool = False,
 ) -> Comparison:
     """What became of a robot.
 
@@ -103,6 +106,7 @@ def compare(
         targets: consumers that findings are weighed for; inferred from each state if empty.
         trust: let expressions of the models run unfenced and read any file.
         config: settings of the project.
+        has_pictures: draw both states, if the libraries for it are installed.
 
     Raises:
         UnreadableFile: a file is missing.
@@ -123,6 +127,11 @@ def compare(
             for word, name in ((before, "before"), (after, "after"))
         ]
         found = _compare(states[0], states[1], tolerances or Tolerances())
+        if has_pictures:
+            from urdfkit.comparison.pictures import pictures
+
+            drawn = pictures(states[0].subject, states[1].subject, found)
+            found = found._replace(pictures=drawn)
         for state in states:
             state.rename_sources()
     return found

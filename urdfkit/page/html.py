@@ -14,6 +14,7 @@ from functools import cache
 from math import log10
 from typing import TYPE_CHECKING, Any
 
+from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import printable
 from urdfkit.page.document import Document
@@ -69,6 +70,28 @@ def render(
     )
 
 
+def render_plain(template: str, **context: object) -> str:
+    """A page without a 3D view, of another template.
+
+    Args:
+        template: its file.
+        context: what it shows, by name.
+    """
+    scripts = [_read("page.js")]
+    return (
+        _environment()
+        .get_template(template)
+        .render(
+            **context,
+            style=_safe(_read("page.css")),
+            policy=_policy(scripts, live=False),
+            scripts=[_safe(script) for script in scripts],
+            version=__version__,
+            _=Words(),
+        )
+    )
+
+
 def render_content(document: Document, words: Words, drawings: Mapping[str, str]) -> str:
     """What is told of the robot, without the page around it."""
     context = _context(document, words, drawings)
@@ -91,6 +114,7 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
             (key, title)
             for key, title, there in (
                 ("summary", "Summary", True),
+                ("pictures", "Pictures", "picture" in drawings),
                 ("findings", "Findings", True),
                 ("tree", "Kinematic tree", "tree" in drawings),
                 ("masses", "Masses and inertias", document["links"]),

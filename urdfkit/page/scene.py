@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.errors import MissingLibrary
 from urdfkit.joints import bounds
 from urdfkit.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.record import Record
@@ -13,9 +14,10 @@ from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.model import Link
+    from urdfkit.render import Scene as Surfaces
     from urdfkit.subject import Subject
 
-INSTALL = "the 3D view needs numpy and trimesh: pip install 'urdfkit[report]'"
+INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
 
 
 class Scene(Record):
@@ -30,19 +32,29 @@ class Scene(Record):
     robot: dict[str, Any]
 
 
-def build(subject: Subject) -> Scene:
-    """The scene of a robot.
+def surfaces(subject: Subject) -> Surfaces:
+    """The triangles of a robot, for pictures and for the engine.
 
     Raises:
-        Unavailable: the robot cannot be read, or numpy or trimesh is not installed.
+        Unavailable: a library is not installed.
     """
-    tree = subject.tree
     try:
-        from urdfkit.page.gltf import write
-        from urdfkit.render import scene
-    except ImportError as error:
+        from urdfkit.render import build as build_surfaces
+    except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
-    built = scene.build(subject, roles=("visual", "collision"))
+    return build_surfaces(subject, roles=("visual", "collision"))
+
+
+def build(subject: Subject, built: Surfaces) -> Scene:
+    """The scene of a robot.
+
+    Args:
+        subject: the robot.
+        built: its triangles.
+    """
+    from urdfkit.page.gltf import write
+
+    tree = subject.tree
     model, triangles = write(built.items)
     names = list(tree.frames)  # parents before children, links of closed loops left out
     numbers = {name: number for number, name in enumerate(names)}
@@ -63,7 +75,7 @@ def nothing() -> Scene:
     """
     try:
         from urdfkit.page.gltf import write
-    except ImportError as error:
+    except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
     model, triangles = write(())
     return Scene(packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []})

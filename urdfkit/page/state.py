@@ -93,7 +93,7 @@ def read(wish: Wish) -> State:
         trust=wish.trust,
         config=wish.config,
     )
-    drawings, scene = drawn(document, subject)
+    drawings, scene = drawn(document, subject, has_pictures=False)
     stamps = {path: stamp(path) for path in files_of(subject, document)}
     return State(document, drawings, scene, _declared(subject), stamps | before)
 

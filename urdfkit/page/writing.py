@@ -24,6 +24,7 @@ def report(
     *,
     language: str = "en",
     table: str = "findings",
+    has_pictures: bool = True,
     arguments: Mapping[str, str] | None = None,
     packages: Mapping[str, str] | None = None,
     targets: Iterable[str] = (),
@@ -37,6 +38,7 @@ def report(
         form: ``html``, ``markdown``, ``json`` or ``csv``.
         language: of headings and the like: ``en`` or ``zh``.
         table: of CSV: ``findings``, ``links``, ``joints`` or ``meshes``.
+        has_pictures: of HTML: draw pictures, which takes a second or two.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
         targets: consumers that findings are weighed for; inferred if empty.
@@ -67,14 +69,14 @@ def report(
         from urdfkit.page import markdown
 
         return markdown.render(document, Words(language)), document
-    return page(document, subject, Words(language)), document
+    return page(document, subject, Words(language), has_pictures=has_pictures), document
 
 
-def page(document: Document, subject: Subject, words: Words) -> str:
-    """A page with the 3D view, if that can be had; else with the reason why not."""
+def page(document: Document, subject: Subject, words: Words, *, has_pictures: bool = True) -> str:
+    """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.page import html
 
-    drawings, scene = drawn(document, subject)
+    drawings, scene = drawn(document, subject, has_pictures=has_pictures)
     if scene is None:
         return html.render(document, words, drawings)
     from urdfkit.page import engine
@@ -82,22 +84,26 @@ def page(document: Document, subject: Subject, words: Words) -> str:
     return html.render(document, words, drawings, scene, engine.load())
 
 
-def drawn(document: Document, subject: Subject) -> tuple[dict[str, str], Scene | None]:
+def drawn(
+    document: Document, subject: Subject, *, has_pictures: bool
+) -> tuple[dict[str, str], Scene | None]:
     """The drawings of a robot, and the robot in three dimensions.
 
     What cannot be had is left out; where that is for want of a library, the document tells so.
     """
     from urdfkit.page import drawings, scene
 
-    tree = drawings.tree(subject)
-    found = {"tree": tree} if tree else {}
+    found = drawings.tree(subject)
     if subject.reading.document is None:
         return found, None
     try:
-        return found, scene.build(subject)
+        built = scene.surfaces(subject)
     except Unavailable as reason:
         document["missing"]["3D view"] = str(reason)
         return found, None
+    if has_pictures:
+        found |= drawings.pictures(built, document)
+    return found, scene.build(subject, built)
 
 
 def form_of(target: str) -> str:

@@ -351,6 +351,7 @@
     const box = camera.userData.box;
     if (!box || box.isEmpty()) return;
     box.getCenter(target);
+    camera.aspect = stage.clientWidth / (stage.clientHeight || 1) || 1;
     const half = Math.min(camera.fov, 2 * Math.atan(Math.tan((camera.fov * Math.PI) / 360) * camera.aspect) * (180 / Math.PI));
     orbit.distance = (0.5 * size) / Math.sin((half * Math.PI) / 360);
     draw();
