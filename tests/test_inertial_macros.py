@@ -73,7 +73,7 @@ def test_the_inertial_is_where_the_shape_is(tmp_path: Path) -> None:
     _, file = fixed(tmp_path, PROPERTY + MACRO + links)
     inertial = load(file).links_by_name["a"].inertial
     assert inertial is not None
-    assert inertial.origin.position == (0, 0, 0.3)
+    assert list(inertial.origin.position) == [0, 0, 0.3]
     assert 'z=".1" xyz="0 0 ${w}" rpy="1.5 0 0"/>' in file.read_text()
     assert '<xacro:box_inertial mass="1" x="${w}" y="0.2" z=".1"/>' in file.read_text()
 

@@ -28,7 +28,7 @@ SIGNATURES = {
     ).split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],
-    "fix": "files unsafe force options".split(),
+    "fix": "files unsafe force generate_meshes options".split(),
     "format_files": "files width force config".split(),
     "load": "file arguments packages trust".split(),
 }

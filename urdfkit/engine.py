@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit import rules as catalogue
@@ -134,13 +134,44 @@ def check(
         dict(texts or {}),
     )
     resolver = Resolver(settings.packages, texts=settings.texts)
+    plan = _planned(files, resolver, config, arguments, changed=changed)
+    verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
+    return _report(plan, verdicts)
+
+
+def subjects(
+    *files: str | os.PathLike[str] | Source,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+    config: Config | None = None,
+    changed: bool = False,
+    texts: Mapping[str, bytes] | None = None,
+) -> Iterator[Subject]:
+    """The robots that ``check`` checks with the same arguments, as far as they can be read."""
+    known = {**(config.packages if config else {}), **(packages or {})}
+    resolver = Resolver(known, texts=texts)
+    is_trusted = trust or (config is not None and config.trust)
+    for job in _planned(files, resolver, config, arguments, changed=changed).jobs:
+        subject = Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
+        if not is_launch(job.source.path) and subject.reading.document is not None:
+            yield subject
+
+
+def _planned(
+    files: Iterable[str | os.PathLike[str] | Source],
+    resolver: Resolver,
+    config: Config | None,
+    arguments: Mapping[str, str] | None,
+    *,
+    changed: bool,
+) -> _Plan:
     plan = _Plan(resolver, config, arguments or {})
     if changed:
         plan.add_changed(files)
     for file in () if changed else files:
         plan.add(file)
-    verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
-    return _report(plan, verdicts)
+    return plan
 
 
 def _added(packages: Iterable[str]) -> list[str]:

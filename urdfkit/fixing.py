@@ -7,19 +7,16 @@ at the end, or not at all.
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from itertools import zip_longest
 from typing import TYPE_CHECKING
 
 from urdfkit import rewriting
-from urdfkit.config import Config
 from urdfkit.diagnostic import Diagnostic, Edit, Report
-from urdfkit.discovery import affected
-from urdfkit.engine import check
-from urdfkit.errors import UnreadableFile
+from urdfkit.engine import check, subjects
+from urdfkit.errors import UrdfkitError
 from urdfkit.fixer import apply_edits, encoded, overlap
-from urdfkit.ownership import Ownership
+from urdfkit.harm import Key, Watch, harm, key_of, real_path, useless
+from urdfkit.ownership import OUTSIDE, Ownership
 from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.rewriting import Rewrite, on_disk, shown
@@ -29,6 +26,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from urdfkit.engine import Options
+    from urdfkit.stand_ins import StandIn, Undone
 
 MAX_ROUNDS = 10
 
@@ -36,8 +34,8 @@ MAX_ROUNDS = 10
 #: from the shapes of its link, which other fixes turn, move and scale.
 _LAST = ("INE", "XAC014")
 
-#: A finding in any round: its code, its file and its message, since places move.
-_Key = tuple[str, str, str]
+#: Rules about files of meshes, which a mesh made anew answers.
+_OF_FILES = ("MSH001", "MSH008", "MSH009", "MSH010", "MSH011")
 
 
 class Left(Record):
@@ -60,30 +58,37 @@ class Fixes(Record):
         applied: what was mended, as the check of its round found it.
         left: what the last check still found.
         report: of the last check.
+        meshes: that were made for missing and broken files.
+        unmade: missing and broken files for which none could be made.
     """
 
     files: tuple[Rewrite, ...]
     applied: tuple[Diagnostic, ...]
     left: tuple[Left, ...]
     report: Report
+    meshes: tuple[StandIn, ...] = ()
+    unmade: tuple[Undone, ...] = ()
 
     def diff(self) -> str:
         """All changes as a unified diff."""
         return "".join(file.diff() for file in self.files)
 
     def write(self) -> None:
-        """Replace the files, each whole or not at all, with the permissions that it has.
+        """Replace the files, each whole or not at all, and write the meshes.
 
         Raises:
             UnwritableFile: a file may not be written, or has changed since it was read.
         """
         rewriting.write(self.files)
+        for mesh in self.meshes:
+            mesh.write()
 
 
 def fix(
     *files: str | os.PathLike[str],
     unsafe: bool = False,
     force: bool = False,
+    generate_meshes: bool = False,
     **options: Unpack[Options],
 ) -> Fixes:
     """Mend what has a remedy in descriptions of robots and in the files that they include.
@@ -100,6 +105,8 @@ def fix(
         unsafe: apply the fixes that may change what the robot does, too.
         force: edit files as well that are generated, that git ignores, or that lie outside the
             workspace of ``files``.
+        generate_meshes: make a mesh for every file of one that is missing, empty or broken. What
+            the rules say of the robot with these meshes, a second run tells and mends.
         options: of ``check``, which they are given to many times: lists, not iterators.
 
     Raises:
@@ -118,59 +125,57 @@ def fix(
 
     resolver = Resolver(options.get("packages"), texts=given)
     is_partial = bool(options.get("select") or options.get("ignore"))
-    watch = _Watch(watched, resolver, options.get("config"), is_partial)
-    return _Session(checked, watch, resolver, unsafe=unsafe, force=force).run()
+    watch = Watch(watched, resolver, options.get("config"), is_partial)
+    fixes = _Session(checked, watch, resolver, unsafe=unsafe, force=force).run()
+    if not generate_meshes:
+        return fixes
+    texts = {**given, **{file.path: file.after for file in fixes.files}}
+    return _with_meshes(fixes, files, {**options, "texts": texts}, force=force)
 
 
-class _Watch:
-    """Looks at what fixes may break beyond the findings that they are for.
+def _with_meshes(
+    fixes: Fixes, files: Iterable[str | os.PathLike[str]], options: Options, *, force: bool
+) -> Fixes:
+    """The fixes, with meshes for what is missing or broken.
 
-    That is other robots of the workspace that include a file, and what the rules say that were
-    not asked for.
-
-    Args:
-        check: all rules over the robots and some others.
-        resolver, config: of the check.
-        is_partial: True if the findings to fix are those of some rules only.
+    Raises:
+        UrdfkitError: what makes meshes is not installed.
     """
-
-    def __init__(
-        self,
-        check: Callable[[Mapping[str, bytes], Iterable[str]], Report],
-        resolver: Resolver,
-        config: Config | None,
-        is_partial: bool,
-    ) -> None:
-        self._check = check
-        self._resolver = resolver
-        self._config = config or Config()
-        self._is_partial = is_partial
-
-    def harm(
-        self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
-    ) -> str:
-        """What forbids the change from some texts to others; empty if nothing does.
-
-        Args:
-            before: texts in the place of those on disk.
-            after: likewise.
-            known: the descriptions that were checked already, with the rules asked for.
-        """
-        changed = [path for path, text in after.items() if before.get(path) != text]
-        others = self._others(changed, known)
-        if not others and not self._is_partial:
-            return ""
-        return _harm(self._check(before, others), self._check(after, others))
-
-    def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
-        """Robots that changed files are part of, and that were not asked for."""
-        try:
-            found = affected(changed, self._config, self._resolver)
-        except UnreadableFile:  # a folder with too many files to look at
-            return []
-        asked = set(map(os.path.realpath, known))
-        others = dict.fromkeys(os.path.relpath(robot.file) for robot in found.robots)
-        return [file for file in others if os.path.realpath(file) not in asked]
+    try:
+        from urdfkit.stand_ins import StandIn, Undone, generate_missing
+    except ImportError as error:
+        text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
+        raise UrdfkitError(text) from error
+    robots = subjects(
+        *files,
+        arguments=options.get("arguments"),
+        packages=options.get("packages"),
+        trust=options.get("trust", False),
+        config=options.get("config"),
+        changed=options.get("changed", False),
+        texts=options.get("texts"),
+    )
+    found: dict[str, StandIn | Undone] = {}
+    for robot in robots:
+        ours = Ownership([robot.source.path], robot.resolver)
+        stand_ins = generate_missing(robot)
+        for undone in stand_ins.undone:
+            found[os.path.realpath(undone.path)] = undone
+        for made in stand_ins.made:
+            foreign = not (force or ours.owns(made.path))
+            refusal = Undone(made.path, made.references, made.defect, OUTSIDE)
+            found[os.path.realpath(made.path)] = refusal if foreign else made
+    meshes = tuple(one for one in found.values() if isinstance(one, StandIn))
+    mended = {reference.at.span for one in meshes for reference in one.references}
+    places = {(real_path(span.source), *span[1:]) for span in mended}
+    left = tuple(
+        one
+        for one in fixes.left
+        if one.diagnostic.code not in _OF_FILES
+        or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
+    )
+    unmade = tuple(one for one in found.values() if isinstance(one, Undone))
+    return fixes._replace(left=left, meshes=meshes, unmade=unmade)
 
 
 class _Session:
@@ -186,7 +191,7 @@ class _Session:
     def __init__(
         self,
         check: Callable[[Mapping[str, bytes]], Report],
-        watch: _Watch,
+        watch: Watch,
         resolver: Resolver,
         *,
         unsafe: bool,
@@ -200,7 +205,7 @@ class _Session:
         self._ownership = Ownership((), resolver)
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
-        self._dropped: dict[_Key, str] = {}
+        self._dropped: dict[Key, str] = {}
         self._applied: list[Diagnostic] = []
 
     def run(self) -> Fixes:
@@ -228,10 +233,10 @@ class _Session:
         taken: dict[str, list[Edit]] = {}
         for diagnostic in settled or ready:
             edits = _edits(diagnostic)
-            if all(_fits(edit, taken.get(_real(edit.span.source), ())) for edit in edits):
+            if all(_fits(edit, taken.get(real_path(edit.span.source), ())) for edit in edits):
                 chosen.append(diagnostic)
                 for edit in edits:
-                    taken.setdefault(_real(edit.span.source), []).append(edit)
+                    taken.setdefault(real_path(edit.span.source), []).append(edit)
         return chosen
 
     def _reason(self, diagnostic: Diagnostic) -> str:
@@ -240,14 +245,14 @@ class _Session:
             return ""
         if not (diagnostic.fix.safe or self._unsafe):
             return "unsafe"
-        if key := self._dropped.get(_key(diagnostic)):
+        if key := self._dropped.get(key_of(diagnostic)):
             return key
         reasons = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
         return next(filter(None, reasons), "")
 
     def _refusal(self, source: Source) -> str:
         """Why a file is not edited; empty if it may be."""
-        real = _real(source)
+        real = real_path(source)
         if real not in self._originals:
             before = self._resolver.text(source.path) or on_disk(source.path)
             if before is None:
@@ -270,19 +275,19 @@ class _Session:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
             after = self._check(trial)
-            harm = (
-                _harm(report, after)
-                or _useless(report, after, [*kept, *batch])
+            reason = (
+                harm(report, after)
+                or useless(report, after, [*kept, *batch])
                 or self._watch.harm(self._texts, trial, report.files)
             )
-            if not harm:
+            if not reason:
                 kept += batch
                 texts, latest = trial, after
             elif len(batch) > 1:  # which one does it?
                 middle = len(batch) // 2
                 batches += [batch[middle:], batch[:middle]]
             else:
-                self._dropped[_key(batch[0])] = harm
+                self._dropped[key_of(batch[0])] = reason
         self._texts = texts
         self._applied += kept
         return latest
@@ -294,41 +299,13 @@ class _Session:
             for edit in _edits(diagnostic):
                 # Two robots may tell the same of a file that both include.
                 identity = (edit.span.start, edit.span.end, edit.text)
-                edits.setdefault(_real(edit.span.source), {})[identity] = edit
+                edits.setdefault(real_path(edit.span.source), {})[identity] = edit
         texts = {}
         for real, parts in edits.items():
             source = next(iter(parts.values())).span.source
             data = apply_edits(source.data, parts.values())
             texts[real] = _encoded(data, source, self._originals[real].before) or source.data
         return texts
-
-
-def _harm(before: Report, after: Report) -> str:
-    """What forbids the fixes between two checks; empty if nothing does.
-
-    Errors of rules that could not look before were there, but hidden.
-    """
-    if lost := {(s.path, s.code) for s in after.skipped} - {
-        (s.path, s.code) for s in before.skipped
-    }:
-        path = min(lost)[0]
-        return f"dropped: with it, {path} could not be checked any more"
-    hidden = {skipped.code for skipped in before.skipped}
-    for now, old in zip_longest(after.errors, before.errors, fillvalue=()):
-        if added := sorted((Counter(now) - Counter(old)).keys() - hidden):
-            return f"dropped: it would add {added[0]}"
-    if len(after.crashed) > len(before.crashed):
-        return f"dropped: with it, rule {after.crashed[-1].code} fails"
-    return ""
-
-
-def _useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
-    """Says so if a fix left its finding as it was; it would be applied for ever."""
-    expected = Counter(map(_key, before.diagnostics))
-    expected.subtract(Counter(map(_key, applied)))
-    now = Counter(map(_key, after.diagnostics))
-    stays = any(now[key] > expected[key] for key in map(_key, applied))
-    return "dropped: the finding stays" if stays else ""
 
 
 def _fits(edit: Edit, others: Iterable[Edit]) -> bool:
@@ -341,14 +318,6 @@ def _fits(edit: Edit, others: Iterable[Edit]) -> bool:
 def _edits(diagnostic: Diagnostic) -> tuple[Edit, ...]:
     assert diagnostic.fix is not None
     return diagnostic.fix.edits
-
-
-def _key(diagnostic: Diagnostic) -> _Key:
-    return (diagnostic.code, _real(diagnostic.span.source), diagnostic.message)
-
-
-def _real(source: Source) -> str:
-    return os.path.realpath(source.path)
 
 
 def _encoded(text: bytes, source: Source, original: bytes) -> bytes | None:

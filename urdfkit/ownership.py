@@ -10,6 +10,8 @@ from urdfkit.resolve import Resolver
 from urdfkit.revisions import is_ignored
 from urdfkit.source import Source
 
+OUTSIDE = "the file is outside the workspace"
+
 #: Where a program says that it wrote a file: in the comments around the root's start tag.
 _HEAD_BYTES = 4096
 _COMMENT = re.compile(rb"<!--(.*?)-->", re.DOTALL)
@@ -57,9 +59,14 @@ class Ownership:
             self._refusals[path] = self._judge(source, path)
         return self._refusals[path]
 
+    def owns(self, path: str) -> bool:
+        """True if a file lies in one of the workspaces; it need not exist."""
+        real = os.path.realpath(path)
+        return any(real.startswith(os.path.join(folder, "")) for folder in self._workspaces)
+
     def _judge(self, source: Source, path: str) -> str:
-        if not any(path.startswith(os.path.join(folder, "")) for folder in self._workspaces):
-            return "the file is outside the workspace"
+        if not self.owns(path):
+            return OUTSIDE
         if is_generated(source):
             return "the file is generated: mend what it is made from"
         if is_ignored(path):

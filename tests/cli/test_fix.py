@@ -97,3 +97,30 @@ def test_a_file_that_may_not_be_written_is_an_error(
     assert "No space left on device" in capsys.readouterr().err
     assert robot.read_bytes() == before
     assert [path.name for path in robot.parent.iterdir()] == [robot.name]
+
+
+def test_missing_meshes_are_made(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("trimesh")
+    mesh = robot.parents[1] / "meshes" / "hokuyo.dae"
+    words = ["fix", str(robot), "--generate-meshes", "--select", "MSH", "--fail-on", "info"]
+    assert main([*words, "--diff"]) == 1
+    assert f"# would make {mesh}:\n" in capsys.readouterr().out
+    assert not mesh.exists()
+    assert main(words) == 0
+    out = capsys.readouterr().out
+    assert out.startswith(f"made {mesh}:\n  Hokuyo")
+    assert out.endswith("\n0 fixed in 0 files, 0 left\n")
+    assert main(["check", str(robot), "--select", "MSH", "--fail-on", "info"]) == 0
+
+
+def test_meshes_of_other_workspaces_are_not_made(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("trimesh")
+    other = tmp_path / "elsewhere" / "gazebo_pkg"
+    other.mkdir(parents=True)
+    (other / "package.xml").write_text("<package><name>gazebo_pkg</name></package>")
+    words = ["fix", str(robot), "--generate-meshes", "--package", f"gazebo_pkg={other}"]
+    assert main(words) == 1
+    assert "cannot make" in capsys.readouterr().out
+    assert [path.name for path in other.iterdir()] == ["package.xml"]

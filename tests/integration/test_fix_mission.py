@@ -60,6 +60,20 @@ def test_it_expands_and_has_the_inertia_of_its_shapes(robot: Path) -> None:
     assert text.count('ixx="0.0005541666666666666"') == 4
 
 
+def test_with_its_mesh_made_nothing_but_hints_is_left(robot: Path, tmp_path: Path) -> None:
+    pytest.importorskip("trimesh")
+    shutil.copytree(robot.parents[1], tmp_path / "gazebo_pkg")
+    file = tmp_path / "gazebo_pkg" / "urdf" / robot.name
+    fixes = fix(file, unsafe=True, generate_meshes=True)
+    assert fixes.files == ()
+    assert [Path(mesh.path).name for mesh in fixes.meshes] == ["hokuyo.dae"]
+    assert {left.diagnostic.severity for left in fixes.left} == {Severity.INFO}
+    fixes.write()
+    report = check(file)
+    assert {d.severity for d in report.diagnostics} == {Severity.INFO}
+    assert [d.code for d in report.diagnostics if d.fix] == []
+
+
 def test_pinocchio_loads_it(robot: Path) -> None:
     pinocchio = pytest.importorskip("pinocchio")
     model = pinocchio.buildModelFromXML(expand(robot).text())

@@ -87,7 +87,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
             progress.wipe()
 
 
-def mend(values: Mapping[str, Any], chosen: Options) -> Fixes:
+def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
     """Fix the files in place, or show the changes as a diff."""
     from urdfkit.fixing import fix
 
@@ -96,17 +96,28 @@ def mend(values: Mapping[str, Any], chosen: Options) -> Fixes:
         raise options.UsageError("standard input cannot be fixed in place; name a file")
     progress = _progress(files)
     unsafe, force = values["unsafe_fixes"], values["force"]
+    now: Options = {**chosen, "progress": progress}
     try:
-        now: Options = {**chosen, "progress": progress}
-        fixes = fix(*files, unsafe=unsafe, force=force, **now)
+        fixes = fix(*files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, **now)
+        if values["diff"]:
+            output.write(fixes.diff())
+            return fixes
+        fixes.write()
+        if not fixes.meshes:
+            return fixes
+        # With meshes there is more to see, and perhaps to mend.
+        again = fix(*files, unsafe=unsafe, force=force, **now)
+        again.write()
     finally:
         if progress is not None:
             progress.wipe()
-    if values["diff"]:
-        output.write(fixes.diff())
-    else:
-        fixes.write()
-    return fixes
+    first = {file.path: file for file in fixes.files}
+    return again._replace(
+        files=tuple({**{file.path: file for file in again.files}, **first}.values()),
+        applied=(*fixes.applied, *again.applied),
+        meshes=fixes.meshes,
+        unmade=fixes.unmade,
+    )
 
 
 def _tell(fixes: Fixes) -> None:

@@ -24,9 +24,10 @@ _MAX_LINES = 8
 
 def _fix(**values: Any) -> int:
     chosen = choices(values)
-    fixes = mend(values, chosen)
+    fixes = mend(values, chosen, generate_meshes=values["generate_meshes"])
     if values["diff"]:
-        return int(bool(fixes.files))
+        output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would make")))
+        return int(bool(fixes.files or fixes.meshes))
     output.write("".join(f"{line}\n" for line in render(fixes)))
     return fixes.report.exit_code(fail_on(values, chosen))
 
@@ -36,6 +37,11 @@ command = click.Command(
     callback=_fix,
     params=[
         click.Argument([options.FILES], nargs=-1, metavar="FILE... [NAME:=VALUE]..."),
+        click.Option(
+            ["--generate-meshes"],
+            is_flag=True,
+            help="Make meshes for files that are missing, empty or broken.",
+        ),
         *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
     ],
     help="""Mend what has a remedy, in the files as people wrote them.
@@ -53,6 +59,8 @@ command = click.Command(
 def render(fixes: Fixes) -> Iterator[str]:
     """The lines of the summary."""
     yield from _applied(fixes)
+    made = list(_meshes(fixes, "made"))
+    yield from (*made, "") if made else ()
     yield from _left(fixes)
     yield _total(fixes)
 
@@ -68,6 +76,15 @@ def _applied(fixes: Fixes) -> Iterator[str]:
         for (code, title), found in kinds.items():
             yield _row(f"{code}  {printable(title)}", found)
         yield ""
+
+
+def _meshes(fixes: Fixes, made: str) -> Iterator[str]:
+    for mesh in fixes.meshes:
+        yield f"{made} {printable(output.shorter(mesh.path))}:"
+        yield from output.indented(mesh.reason)
+    for other in fixes.unmade:
+        yield f"cannot make {printable(output.shorter(other.path))}:"
+        yield from output.indented(other.reason)
 
 
 def _left(fixes: Fixes) -> Iterator[str]:

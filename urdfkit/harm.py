@@ -1,0 +1,107 @@
+"""What forbids a fix: that it makes anything worse, for anybody, or that it does not help."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from itertools import zip_longest
+
+from urdfkit.config import Config
+from urdfkit.diagnostic import Diagnostic, Report
+from urdfkit.discovery import affected
+from urdfkit.errors import UnreadableFile
+from urdfkit.resolve import Resolver
+from urdfkit.source import Source
+
+#: A finding in any round: its code, its file and its message, since places move.
+Key = tuple[str, str, str]
+
+
+def harm(before: Report, after: Report) -> str:
+    """What forbids the fixes between two checks; empty if nothing does.
+
+    Errors of rules that could not look before were there, but hidden.
+    """
+    if lost := {(s.path, s.code) for s in after.skipped} - {
+        (s.path, s.code) for s in before.skipped
+    }:
+        path = min(lost)[0]
+        return f"dropped: with it, {path} could not be checked any more"
+    hidden = {skipped.code for skipped in before.skipped}
+    for now, old in zip_longest(after.errors, before.errors, fillvalue=()):
+        if added := sorted((Counter(now) - Counter(old)).keys() - hidden):
+            return f"dropped: it would add {added[0]}"
+    if len(after.crashed) > len(before.crashed):
+        return f"dropped: with it, rule {after.crashed[-1].code} fails"
+    return ""
+
+
+def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
+    """Says so if a fix left its finding as it was; it would be applied for ever."""
+    expected = Counter(map(key_of, before.diagnostics))
+    expected.subtract(Counter(map(key_of, applied)))
+    now = Counter(map(key_of, after.diagnostics))
+    stays = any(now[key] > expected[key] for key in map(key_of, applied))
+    return "dropped: the finding stays" if stays else ""
+
+
+class Watch:
+    """Looks at what fixes may break beyond the findings that they are for.
+
+    That is other robots of the workspace that include a file, and what the rules say that were
+    not asked for.
+
+    Args:
+        check: all rules over the robots and some others.
+        resolver, config: of the check.
+        is_partial: True if the findings to fix are those of some rules only.
+    """
+
+    def __init__(
+        self,
+        check: Callable[[Mapping[str, bytes], Iterable[str]], Report],
+        resolver: Resolver,
+        config: Config | None,
+        is_partial: bool,
+    ) -> None:
+        self._check = check
+        self._resolver = resolver
+        self._config = config or Config()
+        self._is_partial = is_partial
+
+    def harm(
+        self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
+    ) -> str:
+        """What forbids the change from some texts to others; empty if nothing does.
+
+        Args:
+            before: texts in the place of those on disk.
+            after: likewise.
+            known: the descriptions that were checked already, with the rules asked for.
+        """
+        changed = [path for path, text in after.items() if before.get(path) != text]
+        others = self._others(changed, known)
+        if not others and not self._is_partial:
+            return ""
+        return harm(self._check(before, others), self._check(after, others))
+
+    def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
+        """Robots that changed files are part of, and that were not asked for."""
+        try:
+            found = affected(changed, self._config, self._resolver)
+        except UnreadableFile:  # a folder with too many files to look at
+            return []
+        asked = set(map(os.path.realpath, known))
+        others = dict.fromkeys(os.path.relpath(robot.file) for robot in found.robots)
+        return [file for file in others if os.path.realpath(file) not in asked]
+
+
+def key_of(diagnostic: Diagnostic) -> Key:
+    """What tells a finding from others in any round."""
+    return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
+
+
+def real_path(source: Source) -> str:
+    """The path of the file of a source, whatever it is called."""
+    return os.path.realpath(source.path)
