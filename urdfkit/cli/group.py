@@ -25,6 +25,7 @@ COMMANDS = (
     "kinematics",
     "statics",
     "gazebo",
+    "inertia",
     "mesh",
     "migrate",
     "render",

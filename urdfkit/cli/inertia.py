@@ -1,0 +1,162 @@
+"""``urdfkit inertia``: declared masses and moments beside those of the shapes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import click
+
+from urdfkit import rewriting
+from urdfkit.cli import options, output
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.densities import DENSITIES
+from urdfkit.inertia import MassProperties
+from urdfkit.inertia_proposals import Proposal, propose, rewrites
+from urdfkit.matter import SOURCES
+
+VERSION = 1
+
+
+@click.command("inertia")
+@click.option("--from", "source", type=click.Choice(SOURCES), default="auto", help="The shapes.")
+@click.option("--mass", type=float, metavar="KG", help="Of each link, instead of the declared one.")
+@click.option("--density", type=float, metavar="KG/M^3", help="That gives the mass instead.")
+@click.option("--material", type=click.Choice([*DENSITIES]), help="Whose density gives the mass.")
+@click.option("--link", "links", multiple=True, metavar="NAME", help="Only this link.")
+@click.option("--lump", is_flag=True, help="Take links that fixed joints join as one body.")
+@click.option("--write", is_flag=True, help="Write what is proposed into the source files.")
+@click.option("--diff", is_flag=True, help="Show what --write would change.")
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@one_robot
+def command(
+    words: tuple[str, ...],
+    source: str,
+    mass: float | None,
+    density: float | None,
+    material: str | None,
+    links: tuple[str, ...],
+    lump: bool,
+    write: bool,
+    diff: bool,
+    form: str,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Compare the inertia of every link with that of its shapes, and propose what to write.
+
+    Shapes are taken for solids of uniform density with the declared mass. Proposed is what is
+    missing, impossible, or differs by more than a factor of three; with --link, those links.
+
+    Exit codes: 0 done, 1 something could not be written, 2 the file cannot be read.
+    """
+    if sum(value is not None for value in (mass, density, material)) > 1:
+        raise options.UsageError("--mass, --density and --material exclude one another")
+    if any(value is not None and not value > 0 for value in (mass, density)):
+        raise options.UsageError("--mass and --density must be more than 0")
+    if material is not None:
+        density = DENSITIES[material]
+    proposals = propose(
+        robot(words, package, trust),
+        source=source,
+        mass=mass,
+        density=density,
+        links=links,
+        lump=lump,
+    )
+    chosen = [one for one in proposals if links or one.is_doubtful]
+    lines: list[str] = []
+    left: dict[str, str] = {}
+    if write or diff:
+        files, left = rewrites(chosen)
+        if diff:
+            lines += [line for file in files for line in file.diff().splitlines()]
+        else:
+            rewriting.write(files)
+            lines += [f"wrote {output.shorter(file.path)}" for file in files]
+        lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
+        lines = lines or ["nothing to write"]
+    elif form == "json":
+        lines = [json.dumps(as_json(proposals), ensure_ascii=False, indent=2)]
+    else:
+        lines += [*table(proposals), *proposed(chosen)]
+    output.write("\n".join(lines) + "\n")
+    return int(bool(left))
+
+
+def table(proposals: Sequence[Proposal]) -> Iterator[str]:
+    """Two lines for each link: declared, and computed with the verdict."""
+    width = max([*(len(one.link.name) for one in proposals), 4])
+    head = ("mass / kg", "ixx", "iyy", "izz")
+    yield f"{'link':<{width}} {'':<9}" + "".join(f"{word:>10}" for word in head)
+    for one in proposals:
+        yield _row(one.link.name, width, "declared", one.declared)
+        name = one.matter.source.removeprefix("the ").partition(" of ")[0] if one.matter else ""
+        verdict = one.verdict + (f" x{one.factor:.3g}" if one.verdict == "differs" else "")
+        if one.computed is None:
+            yield from output.indented(one.reason, first=" " * (width + 2), rest=" " * (width + 2))
+        else:
+            yield _row("", width, name, one.computed) + f"  {verdict}"
+    notes = {note for one in proposals if one.matter for note in one.matter.notes}
+    for note in sorted(notes):
+        names = [one.link.name for one in proposals if one.matter and note in one.matter.notes]
+        yield from output.indented(f"{note}: {', '.join(names)}", first="", rest="  ")
+
+
+def _row(name: str, width: int, what: str, values: MassProperties | None) -> str:
+    start = f"{name:<{width}} {what:<9}"
+    if values is None:
+        return f"{start}{'-':>10}"
+    tensor = values.tensor
+    numbers = (values.mass, tensor.ixx, tensor.iyy, tensor.izz)
+    return start + "".join(f"{number:>10.4g}" for number in numbers)
+
+
+def proposed(chosen: Sequence[Proposal]) -> Iterator[str]:
+    """What to write; links that get the same are told together."""
+    alike: dict[str, list[Proposal]] = {}
+    for one in chosen:
+        if one.computed is not None:
+            alike.setdefault("\n".join(one.lines()), []).append(one)
+    for text, links in alike.items():
+        yield ""
+        yield from output.indented(", ".join(map(_name, links)) + ":", first="", rest="")
+        yield from (f"  {line}" for line in text.splitlines())
+
+
+def _name(one: Proposal) -> str:
+    others = f" with {', '.join(one.links[1:])}" if len(one.links) > 1 else ""
+    return f"{one.link.name}{others} ({one.verdict})"
+
+
+def as_json(proposals: Sequence[Proposal]) -> dict[str, Any]:
+    """The same for programs."""
+    return {
+        "version": VERSION,
+        "links": [
+            {
+                "name": one.link.name,
+                "links": list(one.links),
+                "verdict": one.verdict,
+                "factor": one.factor if one.factor < float("inf") else None,
+                "declared": _properties(one.declared),
+                "computed": _properties(one.computed),
+                "source": one.matter.source if one.matter else None,
+                "volume": one.matter.properties.mass if one.matter else None,
+                "notes": list(one.matter.notes) if one.matter else [],
+                "reason": one.reason,
+            }
+            for one in proposals
+        ],
+    }
+
+
+def _properties(values: MassProperties | None) -> dict[str, Any] | None:
+    if values is None:
+        return None
+    return {
+        "mass": values.mass,
+        "center": list(values.center),
+        "inertia": values.tensor._asdict(),
+    }
