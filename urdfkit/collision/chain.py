@@ -1,0 +1,208 @@
+"""Where the links are in many configurations at once.
+
+The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneous matrices
+(n, 4, 4) in the frame of the root link, for n configurations.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.joints import bounds
+from urdfkit.kinematics import SLIDING, TURNING, direction
+from urdfkit.meshes.geometry import Floats
+from urdfkit.model import Joint
+from urdfkit.spatial import Frame
+from urdfkit.tree import KinematicTree
+
+#: A sliding joint is sampled within so many metres of its zero, whatever its limits say.
+REACH = 1000.0
+
+
+class Axis(NamedTuple):
+    """A joint that moves freely, and the range that is sampled, in rad or m."""
+
+    joint: str
+    lower: float
+    upper: float
+
+    @property
+    def default(self) -> float:
+        """Where MoveIt lets a joint begin: at 0, or in the middle if 0 is out of range."""
+        return 0.0 if self.lower <= 0 <= self.upper else (self.lower + self.upper) / 2
+
+
+class Step(NamedTuple):
+    """From one link to a child of it.
+
+    Attributes:
+        parent, child: numbers of the links.
+        origin: (4, 4), the frame of the joint in that of the parent.
+        axis: (3,), a unit vector in the frame of the joint.
+        turns: True for an angle, False for a distance.
+        column: of the axis whose position it follows; -1 for a joint that stays where it is.
+        factor, shift: its position is ``factor * position of the axis + shift``.
+    """
+
+    parent: int
+    child: int
+    origin: Floats
+    axis: Floats
+    turns: bool
+    column: int
+    factor: float
+    shift: float
+
+
+class Chain(NamedTuple):
+    """A kinematic tree as arrays.
+
+    Attributes:
+        links: names; a step names them by number.
+        axes: the joints that move freely, one column of a configuration each.
+        steps: parents before children.
+    """
+
+    links: tuple[str, ...]
+    axes: tuple[Axis, ...]
+    steps: tuple[Step, ...]
+
+    @property
+    def default(self) -> Floats:
+        """(dof,), the configuration that MoveIt begins in."""
+        return np.array([axis.default for axis in self.axes])
+
+    def samples(self, count: int, seed: int, block: int) -> Floats:
+        """Configurations (count, dof), equally likely everywhere within the limits."""
+        lower = np.array([axis.lower for axis in self.axes])
+        upper = np.array([axis.upper for axis in self.axes])
+        random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
+        return lower + (upper - lower) * random
+
+    def extremes(self) -> Floats:
+        """(1 + 2 dof, dof): the default, then each joint alone at its lower and upper limit."""
+        poses = np.tile(self.default, (1 + 2 * len(self.axes), 1))
+        for column, axis in enumerate(self.axes):
+            poses[1 + 2 * column, column] = axis.lower
+            poses[2 + 2 * column, column] = axis.upper
+        return poses
+
+    def pose(self, row: Floats) -> dict[str, float]:
+        """The positions in a configuration by joint, in rad or m."""
+        return {axis.joint: float(value) for axis, value in zip(self.axes, row, strict=True)}
+
+    def frames(self, configurations: Floats) -> list[Floats]:
+        """The frames of all links, (n, 4, 4) each, in n configurations (n, dof)."""
+        count = len(configurations)
+        found = [np.broadcast_to(np.eye(4), (count, 4, 4))] * len(self.links)
+        for step in self.steps:
+            found[step.child] = found[step.parent] @ _local(step, configurations)
+        return found
+
+    def moves(self) -> list[frozenset[int]]:
+        """For each link, the columns of the axes that move it."""
+        found: list[frozenset[int]] = [frozenset()] * len(self.links)
+        for step in self.steps:
+            own = {step.column} if step.column >= 0 else set()
+            found[step.child] = found[step.parent] | own
+        return found
+
+
+def _local(step: Step, configurations: Floats) -> Floats:
+    """The frame of a child in that of its parent: (n, 4, 4), or (4, 4) where nothing moves."""
+    if step.column < 0:
+        return step.origin @ _motion(step, np.array([step.shift]))[0]
+    return step.origin @ _motion(step, step.factor * configurations[:, step.column] + step.shift)
+
+
+def _motion(step: Step, positions: Floats) -> Floats:
+    """(n, 4, 4): Rodrigues' formula for angles (n,), a translation for distances."""
+    frames = np.tile(np.eye(4), (len(positions), 1, 1))
+    if not step.turns:
+        frames[:, :3, 3] = positions[:, None] * step.axis
+        return frames
+    x, y, z = step.axis
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    sine, versine = np.sin(positions)[:, None, None], 1 - np.cos(positions)[:, None, None]
+    frames[:, :3, :3] += sine * cross + versine * (cross @ cross)
+    return frames
+
+
+def chain(tree: KinematicTree) -> Chain:
+    """The arrays of a tree; links that no root leads to stay at the origin."""
+    names = tuple(tree.model.links_by_name)
+    number = {name: index for index, name in enumerate(names)}
+    axes = tuple(Axis(j.name, *_range(j)) for j in tree.model.joints if _is_free(j))
+    columns = {axis.joint: column for column, axis in enumerate(axes)}
+    steps: list[Step] = []
+    seen = {root.name for root in tree.roots}
+    queue = list(seen)
+    for parent in queue:  # grows while it is walked
+        for joint in tree.children[parent]:
+            assert joint.child is not None
+            child = joint.child.value
+            if child not in seen:
+                seen.add(child)
+                queue.append(child)
+                steps.append(_step(joint, number[parent], number[child], tree, columns))
+    return Chain(names, axes, tuple(steps))
+
+
+def _is_free(joint: Joint) -> bool:
+    return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
+
+
+def _range(joint: Joint) -> tuple[float, float]:
+    """What to sample of a joint: its limits, or all there is where these mean nothing."""
+    lower, upper = bounds(joint) or (0.0, 0.0)
+    if joint.kind in SLIDING:
+        return (max(lower, -REACH), min(upper, REACH)) if lower < upper else (0.0, 0.0)
+    is_bounded = joint.kind == "revolute" and lower <= upper < lower + 2 * pi
+    return (lower, upper) if is_bounded and joint.limit else (-pi, pi)
+
+
+def _step(
+    joint: Joint, parent: int, child: int, tree: KinematicTree, columns: dict[str, int]
+) -> Step:
+    column, factor, shift = -1, 0.0, 0.0
+    if joint.kind in (*TURNING, *SLIDING):
+        column, factor, shift = _follows(joint, tree, columns)
+    return Step(
+        parent,
+        child,
+        matrix(joint.origin),
+        np.array(direction(joint)),
+        joint.kind in TURNING,
+        column,
+        factor,
+        shift,
+    )
+
+
+def _follows(
+    joint: Joint, tree: KinematicTree, columns: dict[str, int]
+) -> tuple[int, float, float]:
+    """The column that moves a joint, through any mimic, with factor and shift."""
+    factor, shift, seen = 1.0, 0.0, {joint.name}
+    while joint.mimic and joint.mimic.joint:
+        shift += factor * joint.mimic.offset
+        factor *= joint.mimic.multiplier
+        leader = tree.model.joints_by_name.get(joint.mimic.joint.value)
+        if leader is None:
+            return -1, 0.0, shift
+        if leader.name in seen:
+            return -1, 0.0, 0.0  # a ring: all stay at 0
+        seen.add(leader.name)
+        joint = leader
+    return columns.get(joint.name, -1), factor, shift
+
+
+def matrix(frame: Frame) -> Floats:
+    """(4, 4), homogeneous."""
+    found = np.eye(4)
+    found[:3, :3] = frame.rotation
+    found[:3, 3] = frame.position
+    return found
