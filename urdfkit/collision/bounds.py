@@ -21,7 +21,8 @@ def apart(a: Floats, b: Floats, rotation: Floats, offset: Floats) -> Floats:
     """(n,): two boxes are no nearer than that, in m; 0 or less where they may overlap.
 
     Args:
-        a, b: (3,), half the sides.
+        a: (3,), half the sides of the first.
+        b: (3,), half the sides of the second.
         rotation: (n, 3, 3), of the second box in the frame of the first.
         offset: (n, 3), from center to center, likewise, in m.
     """

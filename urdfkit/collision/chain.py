@@ -6,6 +6,7 @@ The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneou
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi
 from typing import NamedTuple
 
@@ -75,10 +76,15 @@ class Chain(NamedTuple):
         """(dof,), the configuration that MoveIt begins in."""
         return np.array([axis.default for axis in self.axes])
 
+    @property
+    def limits(self) -> tuple[Floats, Floats]:
+        """(dof,) each: the least and the greatest positions."""
+        lower = np.array([axis.lower for axis in self.axes])
+        return lower, np.array([axis.upper for axis in self.axes])
+
     def samples(self, count: int, seed: int, block: int) -> Floats:
         """Configurations (count, dof), equally likely everywhere within the limits."""
-        lower = np.array([axis.lower for axis in self.axes])
-        upper = np.array([axis.upper for axis in self.axes])
+        lower, upper = self.limits
         random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
         return lower + (upper - lower) * random
 
@@ -89,6 +95,10 @@ class Chain(NamedTuple):
             poses[1 + 2 * column, column] = axis.lower
             poses[2 + 2 * column, column] = axis.upper
         return poses
+
+    def row(self, given: Mapping[str, float]) -> Floats:
+        """(dof,), the default with some positions by joint in place of its own."""
+        return np.array([given.get(axis.joint, axis.default) for axis in self.axes])
 
     def pose(self, row: Floats) -> dict[str, float]:
         """The positions in a configuration by joint, in rad or m."""
@@ -102,13 +112,20 @@ class Chain(NamedTuple):
             found[step.child] = found[step.parent] @ _local(step, configurations)
         return found
 
-    def moves(self) -> list[frozenset[int]]:
-        """For each link, the columns of the axes that move it."""
-        found: list[frozenset[int]] = [frozenset()] * len(self.links)
-        for step in self.steps:
-            own = {step.column} if step.column >= 0 else set()
-            found[step.child] = found[step.parent] | own
-        return found
+    def between(self, first: int, second: int) -> list[int]:
+        """The columns of the axes that move one link against another one."""
+        ways = [self._way(first), self._way(second)]
+        columns = {way[link] for way in ways for link in way if not all(link in w for w in ways)}
+        return sorted(columns - {-1})
+
+    def _way(self, link: int) -> dict[int, int]:
+        """The links from one up to its root, each with the column that moves it or -1."""
+        above = {step.child: step for step in self.steps}
+        way: dict[int, int] = {}
+        while link in above:
+            way[link] = above[link].column
+            link = above[link].parent
+        return way
 
 
 def _local(step: Step, configurations: Floats) -> Floats:

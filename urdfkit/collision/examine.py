@@ -14,8 +14,7 @@ import numpy as np
 
 from urdfkit.collision.bounds import Cover, apart, moved, poses
 from urdfkit.collision.chain import Chain
-from urdfkit.collision.forms import TOUCH, Gauge, form
-from urdfkit.collision.solids import Solid
+from urdfkit.collision.forms import TOUCH, Form, Gauge
 from urdfkit.meshes.geometry import Floats, Integers
 
 #: Two links, by their numbers in the chain, the first one before the second.
@@ -44,13 +43,13 @@ class Examiner:
 
     Args:
         chain: how it moves.
-        solids: its bodies.
+        forms: its bodies.
     """
 
-    def __init__(self, chain: Chain, solids: Iterable[Solid]) -> None:
+    def __init__(self, chain: Chain, forms: Iterable[Form]) -> None:
         self.chain = chain
         number = {name: index for index, name in enumerate(chain.links)}
-        self._forms = [form(solid) for solid in solids]
+        self._forms = list(forms)
         self._of_link: dict[int, list[int]] = {}
         for index, one in enumerate(self._forms):
             self._of_link.setdefault(number[one.solid.link], []).append(index)
@@ -85,9 +84,7 @@ class Examiner:
 class Look:
     """A look at some pairs, which goes from configurations to more of them."""
 
-    def __init__(
-        self, examiner: Examiner, pairs: Sequence[Pair], limits: Sequence[float]
-    ) -> None:
+    def __init__(self, examiner: Examiner, pairs: Sequence[Pair], limits: Sequence[float]) -> None:
         self._examiner = examiner
         self._links = sorted({link for pair in pairs for link in pair})
         self._pairs = [

@@ -165,7 +165,7 @@ class Gauge:
         return float(found.min_distance)
 
     def _depth(self, request: Any) -> float:
-        """By how much the exact bodies overlap at the deepest of some contacts; 0 if they do not."""
+        """How deep the exact bodies overlap, at the deepest of some contacts; 0 without any."""
         hits = self._hits
         hits.clear()
         if not coal.collide(

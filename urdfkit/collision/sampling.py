@@ -1,0 +1,288 @@
+"""The pairs of a robot's links that can collide, found by sampling its configurations."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import inf
+from typing import TYPE_CHECKING, NamedTuple
+
+from urdfkit.adjacency import Adjacency
+from urdfkit.collision.chain import Chain, chain
+from urdfkit.collision.crew import CollisionError, Crew
+from urdfkit.collision.examine import Pair
+from urdfkit.collision.matrix import Matrix, Nearest, PairResult, Verdict
+from urdfkit.collision.solids import solids
+from urdfkit.collision.task import Approach, Found, Pose, Samples, Task
+from urdfkit.meshes.geometry import Floats
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+#: Samples in which the collisions of all pairs are counted; later, only pairs that have none
+#: are looked at.
+COUNTED = 1000
+#: Pairs that collide in more of them always collide (as in MoveIt's Setup Assistant).
+ALWAYS = 0.95
+#: More samples are given up when the last half of so many showed nothing new.
+ENOUGH = 10_000
+#: More pairs, some 300 links with bodies, are refused.
+MAX_PAIRS = 50_000
+
+#: Frames of all links in a block of samples take about so many bytes.
+_MEMORY = 64e6
+_FRAME = 128
+_BLOCK = 1000
+#: Pairs that come no nearer than this, in m, are not brought together on purpose.
+_APPROACHED = 0.2
+
+Progress = Callable[[int, int], None]
+
+
+def collisions(
+    robot: Subject,
+    *,
+    samples: int = 10_000,
+    seed: int = 0,
+    begin: Mapping[str, float] | None = None,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> Matrix:
+    """Which links of a robot can collide with one another.
+
+    >>> from urdfkit.loading import read
+    >>> found = collisions(read("models/good/two_link_arm/urdf/two_link_arm.urdf"), jobs=1)
+    >>> [(pair.first, pair.second, pair.verdict.value) for pair in found.pairs]
+    [('mount', 'upper_arm', 'adjacent'), ('mount', 'forearm', 'never'), ...]
+
+    The same seed gives the same result, whatever the number of processes.
+
+    Args:
+        robot: from `urdfkit.loading.read`.
+        samples: configurations, equally likely everywhere within the joint limits.
+        seed: of these.
+        begin: positions of joints, in rad or m, where the robot begins; the others begin at 0,
+            or in the middle if 0 is beyond their limits.
+        jobs: processes; as many as there are processors, up to 8, if not given.
+        progress: called with the number of samples done and of all.
+
+    Raises:
+        CollisionError: the robot has too many pairs of links with collision bodies, or no
+            process can be started.
+    """
+    applies = applies_units(robot)
+    bodies, omitted = solids(robot.model, robot.meshes, unit=applies)
+    with Crew(chain(robot.tree), bodies, jobs or _processors()) as crew:
+        sampling = _Sampling(robot, crew, samples, seed, progress)
+        sampling.run(begin or {})
+    return Matrix(
+        robot.model.name,
+        tuple(sampling.results()),
+        sampling.done,
+        samples,
+        min(samples, COUNTED),
+        seed,
+        (*omitted, *crew.omitted),
+        _units(robot),
+        applies,
+    )
+
+
+def applies_units(robot: Subject) -> bool:
+    """True unless all consumers are known and take the numbers of COLLADA files as metres."""
+    names = robot.targets.names
+    return not names or any(name not in ("moveit", "pinocchio") for name in names)
+
+
+def _units(robot: Subject) -> dict[str, float]:
+    """The meshes that state another unit than the metre, as they are named."""
+    found: dict[str, float] = {}
+    for link in robot.model.links:
+        for body in link.collisions:
+            if body.shape is None or body.shape.filename is None:
+                continue
+            mesh = robot.meshes.mesh(body.shape)
+            if mesh is not None and mesh.unit != 1:
+                found[body.shape.filename.value] = mesh.unit
+    return found
+
+
+def _processors() -> int:
+    if hasattr(os, "sched_getaffinity"):
+        return min(len(os.sched_getaffinity(0)), 8)
+    return min(os.cpu_count() or 1, 8)
+
+
+class _State(NamedTuple):
+    """What is known of a pair so far."""
+
+    verdict: Verdict | None = None
+    hits: int = 0
+    frequency: float | None = None
+    distance: float = inf
+    row: Floats | None = None
+
+
+class _Sampling:
+    """The rounds of one run: the default, samples to count in, then twice as many each time."""
+
+    def __init__(
+        self, robot: Subject, crew: Crew, samples: int, seed: int, progress: Progress | None
+    ) -> None:
+        self._crew = crew
+        self._chain: Chain = chain(robot.tree)
+        self._samples, self._seed, self._progress = samples, seed, progress
+        self._adjacency = Adjacency(robot.tree)
+        with_bodies = {solid.link for solid in crew.solids}
+        links = [index for index, name in enumerate(self._chain.links) if name in with_bodies]
+        if len(links) * (len(links) - 1) // 2 > MAX_PAIRS:
+            raise CollisionError(
+                f"{len(links)} links with collision geometry are too many: they make more than "
+                f"{MAX_PAIRS} pairs"
+            )
+        self._states = {(a, b): _State() for a in links for b in links if a < b}
+        self.done = 0
+
+    def run(self, begin: Mapping[str, float]) -> None:
+        """All rounds."""
+        for pair in self._states:
+            if self._adjacency.is_adjacent(*self._names(pair)):
+                self._set(pair, verdict=Verdict.ADJACENT)
+        self._begin(self._chain.row(begin))
+        self._count()
+        self._search()
+        self._approach()
+        for pair in self._free():
+            self._set(pair, verdict=Verdict.NEVER)
+
+    def _begin(self, configuration: Floats) -> None:
+        """Who collides where the robot begins; those that no joint moves are done with."""
+        tasks = [Pose(tuple(group), configuration) for group in _groups(self._free())]
+        self._run(tasks, _groups(self._free()))
+        for pair in self._free():
+            if self._states[pair].hits:
+                self._set(pair, verdict=Verdict.DEFAULT)
+            elif self._adjacency.is_rigid(*self._names(pair)):
+                self._set(pair, verdict=Verdict.NEVER)
+
+    def _count(self) -> None:
+        """Count the collisions of all pairs that move."""
+        moving = [pair for pair in self._states if self._moves(pair)]
+        counted = min(self._samples, COUNTED)
+        if not counted:
+            return
+        self._look(moving, counted, count=True)
+        for pair in moving:
+            frequency = self._states[pair].hits / counted
+            self._set(pair, frequency=frequency)
+            if frequency and self._states[pair].verdict is None:
+                always = frequency > ALWAYS
+                self._set(pair, verdict=Verdict.ALWAYS if always else Verdict.SOMETIMES)
+
+    def _search(self) -> None:
+        """Look for a first collision of the others, as long as there is hope."""
+        while self.done < self._samples and (free := self._free()):
+            self._look(free, min(self._samples, 2 * self.done), count=False)
+            self._tell_hits(free)
+            if self.done >= ENOUGH and self._free() == free:
+                return
+
+    def _approach(self) -> None:
+        """Bring pairs that came near together: a rare collision is found so, whatever the seed."""
+        near = [
+            pair
+            for pair in self._free()
+            if self._states[pair].distance < _APPROACHED and self._states[pair].row is not None
+        ]
+        tasks: list[Task] = []
+        for pair in near:
+            state = self._states[pair]
+            assert state.row is not None
+            tasks.append(Approach(pair, state.row, state.distance, self._seed))
+        self._run(tasks, [[pair] for pair in near])
+        self._tell_hits(near)
+
+    def _tell_hits(self, pairs: Sequence[Pair]) -> None:
+        for pair in pairs:
+            if self._states[pair].verdict is None and self._states[pair].hits:
+                self._set(pair, verdict=Verdict.SOMETIMES)
+
+    def _look(self, pairs: Sequence[Pair], end: int, *, count: bool) -> None:
+        """Look at pairs in the samples from those that are done to a number."""
+        blocks = self._blocks(self.done, end)
+        tasks = [
+            Samples(
+                tuple(group),
+                tuple(self._states[pair].distance for pair in group),
+                blocks,
+                self._seed,
+                count,
+            )
+            for group in _groups(pairs)
+        ]
+        share = (end - self.done) / max(1, len(tasks))
+        self._run(tasks, _groups(pairs), share)
+        self.done = end
+
+    def _run(
+        self, tasks: Sequence[Task], pairs: Sequence[Sequence[Pair]], share: float = 0.0
+    ) -> None:
+        """Do tasks; each is some samples' worth."""
+        steps = iter(range(1, len(tasks) + 1))
+
+        def tell() -> None:
+            if self._progress and share:
+                self._progress(self.done + int(share * next(steps)), self._samples)
+
+        for group, answer in zip(pairs, self._crew.run(tasks, tell), strict=True):
+            for pair, found in zip(group, answer, strict=True):
+                self._take(pair, found)
+
+    def _take(self, pair: Pair, found: Found | None) -> None:
+        if found is None:
+            self._set(pair, verdict=Verdict.UNKNOWN)
+            return
+        self._set(pair, hits=found.hits, distance=found.distance)
+        if found.configuration is not None:
+            self._set(pair, row=found.configuration)
+
+    def _set(self, pair: Pair, **changes: object) -> None:
+        self._states[pair] = self._states[pair]._replace(**changes)
+
+    def _free(self) -> list[Pair]:
+        """The pairs without a verdict."""
+        return [pair for pair, state in self._states.items() if state.verdict is None]
+
+    def _moves(self, pair: Pair) -> bool:
+        """True if samples can tell something new of a pair."""
+        verdict = self._states[pair].verdict
+        rigid = self._adjacency.is_rigid(*self._names(pair))
+        return not rigid and verdict in (None, Verdict.DEFAULT)
+
+    def _names(self, pair: Pair) -> tuple[str, str]:
+        return self._chain.links[pair[0]], self._chain.links[pair[1]]
+
+    def _blocks(self, start: int, end: int) -> tuple[tuple[int, int], ...]:
+        """The samples from one number to another in blocks that the memory can hold."""
+        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(self._chain.links)))))
+        return tuple((at, min(size, end - at)) for at in range(start, end, size))
+
+    def results(self) -> Iterator[PairResult]:
+        """What became of the pairs."""
+        for pair, state in self._states.items():
+            assert state.verdict is not None
+            nearest = None
+            if state.row is not None:
+                nearest = Nearest(state.distance, self._chain.pose(state.row))
+            yield PairResult(
+                *self._names(pair),
+                state.verdict,
+                state.frequency,
+                nearest,
+            )
+
+
+def _groups(pairs: Sequence[Pair]) -> list[Sequence[Pair]]:
+    """The pairs in groups that are worth a task."""
+    size = max(1, min(64, -(-len(pairs) // 8)))
+    return [pairs[start : start + size] for start in range(0, len(pairs), size)]
