@@ -12,6 +12,7 @@ from urdfkit.record import Record
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
+    from urdfkit.collision.robot import Collisions
     from urdfkit.diagnostic import Diagnostic
     from urdfkit.dynamics.robot import Dynamics
     from urdfkit.expansion import Xacro
@@ -283,6 +284,21 @@ class Subject:
             return Dynamics(self.tree)
         except Unsuitable as reason:
             raise Unavailable(str(reason)) from reason
+
+    @cached_property
+    def collisions(self) -> Collisions:
+        """Which links collide with one another, by coal.
+
+        Raises:
+            Unavailable: coal is not installed.
+        """
+        try:
+            from urdfkit.collision.robot import Collisions
+        except ImportError as error:
+            raise Unavailable(
+                f"coal is not installed ({error}): pip install 'urdfkit[dynamics]'"
+            ) from error
+        return Collisions(self)
 
     @cached_property
     def files(self) -> Files:

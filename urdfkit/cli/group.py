@@ -24,6 +24,7 @@ COMMANDS = (
     "tree",
     "kinematics",
     "statics",
+    "collisions",
     "gazebo",
     "inertia",
     "mesh",

@@ -98,7 +98,7 @@ class Cover:
 def _ways(some: Floats, known: Floats) -> Floats:
     """(n, m): the distances between rows, never too short by rounding."""
     square = (some**2).sum(axis=1)[:, None] + (known**2).sum(axis=1) - 2 * some @ known.T
-    return np.sqrt(np.maximum(square, 0) + 1e-12)
+    return np.asarray(np.sqrt(np.maximum(square, 0) + 1e-12))
 
 
 def _norm(vectors: Floats) -> Floats:

@@ -7,13 +7,13 @@ The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneou
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
+from math import isfinite, pi
 from typing import NamedTuple
 
 import numpy as np
 
 from urdfkit.joints import bounds
-from urdfkit.kinematics import SLIDING, TURNING, direction
+from urdfkit.kinematics import SLIDING, TURNING, Law, direction, laws
 from urdfkit.meshes.geometry import Floats
 from urdfkit.model import Joint
 from urdfkit.spatial import Frame
@@ -21,6 +21,10 @@ from urdfkit.tree import KinematicTree
 
 #: A sliding joint is sampled within so many metres of its zero, whatever its limits say.
 REACH = 1000.0
+
+
+#: Of a joint without a name.
+_STILL = Law("", 0.0, 0.0)
 
 
 class Axis(NamedTuple):
@@ -74,7 +78,7 @@ class Chain(NamedTuple):
     @property
     def default(self) -> Floats:
         """(dof,), the configuration that MoveIt begins in."""
-        return np.array([axis.default for axis in self.axes])
+        return self.row({})
 
     @property
     def limits(self) -> tuple[Floats, Floats]:
@@ -86,7 +90,7 @@ class Chain(NamedTuple):
         """Configurations (count, dof), equally likely everywhere within the limits."""
         lower, upper = self.limits
         random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
-        return lower + (upper - lower) * random
+        return np.asarray(lower + (upper - lower) * random)
 
     def extremes(self) -> Floats:
         """(1 + 2 dof, dof): the default, then each joint alone at its lower and upper limit."""
@@ -100,9 +104,9 @@ class Chain(NamedTuple):
         """(dof,), the default with some positions by joint in place of its own."""
         return np.array([given.get(axis.joint, axis.default) for axis in self.axes])
 
-    def pose(self, row: Floats) -> dict[str, float]:
-        """The positions in a configuration by joint, in rad or m."""
-        return {axis.joint: float(value) for axis, value in zip(self.axes, row, strict=True)}
+    def pose(self, row: Floats, first: int, second: int) -> dict[str, float]:
+        """The positions by joint, in rad or m, that say how two links stand to one another."""
+        return {self.axes[at].joint: float(row[at]) for at in self.between(first, second)}
 
     def frames(self, configurations: Floats) -> list[Floats]:
         """The frames of all links, (n, 4, 4) each, in n configurations (n, dof)."""
@@ -131,8 +135,9 @@ class Chain(NamedTuple):
 def _local(step: Step, configurations: Floats) -> Floats:
     """The frame of a child in that of its parent: (n, 4, 4), or (4, 4) where nothing moves."""
     if step.column < 0:
-        return step.origin @ _motion(step, np.array([step.shift]))[0]
-    return step.origin @ _motion(step, step.factor * configurations[:, step.column] + step.shift)
+        return np.asarray(step.origin @ _motion(step, np.array([step.shift]))[0])
+    positions = step.factor * configurations[:, step.column] + step.shift
+    return np.asarray(step.origin @ _motion(step, positions))
 
 
 def _motion(step: Step, positions: Floats) -> Floats:
@@ -152,8 +157,11 @@ def chain(tree: KinematicTree) -> Chain:
     """The arrays of a tree; links that no root leads to stay at the origin."""
     names = tuple(tree.model.links_by_name)
     number = {name: index for index, name in enumerate(names)}
-    axes = tuple(Axis(j.name, *_range(j)) for j in tree.model.joints if _is_free(j))
+    axes = tuple(
+        Axis(j.name, *_range(j)) for j in tree.model.joints_by_name.values() if _is_free(j)
+    )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
+    followed = laws(tree.model.joints_by_name)
     steps: list[Step] = []
     seen = {root.name for root in tree.roots}
     queue = list(seen)
@@ -164,7 +172,8 @@ def chain(tree: KinematicTree) -> Chain:
             if child not in seen:
                 seen.add(child)
                 queue.append(child)
-                steps.append(_step(joint, number[parent], number[child], tree, columns))
+                law = followed.get(joint.name, _STILL)
+                steps.append(_step(joint, number[parent], number[child], law, columns))
     return Chain(names, axes, tuple(steps))
 
 
@@ -181,40 +190,18 @@ def _range(joint: Joint) -> tuple[float, float]:
     return (lower, upper) if is_bounded and joint.limit else (-pi, pi)
 
 
-def _step(
-    joint: Joint, parent: int, child: int, tree: KinematicTree, columns: dict[str, int]
-) -> Step:
-    column, factor, shift = -1, 0.0, 0.0
-    if joint.kind in (*TURNING, *SLIDING):
-        column, factor, shift = _follows(joint, tree, columns)
+def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
+    does_move = joint.kind in (*TURNING, *SLIDING) and isfinite(law.factor) and isfinite(law.shift)
     return Step(
         parent,
         child,
         matrix(joint.origin),
         np.array(direction(joint)),
         joint.kind in TURNING,
-        column,
-        factor,
-        shift,
+        columns.get(law.leader, -1) if does_move else -1,
+        law.factor,
+        law.shift if does_move else 0.0,
     )
-
-
-def _follows(
-    joint: Joint, tree: KinematicTree, columns: dict[str, int]
-) -> tuple[int, float, float]:
-    """The column that moves a joint, through any mimic, with factor and shift."""
-    factor, shift, seen = 1.0, 0.0, {joint.name}
-    while joint.mimic and joint.mimic.joint:
-        shift += factor * joint.mimic.offset
-        factor *= joint.mimic.multiplier
-        leader = tree.model.joints_by_name.get(joint.mimic.joint.value)
-        if leader is None:
-            return -1, 0.0, shift
-        if leader.name in seen:
-            return -1, 0.0, 0.0  # a ring: all stay at 0
-        seen.add(leader.name)
-        joint = leader
-    return columns.get(joint.name, -1), factor, shift
 
 
 def matrix(frame: Frame) -> Floats:

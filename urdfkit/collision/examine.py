@@ -11,6 +11,7 @@ from math import inf
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from urdfkit.collision.bounds import Cover, apart, moved, poses
 from urdfkit.collision.chain import Chain
@@ -170,7 +171,7 @@ class _Watch:
 
 
 def _thinned(
-    left: Integers, bound: Floats, some: Floats, keep: Floats
+    left: Integers, bound: Floats, some: Floats, keep: NDArray[np.bool_]
 ) -> tuple[Integers, Floats, Floats]:
     """The rows to keep, once they are few enough to be worth the copy."""
     if 2 * np.count_nonzero(keep) > len(left):

@@ -172,4 +172,4 @@ class Gauge:
             self.first.exact, _STILL, self.second.exact, self._place, request, hits
         ):
             return 0.0
-        return max(-contact.penetration_depth for contact in hits.getContacts())
+        return max(-float(contact.penetration_depth) for contact in hits.getContacts())

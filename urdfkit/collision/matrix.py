@@ -33,7 +33,7 @@ class Nearest(NamedTuple):
     Attributes:
         distance: signed, in m: negative by how deep they overlap. A configuration that was
             sampled may be nearer by a tenth.
-        pose: positions of the joints that move freely, in rad or m.
+        pose: positions of the joints that move one against the other, in rad or m.
     """
 
     distance: float
@@ -59,9 +59,10 @@ class PairResult(NamedTuple):
 
     @property
     def is_near_miss(self) -> bool:
-        """True if they do not collide, by a hair's breadth."""
-        free = self.verdict is Verdict.NEVER and self.nearest is not None
-        return free and self.nearest is not None and self.nearest.distance < NEAR
+        """True if they move against one another and do not collide, by a hair's breadth."""
+        if self.verdict is not Verdict.NEVER or self.frequency is None or self.nearest is None:
+            return False
+        return self.nearest.distance < NEAR
 
 
 class Matrix(NamedTuple):

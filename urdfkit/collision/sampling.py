@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from urdfkit.adjacency import Adjacency
 from urdfkit.collision.chain import Chain, chain
@@ -45,6 +46,7 @@ def collisions(
     samples: int = 10_000,
     seed: int = 0,
     begin: Mapping[str, float] | None = None,
+    units: bool | None = None,
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Matrix:
@@ -52,8 +54,11 @@ def collisions(
 
     >>> from urdfkit.loading import read
     >>> found = collisions(read("models/good/two_link_arm/urdf/two_link_arm.urdf"), jobs=1)
-    >>> [(pair.first, pair.second, pair.verdict.value) for pair in found.pairs]
-    [('mount', 'upper_arm', 'adjacent'), ('mount', 'forearm', 'never'), ...]
+    >>> for pair in found.pairs:
+    ...     print(pair.first, pair.second, pair.verdict.value)
+    base upper_arm adjacent
+    base forearm never
+    upper_arm forearm adjacent
 
     The same seed gives the same result, whatever the number of processes.
 
@@ -63,6 +68,8 @@ def collisions(
         seed: of these.
         begin: positions of joints, in rad or m, where the robot begins; the others begin at 0,
             or in the middle if 0 is beyond their limits.
+        units: apply the unit of length that a COLLADA file states, as RViz and Gazebo do; MoveIt
+            and Pinocchio take the numbers as metres. As the robot's targets do if not given.
         jobs: processes; as many as there are processors, up to 8, if not given.
         progress: called with the number of samples done and of all.
 
@@ -70,7 +77,7 @@ def collisions(
         CollisionError: the robot has too many pairs of links with collision bodies, or no
             process can be started.
     """
-    applies = applies_units(robot)
+    applies = applies_units(robot) if units is None else units
     bodies, omitted = solids(robot.model, robot.meshes, unit=applies)
     with Crew(chain(robot.tree), bodies, jobs or _processors()) as crew:
         sampling = _Sampling(robot, crew, samples, seed, progress)
@@ -113,7 +120,8 @@ def _processors() -> int:
     return min(os.cpu_count() or 1, 8)
 
 
-class _State(NamedTuple):
+@dataclass
+class _State:
     """What is known of a pair so far."""
 
     verdict: Verdict | None = None
@@ -147,13 +155,13 @@ class _Sampling:
         """All rounds."""
         for pair in self._states:
             if self._adjacency.is_adjacent(*self._names(pair)):
-                self._set(pair, verdict=Verdict.ADJACENT)
+                self._states[pair].verdict = Verdict.ADJACENT
         self._begin(self._chain.row(begin))
         self._count()
         self._search()
         self._approach()
         for pair in self._free():
-            self._set(pair, verdict=Verdict.NEVER)
+            self._states[pair].verdict = Verdict.NEVER
 
     def _begin(self, configuration: Floats) -> None:
         """Who collides where the robot begins; those that no joint moves are done with."""
@@ -161,9 +169,9 @@ class _Sampling:
         self._run(tasks, _groups(self._free()))
         for pair in self._free():
             if self._states[pair].hits:
-                self._set(pair, verdict=Verdict.DEFAULT)
+                self._states[pair].verdict = Verdict.DEFAULT
             elif self._adjacency.is_rigid(*self._names(pair)):
-                self._set(pair, verdict=Verdict.NEVER)
+                self._states[pair].verdict = Verdict.NEVER
 
     def _count(self) -> None:
         """Count the collisions of all pairs that move."""
@@ -174,10 +182,10 @@ class _Sampling:
         self._look(moving, counted, count=True)
         for pair in moving:
             frequency = self._states[pair].hits / counted
-            self._set(pair, frequency=frequency)
+            self._states[pair].frequency = frequency
             if frequency and self._states[pair].verdict is None:
                 always = frequency > ALWAYS
-                self._set(pair, verdict=Verdict.ALWAYS if always else Verdict.SOMETIMES)
+                self._states[pair].verdict = Verdict.ALWAYS if always else Verdict.SOMETIMES
 
     def _search(self) -> None:
         """Look for a first collision of the others, as long as there is hope."""
@@ -189,23 +197,19 @@ class _Sampling:
 
     def _approach(self) -> None:
         """Bring pairs that came near together: a rare collision is found so, whatever the seed."""
-        near = [
-            pair
-            for pair in self._free()
-            if self._states[pair].distance < _APPROACHED and self._states[pair].row is not None
-        ]
-        tasks: list[Task] = []
-        for pair in near:
+        tasks: list[Approach] = []
+        for pair in self._free() if self.done else ():
             state = self._states[pair]
-            assert state.row is not None
-            tasks.append(Approach(pair, state.row, state.distance, self._seed))
+            if state.row is not None and state.distance < _APPROACHED:
+                tasks.append(Approach(pair, state.row, state.distance, self._seed))
+        near = [task.pair for task in tasks]
         self._run(tasks, [[pair] for pair in near])
         self._tell_hits(near)
 
     def _tell_hits(self, pairs: Sequence[Pair]) -> None:
         for pair in pairs:
             if self._states[pair].verdict is None and self._states[pair].hits:
-                self._set(pair, verdict=Verdict.SOMETIMES)
+                self._states[pair].verdict = Verdict.SOMETIMES
 
     def _look(self, pairs: Sequence[Pair], end: int, *, count: bool) -> None:
         """Look at pairs in the samples from those that are done to a number."""
@@ -240,14 +244,12 @@ class _Sampling:
 
     def _take(self, pair: Pair, found: Found | None) -> None:
         if found is None:
-            self._set(pair, verdict=Verdict.UNKNOWN)
+            self._states[pair].verdict = Verdict.UNKNOWN
             return
-        self._set(pair, hits=found.hits, distance=found.distance)
+        state = self._states[pair]
+        state.hits, state.distance = found.hits, found.distance
         if found.configuration is not None:
-            self._set(pair, row=found.configuration)
-
-    def _set(self, pair: Pair, **changes: object) -> None:
-        self._states[pair] = self._states[pair]._replace(**changes)
+            state.row = found.configuration
 
     def _free(self) -> list[Pair]:
         """The pairs without a verdict."""
@@ -273,7 +275,7 @@ class _Sampling:
             assert state.verdict is not None
             nearest = None
             if state.row is not None:
-                nearest = Nearest(state.distance, self._chain.pose(state.row))
+                nearest = Nearest(state.distance, self._chain.pose(state.row, *pair))
             yield PairResult(
                 *self._names(pair),
                 state.verdict,

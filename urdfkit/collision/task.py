@@ -48,19 +48,19 @@ class Samples(NamedTuple):
         limits: for each, the least distance so far, in m.
         blocks: number and size of each block of samples.
         seed: of the samples.
-        count: count collisions, or stop at the first one of a pair.
+        counts: count collisions, or stop at the first one of a pair.
     """
 
     pairs: tuple[Pair, ...]
     limits: tuple[float, ...]
     blocks: tuple[tuple[int, int], ...]
     seed: int
-    count: bool
+    counts: bool
 
     def run(self, examiner: Examiner) -> list[Found]:
         """What they show of each pair."""
         blocks = (examiner.chain.samples(size, self.seed, at) for at, size in self.blocks)
-        return _looked(examiner, self.pairs, self.limits, blocks, count=self.count)
+        return _looked(examiner, self.pairs, self.limits, blocks, count=self.counts)
 
     def parts(self) -> list[Task]:
         """One task for each pair."""

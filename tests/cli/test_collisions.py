@@ -1,0 +1,116 @@
+"""The collisions command."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+FEW = ["--samples", "200", "--jobs", "1"]
+
+BENT = """<robot name="bent">
+  <link name="base"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="arm"><collision><origin xyz="0 0 0.5"/>
+    <geometry><sphere radius="0.1"/></geometry></collision></link>
+  <link name="tip"><collision><origin xyz="0 0 0.5"/>
+    <geometry><sphere radius="0.1"/></geometry></collision></link>
+  <joint name="shoulder" type="continuous"><parent link="base"/><child link="arm"/></joint>
+  <joint name="elbow" type="revolute"><parent link="arm"/><child link="tip"/>
+    <origin xyz="0 0 0.6"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+</robot>
+"""
+
+
+@pytest.fixture(autouse=True)
+def _needs_coal(request: pytest.FixtureRequest) -> None:
+    if "without" not in request.node.name:
+        pytest.importorskip("coal")
+
+
+@pytest.fixture
+def bent(tmp_path: Path) -> str:
+    """A robot whose tip hits its base in a fifth of its poses."""
+    path = tmp_path / "bent.urdf"
+    path.write_text(BENT)
+    return str(path)
+
+
+def test_text(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["collisions", bent, *FEW]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "bent: 3 pairs of 3 links, 200 samples, seed 0"
+    assert lines[2].split()[:2] == ["2", "adjacent"]
+    assert lines[3].split()[:2] == ["1", "sometimes"]
+    assert lines[5] == "can collide"
+    assert lines[6].split()[:2] == ["base", "tip"]
+    assert lines[6].endswith("mm deep")
+    assert max(map(len, lines)) <= 80
+
+
+def test_json(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["collisions", bent, *FEW, "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    (pair,) = [pair for pair in found["pairs"] if pair["verdict"] == "sometimes"]
+    assert pair["links"] == ["base", "tip"]
+    assert 0 < pair["frequency"] < 0.5
+    assert pair["distance"] < 0
+    assert set(pair["pose"]) == {"shoulder", "elbow"}
+    assert found["version"] == 1
+
+
+def test_markdown(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["collisions", bent, *FEW, "--format", "markdown"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("### Collisions of bent: 3 pairs")
+    assert "| base | tip | " in out
+
+
+def test_an_srdf_is_written_compared_and_brought_up_to_date(
+    bent: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    srdf = tmp_path / "bent.srdf"
+    assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
+    assert capsys.readouterr().err == f"{srdf} written\n"
+    assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 0
+    assert "differs from this" in capsys.readouterr().out
+    wrong = srdf.read_text().replace(
+        "</robot>", '<disable_collisions link1="tip" link2="base" reason="Never"/></robot>'
+    )
+    srdf.write_text(wrong)
+    assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 1
+    assert "disabled by the SRDF, and can collide" in capsys.readouterr().out
+    assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
+    assert capsys.readouterr().err == f"{srdf} brought up to date\n"
+    assert 'link1="tip"' not in srdf.read_text()
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--compare", "no.srdf"], "no.srdf"),
+        (["--srdf", "no/such/folder/r.srdf"], "there is no folder"),
+        (["--samples", "-1"], "--samples"),
+        (["--joint", "none=1"], "there is no joint 'none'"),
+    ],
+)
+def test_what_cannot_be_done_is_said(
+    words: list[str], reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["collisions", ARM, *FEW, *words]) == 2
+    assert reason in capsys.readouterr().err
+
+
+def test_without_coal_it_says_what_is_missing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for module in [name for name in sys.modules if name.startswith("urdfkit.collision")]:
+        monkeypatch.delitem(sys.modules, module)
+    monkeypatch.setitem(sys.modules, "coal", None)
+    assert main(["collisions", ARM]) == 2
+    assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err

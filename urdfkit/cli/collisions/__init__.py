@@ -1,0 +1,130 @@
+"""``urdfkit collisions``: which links of a robot can collide with one another."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from urdfkit import atomic
+from urdfkit.cli import output
+from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import on_terminal
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.errors import UrdfkitError
+from urdfkit.source import Source
+from urdfkit.subject import Subject, Unavailable
+
+if TYPE_CHECKING:
+    from urdfkit.collision.matrix import Matrix
+    from urdfkit.srdf import Srdf
+
+
+@click.command("collisions")
+@one_robot
+@posed
+@click.option("--samples", type=click.IntRange(0), default=10_000, show_default=True)
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True)
+@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
+@click.option("--srdf", metavar="FILE", help="Write the matrix to FILE, or bring it up to date.")
+@click.option("--compare", metavar="FILE", help="Tell where the matrix of an SRDF differs.")
+@click.option(
+    "--units",
+    type=click.Choice(["applied", "ignored"]),
+    help="The unit that a COLLADA mesh states. [default: as the robot's consumers do]",
+)
+@click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
+def command(
+    words: tuple[str, ...],
+    joint: tuple[str, ...],
+    pose: str | None,
+    samples: int,
+    seed: int,
+    jobs: int | None,
+    srdf: str | None,
+    compare: str | None,
+    units: str | None,
+    form: str,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell which links of a robot can collide with one another.
+
+    Samples configurations within the joint limits and sorts the pairs of links as MoveIt's Setup
+    Assistant does: adjacent, colliding by default, always, sometimes or never. The robot begins
+    with all joints at 0 unless --joint or --pose say otherwise.
+
+    Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 it cannot
+    be done.
+    """
+    subject = robot(words, package, trust)
+    begin = positions(subject, joint, pose)
+    given = _srdf(compare, subject) if compare else None
+    for_moveit = bool(srdf or compare)  # which ignores units
+    applied = units == "applied" if units else (False if for_moveit else None)
+    matrix = _sampled(subject, samples, seed, begin, applied, jobs)
+    from urdfkit.cli.collisions import shown
+    from urdfkit.collision.srdf_matrix import compare as compared
+
+    comparison = compared(matrix, given.root) if given else None
+    if form == "json":
+        text = json.dumps(shown.as_json(matrix, comparison), ensure_ascii=False, indent=2) + "\n"
+    else:
+        text = (shown.markdown if form == "markdown" else shown.text)(matrix, comparison)
+    output.write(text)
+    if srdf:
+        _write(matrix, srdf)
+    return 1 if comparison and comparison.hidden else 0
+
+
+def _srdf(path: str, subject: Subject) -> Srdf:
+    """The SRDF to compare with.
+
+    Raises:
+        UrdfkitError: it cannot be read.
+    """
+    from urdfkit.srdf import read
+
+    Source.read(path)  # says why if there is none
+    found = read(path, subject)
+    if found is None:
+        raise UrdfkitError(f"{path}: it is no SRDF")
+    return found
+
+
+def _sampled(
+    subject: Subject,
+    samples: int,
+    seed: int,
+    begin: dict[str, float],
+    units: bool | None,
+    jobs: int | None,
+) -> Matrix:
+    """The matrix.
+
+    Raises:
+        UrdfkitError: coal is not installed, or the robot is beyond it.
+    """
+    progress = on_terminal()
+    try:
+        return subject.collisions.matrix(
+            samples=samples, seed=seed, begin=begin, units=units, jobs=jobs, progress=progress
+        )
+    except Unavailable as reason:
+        raise UrdfkitError(str(reason)) from reason
+    finally:
+        if progress:
+            progress.wipe()
+
+
+def _write(matrix: Matrix, path: str) -> None:
+    """Write the SRDF, or bring the one that is there up to date."""
+    from urdfkit.collision.srdf_matrix import updated, written
+
+    is_there = os.path.exists(path)
+    atomic.write(path, updated(matrix, Source.read(path)) if is_there else written(matrix))
+    done = "brought up to date" if is_there else "written"
+    print(f"{path} {done}", file=sys.stderr)

@@ -1,0 +1,198 @@
+"""A collision matrix as people and programs read it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from urdfkit.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
+from urdfkit.formats._layout import columns, printable, wrap
+from urdfkit.formats._markdown import table
+from urdfkit.formats.markdown import escape
+
+if TYPE_CHECKING:
+    from urdfkit.collision.srdf_matrix import Comparison
+
+VERSION = 1
+
+_MEANING = {
+    Verdict.ADJACENT: "a joint holds them together",
+    Verdict.DEFAULT: "they collide where the robot begins",
+    Verdict.ALWAYS: "they collide in more than 95 % of the samples",
+    Verdict.SOMETIMES: "they can collide, and must be checked",
+    Verdict.NEVER: "no collision was found",
+    Verdict.UNKNOWN: "measuring them crashed coal",
+}
+
+#: Pairs in a list for people; the rest are counted. JSON has them all.
+_MOST = 30
+_WIDTH = 80
+
+
+class _List(NamedTuple):
+    """Some pairs under a title."""
+
+    title: str
+    pairs: Sequence[PairResult]
+
+
+def text(matrix: Matrix, comparison: Comparison | None) -> str:
+    """For a terminal."""
+    return "\n".join(_lines(matrix, comparison)) + "\n"
+
+
+def _lines(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
+    yield _title(matrix)
+    yield ""
+    for verdict, meaning in _MEANING.items():
+        if found := matrix.of(verdict):
+            yield f"{len(found):>6}  {verdict.value:<9}  {meaning}"
+    for one in _lists(matrix, comparison):
+        yield ""
+        yield one.title
+        shown = one.pairs[:_MOST]
+        firsts = _aligned([pair.first for pair in shown])
+        seconds = _aligned([pair.second for pair in shown])
+        for first, second, pair in zip(firsts, seconds, shown, strict=True):
+            line = f"  {first}  {second}  {_frequency(pair):>7}  {_distance(pair.nearest)}"
+            yield line.rstrip()
+            if pair.is_near_miss and pair.nearest:
+                yield f"      {wrap(_pose(pair.nearest), _WIDTH, indent=6, used=6)}"
+        if len(one.pairs) > _MOST:
+            yield f"  and {len(one.pairs) - _MOST} more"
+    for note in _notes(matrix, comparison):
+        yield ""
+        yield wrap(printable(note), _WIDTH)
+
+
+def _aligned(names: Sequence[str]) -> list[str]:
+    """Names that take as many columns as the widest of them."""
+    cells = [printable(name) for name in names]
+    wide = max(map(columns, cells))
+    return [cell + " " * (wide - columns(cell)) for cell in cells]
+
+
+def markdown(matrix: Matrix, comparison: Comparison | None) -> str:
+    """For a page or a comment."""
+    sections = [f"### Collisions of {escape(_title(matrix))}\n"]
+    counts = [
+        (verdict.value, str(len(found)), meaning)
+        for verdict, meaning in _MEANING.items()
+        if (found := matrix.of(verdict))
+    ]
+    sections.append(table(("pairs", "", ""), counts))
+    for one in _lists(matrix, comparison):
+        rows = [
+            (escape(p.first), escape(p.second), _frequency(p), _distance(p.nearest))
+            for p in one.pairs
+        ]
+        sections.append(f"**{escape(one.title)}**\n")
+        sections.append(table(("link", "link", "collide", "nearest"), rows))
+    sections += [f"{escape(note)}\n" for note in _notes(matrix, comparison)]
+    return "\n".join(sections)
+
+
+def as_json(matrix: Matrix, comparison: Comparison | None) -> dict[str, Any]:
+    """For programs."""
+    found: dict[str, Any] = {
+        "version": VERSION,
+        "robot": matrix.robot,
+        "samples": matrix.samples,
+        "asked": matrix.asked,
+        "counted": matrix.counted,
+        "seed": matrix.seed,
+        "applies_units": matrix.applies_units,
+        "pairs": [_pair(pair) for pair in matrix.pairs],
+        "omitted": [one._asdict() for one in matrix.omitted],
+    }
+    if comparison is not None:
+        found["compared"] = {
+            "agreed": comparison.agreed,
+            "hidden": [[pair.first, pair.second] for pair in comparison.hidden],
+            "watched": [[pair.first, pair.second] for pair in comparison.watched],
+        }
+    return found
+
+
+def _pair(pair: PairResult) -> dict[str, Any]:
+    return {
+        "links": [pair.first, pair.second],
+        "verdict": pair.verdict.value,
+        "frequency": pair.frequency,
+        "distance": pair.nearest.distance if pair.nearest else None,
+        "pose": pair.nearest.pose if pair.nearest else None,
+    }
+
+
+def _title(matrix: Matrix) -> str:
+    links = {name for pair in matrix.pairs for name in (pair.first, pair.second)}
+    name = printable(matrix.robot) or "(no name)"
+    return (
+        f"{name}: {len(matrix.pairs)} pairs of {len(links)} links, {matrix.samples} samples, "
+        f"seed {matrix.seed}"
+    )
+
+
+def _lists(matrix: Matrix, comparison: Comparison | None) -> Iterator[_List]:
+    """What deserves a list: never the pairs that nobody has to care for."""
+    often = sorted(matrix.of(Verdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
+    named = [
+        ("collide where the robot begins", matrix.of(Verdict.DEFAULT)),
+        ("always collide", matrix.of(Verdict.ALWAYS)),
+        ("can collide", often),
+        (f"never collide, and come nearer than {1000 * NEAR:g} mm", matrix.near_misses),
+    ]
+    if comparison is not None:
+        named += [
+            ("disabled by the SRDF, and can collide", list(comparison.hidden)),
+            ("checked by the SRDF, and need not be", list(comparison.watched)),
+        ]
+    for title, pairs in named:
+        if pairs:
+            yield _List(title, pairs)
+
+
+def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
+    rare = [pair for pair in matrix.of(Verdict.DEFAULT) if (pair.frequency or 1) < 0.5]
+    if rare:
+        them = "1 of the pairs" if len(rare) == 1 else f"{len(rare)} of the pairs"
+        yield (
+            f"{them} that collide where the robot begins do so in few samples only. An SRDF will "
+            "not have them checked: let the robot begin elsewhere, with --pose or --joint."
+        )
+    if matrix.samples < matrix.asked:
+        yield f"Stopped after {matrix.samples} of {matrix.asked} samples: more showed nothing new."
+    if comparison is not None:
+        differences = len(comparison.hidden) + len(comparison.watched)
+        yield (
+            f"The SRDF disables {comparison.agreed} pairs for good reason, and differs from this "
+            f"matrix in {differences or 'none'}."
+        )
+    if matrix.units:
+        done = "applied" if matrix.applies_units else "ignored, as MoveIt does"
+        yield (
+            f"{len(matrix.units)} collision meshes state another unit than the metre, which was "
+            f"{done} (--units)."
+        )
+    for one in matrix.omitted[:_MOST]:
+        yield f"left out: collision {one.number + 1} of link '{one.link}': {one.reason}"
+    if len(matrix.omitted) > _MOST:
+        yield f"left out: {len(matrix.omitted) - _MOST} more"
+
+
+def _frequency(pair: PairResult) -> str:
+    if pair.frequency is None or pair.verdict in (Verdict.NEVER, Verdict.ADJACENT):
+        return ""
+    return f"{100 * pair.frequency:.1f} %" if pair.frequency else "rarely"
+
+
+def _distance(nearest: Nearest | None) -> str:
+    if nearest is None:
+        return ""
+    if nearest.distance < 0:
+        return f"{-1000 * nearest.distance:.1f} mm deep"
+    return f"{1000 * nearest.distance:.2g} mm apart"
+
+
+def _pose(nearest: Nearest) -> str:
+    return "at " + ", ".join(f"{printable(n)} {v:.3g}" for n, v in nearest.pose.items())
