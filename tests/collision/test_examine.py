@@ -17,6 +17,7 @@ from urdfkit.collision.examine import SLACK, Examiner, Pair
 from urdfkit.collision.forms import TOUCH, form
 from urdfkit.collision.solids import solids
 from urdfkit.loading import read
+from urdfkit.meshes.geometry import Floats
 from urdfkit.subject import Subject
 
 
@@ -25,7 +26,7 @@ def examiner(subject: Subject) -> Examiner:
     return Examiner(chain(subject.tree), map(form, bodies))
 
 
-def everything(one: Examiner, pair: Pair, rows: np.ndarray) -> np.ndarray:
+def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
     """(n,): the signed distance of two links, each of their bodies measured in each sample."""
     frames = one.frames(rows, pair)
     found = np.full(len(rows), inf)
@@ -55,7 +56,7 @@ def arm(folder: Path) -> Subject:
     )
 
 
-def agree(one: Examiner, rows: np.ndarray) -> int:
+def agree(one: Examiner, rows: Floats) -> int:
     """Compare the shortcuts with measuring everything; how many collisions there are."""
     pairs = list(combinations(one.links, 2))
     counted = one.look(pairs).at(rows, count=True)
@@ -115,9 +116,10 @@ def test_what_is_beyond_the_limit_is_passed_over(tmp_path: Path) -> None:
     )
     rows = one.chain.default[None]
     (seen,) = one.look([(0, 1)]).at(rows, count=True)
-    assert seen == (0, pytest.approx(0.8), 0)
+    assert (seen.hits, seen.row) == (0, 0)
+    assert seen.distance == pytest.approx(0.8)
     (seen,) = one.look([(0, 1)], [0.5]).at(rows, count=True)
-    assert seen == (0, 0.5, -1)
+    assert (seen.hits, seen.distance, seen.row) == (0, 0.5, -1)
 
 
 def test_memory_is_that_of_a_block() -> None:

@@ -15,6 +15,7 @@ from tests.collision.robots import box, cube, cylinder, link, mesh, robot, spher
 from urdfkit.collision.bounds import Cover, apart, moved, poses
 from urdfkit.collision.forms import TOUCH, Form, Gauge, form, volume
 from urdfkit.collision.solids import solids
+from urdfkit.meshes.geometry import Floats
 
 SAME = np.eye(3)
 
@@ -86,7 +87,7 @@ def test_the_volume_of_a_cube(tmp_path: Path) -> None:
     assert volume(one.solid.vertices, one.solid.faces) == pytest.approx(1)
 
 
-def rotations(count: int, seed: int) -> np.ndarray:
+def rotations(count: int, seed: int) -> Floats:
     """Random rotations (n, 3, 3)."""
     matrices = np.linalg.qr(np.random.default_rng(seed).normal(size=(count, 3, 3)))[0]
     matrices[:, :, 0] *= np.linalg.det(matrices)[:, None]

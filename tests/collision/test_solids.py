@@ -57,7 +57,10 @@ def test_what_cannot_be_used_is_left_out_with_the_reason(shape: str, reason: str
     assert omitted == (Omitted("a", 0, reason),)
 
 
-FLAT = [[[0.0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1.0, 0, 0], [1, 1, 0], [0, 1, 0]]]
+FLAT = [
+    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+]
 
 
 def test_a_flat_mesh_has_no_hull_and_does_no_harm(tmp_path: Path) -> None:
@@ -82,7 +85,7 @@ def test_triangles_without_area_or_finite_corners_are_dropped(tmp_path: Path) ->
 
 
 def test_a_mesh_without_any_area_is_left_out(tmp_path: Path) -> None:
-    line = [[[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]]
+    line = [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]]
     _, omitted = made(robot(link("a", mesh(stl(tmp_path / "line.stl", line)))))
     assert omitted == (Omitted("a", 0, "none of its triangles has an area"),)
     _, omitted = made(robot(link("a", mesh(cube(tmp_path / "c.stl", 0.5), "0 0 0"))))
