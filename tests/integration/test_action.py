@@ -83,6 +83,7 @@ def runner(tmp_path: Path) -> Runner:
     program = tmp_path / "temp" / "urdfkit" / "bin" / "urdfkit"
     program.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" -m urdfkit "$@"\n')
     program.chmod(0o755)
+    program.with_name("python").symlink_to(sys.executable)
     shutil.copytree(MODELS, tmp_path / "robots")
     return Runner(tmp_path / "robots", tmp_path / "temp")
 
@@ -93,9 +94,13 @@ def test_it_installs_this_urdfkit(tmp_path: Path) -> None:
     """From a package registry, with the oldest rules of pip: nothing of the job is touched."""
     runner = Runner(tmp_path, tmp_path)
     runner.values["steps.python.outputs.python-path"] = sys.executable
-    done = runner.run("Install")
+    done = runner.run("Install", reports="false")
     assert done.returncode == 0, done.stderr
     program = tmp_path / "urdfkit" / "bin" / "urdfkit"
+    heavy = subprocess.run(
+        [program.with_name("python"), "-c", "import numpy"], check=False, capture_output=True
+    )
+    assert heavy.returncode != 0, "no extra was asked for"
     told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
     assert told.stdout.startswith("urdfkit ")
 
@@ -124,6 +129,36 @@ def test_findings_are_told_everywhere(runner: Runner) -> None:
     assert result["ruleId"] == "MSH001"
     assert "error **MSH001**" in runner.summary.read_text()
     assert runner.run("Result").returncode == 1
+
+
+@needs_bash
+def test_each_robot_gets_a_report_and_a_picture(runner: Runner) -> None:
+    pytest.importorskip("jinja2")
+    pytest.importorskip("PIL")
+    runner.run(
+        "Check", files="good/gripper.urdf\ngazebo_pkg/launch/view_waking_robot.launch\nunused:=1"
+    )
+    done = runner.run("Reports", files="unused:=1")
+    assert done.returncode == 0, done.stderr
+    reports = Path(runner.values["steps.check.outputs.reports"])
+    assert sorted(path.name for path in reports.glob("[0-9]*")) == [
+        "1-gripper.urdf.html",
+        "1-gripper.urdf.png",
+        "2-waking_robot_new.xacro.html",
+        "2-waking_robot_new.xacro.png",
+    ]
+    assert (reports / "1-gripper.urdf.png").read_bytes().startswith(b"\x89PNG")
+    assert b"gripper" in (reports / "1-gripper.urdf.html").read_bytes()
+
+
+@needs_bash
+def test_the_summary_leads_to_what_was_uploaded(runner: Runner) -> None:
+    runner.run("Check", files="good")
+    runner.values["steps.artifact.outputs.artifact-url"] = "https://example.org/a?b=1"
+    runner.values["steps.picture.outputs.artifact-url"] = ""
+    assert runner.run("Links").returncode == 0
+    assert runner.summary.read_text().endswith("\n[All reports](https://example.org/a?b=1)\n")
+    assert "Picture" not in runner.summary.read_text()
 
 
 @needs_bash
@@ -175,7 +210,7 @@ def test_a_robot_of_a_stranger_gives_the_runner_no_commands(runner: Runner) -> N
 
 def test_inputs_reach_the_shell_as_variables_only() -> None:
     scripts = [step["run"] for step in STEPS if "run" in step]
-    assert len(scripts) == 3
+    assert len(scripts) == 5
     assert not any("${{" in script for script in scripts)
     assert all(step["shell"] == "bash" for step in STEPS if "run" in step)
 
@@ -183,7 +218,7 @@ def test_inputs_reach_the_shell_as_variables_only() -> None:
 def test_every_action_is_pinned_to_a_commit() -> None:
     text = (ROOT / "action.yml").read_text(encoding="utf-8") + WORKFLOW.read_text(encoding="utf-8")
     used = re.findall(r"^ *(?:- )?uses: (\S+)(?: # (v[\d.]+))?", text, re.MULTILINE)
-    assert len(used) == 5
+    assert len(used) == 6
     for name, version in used:
         assert name == "./" or re.fullmatch(r"[\w./-]+@[0-9a-f]{40}", name)
         assert name == "./" or version
@@ -220,7 +255,7 @@ def test_the_script_of_gitlab(runner: Runner) -> None:
     environment = {
         **os.environ,
         **GITLAB["variables"],
-        "URDFKIT_FILES": "good bad/broken_meshes.urdf",
+        "URDFKIT_FILES": "good/gripper.urdf bad/broken_meshes.urdf",
         "PATH": f"{binaries}{os.pathsep}{os.environ['PATH']}",
     }
     done = subprocess.run(
@@ -235,4 +270,10 @@ def test_the_script_of_gitlab(runner: Runner) -> None:
     assert "bad/broken_meshes.urdf" in done.stdout
     for report in job["artifacts"]["reports"].values():
         assert (runner.workspace / report).stat().st_size > 0
+    after = ["bash", "-e", "-o", "pipefail", "-c", "\n".join(job["after_script"])]
+    done = subprocess.run(
+        after, check=False, cwd=runner.workspace, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert (runner.workspace / "robots").read_text().splitlines()[0] == "good/gripper.urdf"
     assert (runner.workspace / "urdfkit-reports" / "summary.md").read_text().startswith("### ")
