@@ -21,6 +21,7 @@ VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 @click.option("-o", "--output", "path", required=True, metavar="FILE", help="robot.png, .webp ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
+@click.option("--findings", is_flag=True, help="Links with errors red, with warnings orange.")
 @click.option("--azimuth", type=float, help="Of the camera, in degrees from the front to the left.")
 @click.option("--elevation", type=float, help="Of the camera, in degrees above the horizon.")
 @click.option("--distance", type=float, help="Of the camera, in m. [default: all in view]")
@@ -38,6 +39,7 @@ def command(
     path: str,
     views: tuple[str, ...],
     layers: tuple[str, ...],
+    findings: bool,
     azimuth: float | None,
     elevation: float | None,
     distance: float | None,
@@ -59,6 +61,7 @@ def command(
     Exit codes: 0 done, 2 it cannot be done.
     """
     from urdfkit import poses, render
+    from urdfkit.engine import check
     from urdfkit.loading import read
 
     values = {options.FILES: words, "package": package, "view": views, "layers": layers}
@@ -66,12 +69,8 @@ def command(
     if len(files) != 1:
         raise options.UsageError("render takes one file; xacro arguments are written name:=value")
     named = options.words(values, "view") or ["iso"]
-    robot = read(
-        files[0],
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        trust=trust,
-    )
+    arguments, packages = options.arguments(values), options.packages(values)
+    robot = read(files[0], arguments=arguments, packages=packages, trust=trust)
     positions = poses.pose(robot, _joints(joints), pose)
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
@@ -81,6 +80,9 @@ def command(
         [layer for layer in shown if layer not in roles],
         positions,
     )
+    if findings:
+        report = check(robot.source, arguments=arguments, packages=packages, trust=trust)
+        scene = render.marked(scene, robot, report.diagnostics)
     image = render.picture(
         scene,
         VIEWS if named == ["all"] else named,

@@ -12,12 +12,13 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__, rules
+from urdfkit.addresses import Places
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats import json as as_json
 from urdfkit.page import tables
-from urdfkit.page.findings import Places, findings
+from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source

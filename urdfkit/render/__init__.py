@@ -17,6 +17,7 @@ from urdfkit.errors import MissingLibrary
 try:
     from urdfkit.render.camera import VIEWS, Camera, looking
     from urdfkit.render.draw import QUALITIES, STUDIO, Background, draw
+    from urdfkit.render.findings import marked
     from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.looks import Look
     from urdfkit.render.picture import PictureError, colour, picture, save
@@ -44,6 +45,7 @@ __all__ = [
     "draw",
     "explained",
     "looking",
+    "marked",
     "picture",
     "save",
 ]

@@ -1,0 +1,72 @@
+"""A robot whose parts with findings stand out, with the codes beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from urdfkit.addresses import Places
+from urdfkit.diagnostic import Diagnostic, Severity
+from urdfkit.render.layers import middle
+from urdfkit.render.looks import PLACEHOLDER, Colour, Look
+from urdfkit.render.scene import Item, Label, Scene
+from urdfkit.subject import Subject
+
+COLOURS: Mapping[Severity, Colour] = {
+    Severity.ERROR: (0.87, 0.13, 0.13, 1.0),
+    Severity.WARNING: (1.0, 0.62, 0.05, 1.0),
+}
+#: What has no findings steps back.
+QUIET: Colour = (0.80, 0.82, 0.85, 1.0)
+#: Codes that are written beside a link; the rest is counted.
+MAX_CODES = 4
+
+
+def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) -> Scene:
+    """A scene in which the links with errors are red and those with warnings orange.
+
+    Findings that concern no link, such as those about a macro, have no place in it.
+
+    Args:
+        scene: the robot.
+        subject: its description.
+        diagnostics: of a check of it.
+    """
+    found = by_link(subject, diagnostics)
+    items = tuple(
+        item if item.look.sign else _painted(item, found.get(item.link, ())) for item in scene.items
+    )
+    labels = tuple(
+        Label(_text(told), link, middle(scene, link))
+        for link, told in found.items()
+        if link in scene.frames
+    )
+    return scene._replace(items=items, labels=(*scene.labels, *labels))
+
+
+def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
+    """The errors and warnings that concern each link, the worst first."""
+    places = Places(subject.model)
+    found: dict[str, list[Diagnostic]] = {}
+    for diagnostic in sorted(diagnostics, key=lambda one: (one.severity.rank, one.code)):
+        if diagnostic.severity in COLOURS:
+            concerned = (places.link(call.element) for call in diagnostic.calls)
+            for link in dict.fromkeys(name for name in concerned if name):
+                found.setdefault(link, []).append(diagnostic)
+    return found
+
+
+def _painted(item: Item, told: Sequence[Diagnostic]) -> Item:
+    """An item in the colour of its worst finding; the stripes of a missing mesh stay."""
+    alpha = item.look.rgba[3]
+    if not told:
+        return item._replace(look=Look((*QUIET[:3], alpha)), colors=None)
+    if item.look == PLACEHOLDER:
+        return item
+    colour = COLOURS[told[0].severity]
+    return item._replace(look=Look((*colour[:3], alpha)), colors=None)
+
+
+def _text(told: Sequence[Diagnostic]) -> str:
+    codes = list(dict.fromkeys(diagnostic.code for diagnostic in told))
+    rest = len(codes) - MAX_CODES
+    return " ".join(codes[:MAX_CODES]) + (f" +{rest}" if rest > 0 else "")
