@@ -40,6 +40,39 @@ def test_the_verdict_of_each_program_is_its_own() -> None:
     assert (drake["verdict"], drake["error"], drake["warning"]) == ("good", 0, 0)
 
 
+def test_statics_are_those_of_a_beam(tmp_path: Path) -> None:
+    """2 kg at 0.5 m from a horizontal axis: m g r, of an effort of 20 N m."""
+    pytest.importorskip("pinocchio")
+    robot = tmp_path / "beam.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"/><link name="b"><inertial><origin xyz="0.5 0 0"/>'
+        '<mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+        '</link><joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+        '<axis xyz="0 1 0"/><limit lower="-1" upper="2" effort="20" velocity="1"/></joint></robot>'
+    )
+    (load,) = describe(str(robot))[0]["statics"]["joints"]
+    assert load["worst"] == pytest.approx(2 * 9.81 * 0.5, rel=1e-3)
+    assert load["used"] == pytest.approx(load["worst"] / 20)
+    assert (load["joint"], load["unit"], load["exceeded"]) == ("j", "N m", False)
+    quick, _ = describe(str(robot), quick=True)
+    assert quick["statics"] is None
+    assert "statics" not in quick["missing"]
+
+
+def test_a_box_stands_and_tips_where_its_edge_is(tmp_path: Path) -> None:
+    """A cube of 1 m with its mass in the middle: 0.5 m to every edge, 45 degrees of slope."""
+    robot = tmp_path / "cube.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"><inertial><mass value="2"/><inertia ixx="1" ixy="0" '
+        'ixz="0" iyy="1" iyz="0" izz="1"/></inertial><collision><geometry><box size="1 1 1"/>'
+        "</geometry></collision></link></robot>"
+    )
+    standing = describe(str(robot))[0]["standing"]
+    assert standing["margin"] == pytest.approx(0.5)
+    assert standing["angle"] == pytest.approx(0.7853981633974483)
+    assert standing["tips"] is False
+
+
 def test_a_finding_knows_its_links_joints_and_lines(tmp_path: Path) -> None:
     robot = tmp_path / "robot.urdf"
     robot.write_text(

@@ -15,7 +15,7 @@ COLUMNS = {
     "findings": "severity code name message path line column element help".split(),
     "links": "name mass share center moments visuals collisions path line".split(),
     "joints": "name type parent child axis lower upper effort velocity path line".split(),
-    "meshes": "link role name path format size defect".split(),
+    "meshes": "link role name path format size triangles defect".split(),
 }
 #: A cell that begins with one of these is a formula to a spreadsheet.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")

@@ -42,6 +42,12 @@ _PARTS: dict[str, Callable[[Subject], object]] = {
     "meshes": tables.meshes,
 }
 
+#: Those that take a while.
+_LONG: dict[str, Callable[[Subject], object]] = {
+    "statics": tables.statics,
+    "standing": tables.standing,
+}
+
 
 def describe(
     file: str,
@@ -51,6 +57,7 @@ def describe(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    quick: bool = False,
 ) -> tuple[Document, Subject]:
     """Everything that is told of a robot, and the robot.
 
@@ -63,6 +70,7 @@ def describe(
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        quick: leave out what takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
@@ -82,13 +90,16 @@ def describe(
         config=config._replace(robots=()) if config else None,
     )
     subject = Subject(source, Resolver(every), values, trust=trust)
-    return _document(subject, report), subject
+    parts = _PARTS if quick else _PARTS | _LONG
+    return _document(subject, report, parts), subject
 
 
-def _document(subject: Subject, report: Report) -> Document:
-    parts: Document = {}
+def _document(
+    subject: Subject, report: Report, wanted: Mapping[str, Callable[[Subject], object]]
+) -> Document:
+    parts: Document = dict.fromkeys(_LONG)
     missing: dict[str, str] = {}
-    for name, part in _PARTS.items():
+    for name, part in wanted.items():
         try:
             parts[name] = part(subject)
         except Unavailable as reason:

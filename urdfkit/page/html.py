@@ -11,7 +11,7 @@ import hashlib
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from math import log10
+from math import degrees, log10
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
@@ -120,6 +120,7 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
                 ("masses", "Masses and inertias", document["links"]),
                 ("joints", "Joints", document["joints"]),
                 ("meshes", "Meshes", document["meshes"]),
+                ("statics", "Statics", document["statics"] or document["standing"]),
                 ("gazebo", "In Gazebo", document["gazebo"]),
             )
             if there
@@ -149,6 +150,7 @@ def _environment() -> Environment:
         undefined=StrictUndefined,
     )
     environment.filters |= {
+        "degrees": lambda angle: _number(degrees(angle)),
         "dots": _dots,
         "number": _number,
         "printable": printable,

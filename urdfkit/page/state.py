@@ -92,6 +92,7 @@ def read(wish: Wish) -> State:
         targets=wish.targets,
         trust=wish.trust,
         config=wish.config,
+        quick=True,
     )
     drawings, scene = drawn(document, subject, has_pictures=False)
     stamps = {path: stamp(path) for path in files_of(subject, document)}
