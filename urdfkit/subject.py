@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.launch import FileUse, Launch
     from urdfkit.masses import Masses
     from urdfkit.model import RobotModel
+    from urdfkit.parameters import Unread
     from urdfkit.plugins import Use
     from urdfkit.resolve import Resolver
     from urdfkit.srdf import Srdf
@@ -235,6 +236,13 @@ class Subject:
         from urdfkit.plugins import uses
 
         return uses(self.model, self.targets)
+
+    @cached_property
+    def unread(self) -> tuple[tuple[Use, Unread], ...]:
+        """The tags that those plugins are given and do not read."""
+        from urdfkit.parameters import unread
+
+        return tuple((use, found) for use in self.plugins for found in unread(use))
 
     @cached_property
     def srdf(self) -> Srdf | None:

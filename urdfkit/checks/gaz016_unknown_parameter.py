@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
-from urdfkit.parameters import unread
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -41,8 +40,7 @@ GOOD = BAD.replace("    <enableYAxis>true</enableYAxis>\n", "")
     help="remove it",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.plugins:
-        for found in unread(use):
-            if found.meant is None and found.other is None:
-                path = "> in <".join(reversed(found.item.path.split("/")))
-                yield Finding(found.item.at, f"{use.title} does not read <{path}>")
+    for use, found in subject.unread:
+        if found.meant is None and found.other is None:
+            path = "> in <".join(reversed(found.item.path.split("/")))
+            yield Finding(found.item.at, f"{use.title} does not read <{path}>")

@@ -14,7 +14,6 @@ from urdfkit.catalog.plugins import renames
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
 from urdfkit.edits import rename_element
-from urdfkit.parameters import unread
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -52,22 +51,20 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.plugins:
-        given = {item.path for item in use.items}
-        for found in unread(use):
-            if found.other is None or use.plugin is None:
-                continue
-            element = found.item.at
-            assert isinstance(element, Element)
-            new = _renamed(found.item, use.plugin)
-            edits = rename_element(element, new) if new and new not in given else None
-            yield Finding(
-                element,
-                f"{use.title} reads <{element.tag}> in {_NAMES[found.other.generation]}, and "
-                f"nothing of that name in {_NAMES[use.plugin.generation]}",
-                f"write <{new}>" if new else _advice(found.item, use.plugin),
-                Fix(f"rename it to <{new}>", edits) if edits else None,
-            )
+    for use, found in subject.unread:
+        if found.other is None or use.plugin is None:
+            continue
+        element = found.item.at
+        assert isinstance(element, Element)
+        new = _renamed(found.item, use.plugin)
+        edits = rename_element(element, new) if new and not use.values(new) else None
+        yield Finding(
+            element,
+            f"{use.title} reads <{element.tag}> in {_NAMES[found.other.generation]}, and "
+            f"nothing of that name in {_NAMES[use.plugin.generation]}",
+            f"write <{new}>" if new else _advice(found.item, use.plugin),
+            Fix(f"rename it to <{new}>", edits) if edits else None,
+        )
 
 
 def _renamed(item: Item, plugin: Plugin) -> str | None:

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
 from urdfkit.edits import rename_element
-from urdfkit.parameters import unread
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -43,16 +42,15 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.plugins:
-        for found in unread(use):
-            if found.meant is None or found.other is not None:
-                continue
-            element, name = found.item.at, found.meant.rpartition("/")[2]
-            assert isinstance(element, Element)
-            edits = rename_element(element, name)
-            yield Finding(
-                element,
-                f"{use.title} does not read <{element.tag}>",
-                f"did you mean <{name}>?",
-                Fix(f"rename it to <{name}>", edits) if edits else None,
-            )
+    for use, found in subject.unread:
+        if found.meant is None or found.other is not None:
+            continue
+        element, name = found.item.at, found.meant.rpartition("/")[2]
+        assert isinstance(element, Element)
+        edits = rename_element(element, name)
+        yield Finding(
+            element,
+            f"{use.title} does not read <{element.tag}>",
+            f"did you mean <{name}>?",
+            Fix(f"rename it to <{name}>", edits) if edits else None,
+        )
