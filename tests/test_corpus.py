@@ -86,6 +86,8 @@ def test_the_findings_are_those_that_were_read(entry: tuple[Path, dict[str, Any]
     assert report.crashed == ()
     now = corpus_findings.counts(report)
     before = corpus_findings.read().get(str(model_id(entry)), {})
+    for skipped in report.skipped:  # what it needs is not installed
+        before.pop(skipped.code, None)
     changes = [
         f"{code}: {before.get(code, 0)} -> {now.get(code, 0)}"
         for code in sorted({*before, *now})

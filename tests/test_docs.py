@@ -16,6 +16,7 @@ WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("bench
 
 
 def test_the_pages_of_the_rules_are_up_to_date() -> None:
+    pytest.importorskip("pinocchio", reason="the examples of some rules need it")
     written = {page.name: page.read_text(encoding="utf-8") for page in generate.FOLDER.iterdir()}
     assert written == generate.pages(), "run: python docs/generate.py"
 
@@ -27,7 +28,8 @@ def test_the_report_in_readme_is_what_is_printed() -> None:
 
 
 def test_every_rule_has_a_page() -> None:
-    assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rules.codes()}
+    written = {page.name for page in generate.FOLDER.iterdir()}
+    assert written == {"README.md"} | {f"{code}.md" for code in rules.codes()}
 
 
 @pytest.mark.parametrize("document", WRITTEN, ids=lambda path: path.name)

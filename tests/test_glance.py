@@ -38,6 +38,7 @@ def test_a_plain_robot_needs_none_of_these_rules() -> None:
     others |= {"GEO002", "GEO003", "GEO004", "GEO007", "GEO009", "GEO010", "GEO011"}
     others |= {"NAM003", "NAM005", *glance.ABOUT_WORDS}
     others |= glance.ABOUT_SIZES | glance.ABOUT_SCALES | glance.ABOUT_PLUGINS | glance.ABOUT_SENSORS
+    others |= glance.ABOUT_STATICS
     others |= glance.ABOUT_COMPONENTS | glance.ABOUT_TRANSMISSIONS
     assert silent(subject) == (
         glance.ABOUT_TREES | glance.ABOUT_NAMES | glance.ABOUT_AXES | glance.ABOUT_LIMITS | others

@@ -72,6 +72,9 @@ ABOUT_WORDS = {
 ABOUT_COMPONENTS = frozenset(f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18))
 ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016"))
 
+#: Silent if nothing moves, or nothing weighs.
+ABOUT_STATICS = frozenset(("DYN003", "DYN004", "DYN005", "DYN006"))
+
 #: Silent if all sizes are positive.
 ABOUT_SIZES = frozenset(("GEO001", "GEO012"))
 
@@ -97,6 +100,7 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
         codes |= ABOUT_TRANSMISSIONS
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
+    codes |= _about_statics(model, tree)
     if len(model.joints) < 1000:
         codes.add("TRE009")
     return codes
@@ -108,6 +112,21 @@ def is_controlled(model: RobotModel) -> bool:
         return True
     plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
     return any("control" in (plugin.get("filename") or "") for plugin in plugins)
+
+
+def _about_statics(model: RobotModel, tree: KinematicTree) -> set[str]:
+    """Gravity has nothing to ask where nothing moves or weighs."""
+    moves = any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints)
+    if not moves or not any(link.mass for link in model.links):
+        return set(ABOUT_STATICS)
+    from urdfkit.loads import idle, light, overloadable
+
+    about = {"DYN003": overloadable, "DYN005": light, "DYN006": idle}
+    codes = {code for code, doubtful in about.items() if not doubtful(tree)}
+    # What stands on one end of a row of links is bolted down.
+    if not any(len(joints) > 1 for joints in tree.children.values()):
+        codes.add("DYN004")
+    return codes
 
 
 def _about_joints(model: RobotModel) -> set[str]:

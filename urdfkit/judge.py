@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
 
 #: Families of rules that look at the document or the robot in it.
-_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH GAZ RCT SRD PKG".split())
+_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -161,6 +161,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         waiting |= glance.silent(model, subject.tree)
         waiting |= _silent_about_packages(subject, reading.document.sources)
         silent |= _silent_families(subject)
+        if "pinocchio" not in subject.given_targets:
+            waiting |= {"DYN001", "DYN002"}
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         elif not rules.TOLD_BY_FILES.isdisjoint(chosen):

@@ -1,4 +1,4 @@
-"""What gravity can ask of a joint at most, without computing a single pose.
+"""What hangs on the joints: what gravity can ask of each at most, without computing a pose.
 
 The weight below a joint at the longest lever that its links can make: an upper bound that costs
 one walk over the tree. Where it is under the effort of a joint, no pose overloads that joint.
@@ -11,12 +11,15 @@ from math import hypot, isfinite
 
 from urdfkit.joints import bounds
 from urdfkit.kinematics import SLIDING, TURNING, laws
-from urdfkit.model import Joint
-from urdfkit.rigid import mass_of
+from urdfkit.model import DEGREES_OF_FREEDOM, Joint
+from urdfkit.rigid import mass_of, rigid_bodies
 from urdfkit.tree import KinematicTree
 
 #: Standard gravity as simulators have it, in m/s^2.
 GRAVITY = 9.81
+
+#: A body this much lighter than what it carries may make the mass matrix ill-conditioned.
+LIGHT = 1e-4
 
 
 def effort(joint: Joint) -> float | None:
@@ -85,3 +88,52 @@ def _travel(joint: Joint) -> float:
     """How far a slide takes its child from its origin at most."""
     ends = bounds(joint) if joint.kind in SLIDING else None
     return max(map(abs, ends)) if ends else 0.0
+
+
+def light(tree: KinematicTree) -> list[Joint]:
+    """The joints whose own body weighs next to nothing beside what it carries by other joints.
+
+    Args:
+        tree: of the model; of one that is not sound there are none.
+    """
+    if not tree.is_sound:
+        return []
+    bodies = rigid_bodies(tree)
+    tops = {body.top.name: body for body in bodies}
+    below = {body.top.name: body.mass for body in bodies}
+    for body in reversed(bodies):
+        for link, _ in body.links:
+            for joint in tree.children[link.name]:
+                if joint.child and joint.child.value in tops:
+                    below[body.top.name] += below[joint.child.value]
+    return [
+        body.joint
+        for body in bodies
+        if body.joint
+        and below[body.top.name] > body.mass
+        and body.mass < LIGHT * below[body.top.name]
+    ]
+
+
+def idle(tree: KinematicTree) -> list[Joint]:
+    """The joints that move nothing: below them nothing weighs, is seen or can be touched.
+
+    Args:
+        tree: of the model; of one that is not sound there are none.
+    """
+    if not tree.is_sound:
+        return []
+    used: set[str] = set()
+    for name in reversed(tree.below(tree.roots[0].name)):
+        link = tree.model.links_by_name[name]
+        below = (joint.child.value for joint in tree.children[name] if joint.child)
+        if mass_of(link) or link.visuals or link.collisions or not used.isdisjoint(below):
+            used.add(name)
+    return [
+        joint
+        for joint in tree.model.joints
+        if joint.kind in DEGREES_OF_FREEDOM
+        and not joint.mimic
+        and joint.child
+        and joint.child.value not in used
+    ]

@@ -78,6 +78,7 @@ class Need(Enum):
     GAZEBO = "gazebo"  # what Gazebo makes of the model
     LAUNCH = "launch"  # the launch file
     SRDF = "srdf"  # MoveIt's file beside the model
+    DYNAMICS = "dynamics"  # the robot in Pinocchio, or what Pinocchio says of it
 
 
 class Written(Record):

@@ -14,6 +14,7 @@ from urdfkit.source import Source
 if TYPE_CHECKING:
     from urdfkit.collision.robot import Collisions
     from urdfkit.diagnostic import Diagnostic
+    from urdfkit.dynamics.opinion import Opinion
     from urdfkit.dynamics.robot import Dynamics
     from urdfkit.expansion import Xacro
     from urdfkit.files import Files
@@ -30,6 +31,9 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
     from urdfkit.tree import KinematicTree
     from urdfkit.triangles import Meshes
+
+
+_WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
 
 
 class Unavailable(Exception):
@@ -285,9 +289,7 @@ class Subject:
         try:
             from urdfkit.dynamics.robot import Dynamics, Unsuitable
         except ImportError as error:
-            raise Unavailable(
-                f"Pinocchio is not installed ({error}): pip install 'urdfkit[dynamics]'"
-            ) from error
+            raise Unavailable(_WITHOUT_PINOCCHIO.format(error)) from error
         try:
             return Dynamics(self.tree)
         except Unsuitable as reason:
@@ -307,6 +309,26 @@ class Subject:
                 f"coal is not installed ({error}): pip install 'urdfkit[dynamics]'"
             ) from error
         return Collisions(self)
+
+    @cached_property
+    def opinion(self) -> Opinion:
+        """What Pinocchio itself makes of the text.
+
+        Raises:
+            Unavailable: Pinocchio is not installed.
+        """
+        from importlib.util import find_spec
+
+        if find_spec("pinocchio") is None:
+            raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
+        from urdfkit.dynamics.opinion import opinion
+
+        return opinion(self.text)
+
+    @property
+    def given_targets(self) -> tuple[str, ...]:
+        """The consumers that were named; none where they are to be inferred."""
+        return self._given_targets.names if self._given_targets else ()
 
     @cached_property
     def files(self) -> Files:

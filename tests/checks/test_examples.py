@@ -24,9 +24,16 @@ PARTS = {
     Need.GAZEBO: {"gazebo", "plugins"},
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
+    Need.DYNAMICS: {"dynamics", "opinion"},
 }
 
 pytestmark = pytest.mark.parametrize("code", rules.codes())
+
+
+@pytest.fixture(autouse=True)
+def _what_it_needs(code: str) -> None:
+    if Need.DYNAMICS in rules.get(code).needs:
+        pytest.importorskip("pinocchio")
 
 
 def example(rule: Rule, which: str) -> str:

@@ -1,0 +1,57 @@
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+from tests.jointed import joint, robot
+from tests.told import told
+from urdfkit import engine
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+
+pytest.importorskip("pinocchio")
+FOR = ("pinocchio",)
+
+LOST = '<link name="a"/><joint name="j" type="fixed"><parent link="x"/><child link="a"/></joint>'
+NO_EFFORT = joint("j", "revolute", '<limit lower="0" upper="1" velocity="1"/>')
+
+
+def test_the_reason_and_its_place() -> None:
+    (found,) = told("DYN001", robot(NO_EFFORT), targets=FOR)
+    assert found.message == "Pinocchio makes no model: joint [j]: limit has no effort"
+    assert found.span.line == 4
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (
+            '<link name="a"/><link name="b"/>',
+            "Failed to find root link: Two root links found: [a] and [b]",
+        ),
+        ('<link name="a"/><link name="a"/>', "link 'a' is not unique."),
+        (LOST, "Failed to build tree: parent link [x] of joint [j] not found"),
+    ],
+)
+def test_reasons(text: str, reason: str) -> None:
+    (found,) = told("DYN001", text, targets=FOR)
+    assert found.message == f"Pinocchio makes no model: {reason}"
+
+
+def test_nobody_asks_unless_the_robot_is_for_pinocchio() -> None:
+    assert told("DYN001", robot(NO_EFFORT)) == []
+    assert told("DYN001", robot(NO_EFFORT), targets=("ros2",)) == []
+
+
+def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    text = whole_robot(robot(NO_EFFORT)).encode()
+    report = engine.check(Source("r.urdf", text), select=["DYN001"], targets=FOR)
+    assert report.diagnostics == ()
+    (skipped,) = report.skipped
+    assert skipped.code == "DYN001"
+    assert "pip install 'urdfkit[dynamics]'" in skipped.reason

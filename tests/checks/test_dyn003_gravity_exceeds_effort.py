@@ -1,0 +1,72 @@
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import inertial, link
+from tests.test_loads import pendulum, swinging
+from tests.told import messages, places
+from urdfkit import engine
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
+
+pytest.importorskip("pinocchio")
+
+
+def test_the_torque_and_the_pose() -> None:
+    """2 kg at 0.7 m, level at a right angle."""
+    (message,) = messages("DYN003", pendulum("13.7"))
+    assert message in {
+        f"joint 'bob_joint': gravity asks 13.73 N m at bob_joint {sign}1.57; its effort is 13.7"
+        for sign in ("", "-")
+    }
+    assert places("DYN003", pendulum("13.7"))[0][1] == "13.7"
+
+
+@pytest.mark.parametrize("effort", ["13.8", "0"])
+def test_enough_effort_and_none_at_all(effort: str) -> None:
+    assert messages("DYN003", pendulum(effort)) == []
+
+
+def test_limits_keep_it_from_the_worst_pose() -> None:
+    short = pendulum("8").replace('lower="-3" upper="3"', 'lower="-0.5" upper="0.5"')
+    assert messages("DYN003", short) == []
+
+
+def test_a_vertical_axis_holds_nothing() -> None:
+    assert messages("DYN003", pendulum("1").replace("0 1 0", "0 0 1")) == []
+
+
+def test_robots_without_a_tree_or_a_mass() -> None:
+    assert messages("DYN003", pendulum("1") + link("island")) == []
+    assert messages("DYN003", link("a") + link("b") + swinging("b", "a", "1")) == []
+
+
+def test_numbers_of_no_robot_are_skipped_with_the_reason() -> None:
+    text = link("base") + link("bob", inertial(1e200, (1, 1, 1), xyz="0 0 1"))
+    source = Source("r.urdf", whole_robot(text + swinging("bob", "base", "1")).encode())
+    report = engine.check(source, select=["DYN003"])
+    assert report.diagnostics == ()
+    assert [one.reason for one in report.skipped] == [
+        "link 'bob' has a mass, place or inertia beyond all robots"
+    ]
+
+
+def test_without_pinocchio_it_is_skipped_where_it_matters_only(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    reports = [
+        engine.check(Source("r.urdf", whole_robot(pendulum(effort)).encode()), select=["DYN003"])
+        for effort in ("30", "3")
+    ]
+    assert [len(report.skipped) for report in reports] == [0, 1]
+    assert "pip install 'urdfkit[dynamics]'" in reports[1].skipped[0].reason
+
+
+def test_the_arm_of_our_own_holds_itself() -> None:
+    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+    assert engine.check(arm, select=["DYN"]).diagnostics == ()

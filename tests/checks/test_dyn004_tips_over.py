@@ -1,0 +1,58 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import MESH, inertial, joint, link, shape
+from tests.told import messages, told
+from urdfkit import engine
+
+BALL = shape("collision", '<sphere radius="0.05"/>')
+
+
+def on_wheels(center: str, casters: str = "-0.15 0 0", more: str = "") -> str:
+    text = link("base", inertial(3, (1, 1, 1), xyz=center), more)
+    for name, y in (("left", 0.1), ("right", -0.1)):
+        text += link(name, BALL) + joint("base", name, "continuous", f"0 {y} 0")
+    return text + link("caster", BALL) + joint("base", "caster", xyz=casters)
+
+
+def test_it_falls_forwards() -> None:
+    (found,) = told("DYN004", on_wheels("0.02 0 0.1"))
+    assert found.message == (
+        "the robot falls forwards (+x): its centre of mass is 0.02 m outside of what it stands "
+        "on, left, right, caster"
+    )
+    assert len(found.related) == 3
+
+
+@pytest.mark.parametrize("center", ["-0.01 0 0.1", "0 0 0.1", "0.0005 0 0.1"])
+def test_it_stands(center: str) -> None:
+    assert messages("DYN004", on_wheels(center)) == []
+
+
+def test_two_wheels_balance() -> None:
+    assert messages("DYN004", on_wheels("0.5 0 0", casters="-0.15 0 0.1")) == []
+
+
+def test_what_stands_on_its_base_is_bolted_down() -> None:
+    box = shape("collision", '<box size="0.2 0.2 0.1"/>')
+    arm = link("base", box, inertial(1, (1, 1, 1))) + link(
+        "arm", inertial(5, (1, 1, 1), xyz="1 0 0")
+    )
+    fingers = link("f") + joint("arm", "f", "revolute") + link("g") + joint("arm", "g", "revolute")
+    assert messages("DYN004", arm + joint("base", "arm", "revolute") + fingers) == []
+
+
+def test_what_is_fixed_to_the_world_does_not_fall() -> None:
+    text = link("world") + joint("world", "base") + on_wheels("0.5 0 0")
+    assert messages("DYN004", text) == []
+
+
+def test_a_mesh_may_reach_as_low() -> None:
+    assert messages("DYN004", on_wheels("0.5 0 0", more=shape("collision", MESH))) == []
+
+
+def test_models_of_our_own_stand() -> None:
+    for model in ("good/mobile_base/urdf/mobile_base.urdf.xacro",):
+        assert engine.check(MODELS / model, select=["DYN004"]).diagnostics == ()

@@ -1,0 +1,58 @@
+"""Pinocchio makes no model of the robot.
+
+Asked for with `--target pinocchio`: Pinocchio itself reads the expanded URDF, in a process of its
+own. Where it refuses, `buildModelFromUrdf` raises a ValueError that tells no reason; the reason
+goes to the standard error of the C++ library, and is repeated here. It refuses several roots,
+loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.model import RobotModel
+    from urdfkit.subject import Subject
+
+TARGETS = ("pinocchio",)
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <limit lower="-1" upper="1" velocity="2"/>
+</joint>"""
+GOOD = BAD.replace("velocity", 'effort="10" velocity')
+
+_NAME = re.compile(r"[\[']([^\]']+)[\]']")
+
+
+@rule(
+    "DYN001",
+    "pinocchio-rejects",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.DYNAMICS),
+    help="correct what it complains about; the other findings may say more",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if "pinocchio" in subject.targets.names and not subject.is_part:
+        refusal = subject.opinion.refusal
+        if refusal:
+            reason, _, _ = refusal.partition(".  ")  # what follows is advice
+            yield Finding(_place(subject.model, refusal), f"Pinocchio makes no model: {reason}")
+
+
+def _place(model: RobotModel, refusal: str) -> Element:
+    """What the reason names, else the robot."""
+    for name in _NAME.findall(refusal):
+        thing = model.joints_by_name.get(name) or model.links_by_name.get(name)
+        if thing:
+            return thing.at
+    return model.root

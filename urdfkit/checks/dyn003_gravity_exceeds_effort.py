@@ -1,0 +1,78 @@
+"""Gravity asks more of a joint than its effort.
+
+In some pose within the limits the joint must hold more than the `effort` of its `<limit>`:
+whatever the controller does, the robot sags or falls there. The poses are all joints at zero and
+at their limits, some hundred drawn with a fixed seed, and a search for the worst; the root is
+held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
+counterweights are not part of URDF: where the real robot has them, ignore this. `urdfkit statics`
+has the numbers for all joints, and takes payloads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import effort_unit
+from urdfkit.loads import overloadable
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.dynamics.statics import Load
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm">
+  <inertial>
+    <origin xyz="0 0 0.5"/>
+    <mass value="4"/>
+    <inertia ixx="0.34" ixy="0" ixz="0" iyy="0.34" iyz="0" izz="0.005"/>
+  </inertial>
+</link>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 1 0"/>
+  <limit lower="-1.5" upper="1.5" effort="10" velocity="2"/>
+</joint>"""
+GOOD = BAD.replace('effort="10"', 'effort="30"')
+
+#: Drawn poses; the search finds the worst of a serial arm without any.
+_SAMPLES = 200
+
+
+@rule(
+    "DYN003",
+    "gravity-exceeds-effort",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.DYNAMICS),
+    help="raise the effort to what the motor has, or correct the masses (urdfkit statics)",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    doubtful = overloadable(subject.tree)
+    if not doubtful or subject.is_part:
+        return
+    robot = subject.dynamics  # before the module, which needs the same libraries
+    from urdfkit.dynamics.statics import statics
+
+    found = statics(robot, samples=_SAMPLES, joints=[joint.name for joint in doubtful])
+    for load in found.loads:
+        if load.is_exceeded:
+            yield _finding(subject.model.joints_by_name[load.joint], load)
+
+
+def _finding(joint: Joint, load: Load) -> Finding:
+    assert joint.limit is not None
+    assert joint.limit.effort is not None
+    pose = ", ".join(
+        f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > 5e-4
+    )
+    return Finding(
+        joint.limit.effort,
+        f"joint '{joint.name}': gravity asks {load.worst:.4g} {effort_unit(joint)} at "
+        f"{pose or 'zero'}; its effort is {load.effort:.4g}",
+        weight=load.used or 0.0,
+    )

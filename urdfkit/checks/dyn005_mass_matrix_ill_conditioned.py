@@ -1,0 +1,67 @@
+"""A link weighs so little beside what hangs on it that the mass matrix can hardly be inverted.
+
+A simulator solves for accelerations with the joint-space mass matrix at every step. A body next to
+nothing between two joints with parallel axes lets both spin against each other without resistance:
+the matrix loses as many digits as the masses are apart, and with single precision (PhysX, Bullet)
+there is nothing left. The robot trembles or explodes. Give the link the mass of the real part, or
+make one of the joints fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isinf
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.loads import light
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+_LINK = """
+<link name="{0}">
+  <inertial>
+    <mass value="{2}"/>
+    <inertia ixx="{3}" ixy="0" ixz="0" iyy="{3}" iyz="0" izz="{3}"/>
+  </inertial>
+</link>
+<joint name="{0}_joint" type="continuous">
+  <parent link="{1}"/>
+  <child link="{0}"/>
+  <axis xyz="0 0 1"/>
+</joint>"""
+BAD = (
+    '<link name="base"/>'
+    + _LINK.format("turret", "base", "1e-9", "1e-11")
+    + _LINK.format("gun", "turret", "5", "0.1")
+)
+GOOD = BAD.replace("1e-9", "1").replace("1e-11", "0.01")
+
+
+@rule(
+    "DYN005",
+    "mass-matrix-ill-conditioned",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.DYNAMICS),
+    help="give the light link the mass and inertia of the real part, or fix one of the joints",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    doubtful = light(subject.tree)
+    if not doubtful or subject.is_part:
+        return
+    robot = subject.dynamics  # before the module, which needs the same libraries
+    from urdfkit.dynamics.conditioning import LARGEST, conditioning
+
+    found = conditioning(robot)
+    if not found.is_ill:
+        return
+    names = {joint.name for joint in doubtful}
+    first = next((name for name in found.joints if name in names), doubtful[0].name)
+    ratio = "is singular" if isinf(found.number) else f"has the condition {found.number:.2g}"
+    joints = " against ".join(f"'{name}'" for name in found.joints[:2])
+    yield Finding(
+        subject.model.joints_by_name[first].at,
+        f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves next to no mass",
+    )

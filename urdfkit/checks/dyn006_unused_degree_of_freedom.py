@@ -1,0 +1,57 @@
+"""A joint moves nothing: no link below it has a mass, a visual or a collision.
+
+Such a joint is a degree of freedom that no one sees. Its row of the mass matrix is zero, which
+Pinocchio's forward dynamics and MuJoCo do not take; Gazebo drops the massless link with it. Where
+it only marks a place, make it fixed; where it is a stand-in for a mechanism, `<mimic>` says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.joints import driven
+from urdfkit.loads import idle
+from urdfkit.rules import Finding, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="tool_frame"/>
+<joint name="tool_joint" type="continuous">
+  <parent link="base"/>
+  <child link="tool_frame"/>
+  <axis xyz="0 0 1"/>
+</joint>"""
+GOOD = BAD.replace("continuous", "fixed").replace('\n  <axis xyz="0 0 1"/>', "")
+
+
+@rule(
+    "DYN006",
+    "unused-degree-of-freedom",
+    Severity.INFO,
+    help='make it type="fixed", or give the link below it a mass',
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.is_part or not any(link.mass for link in subject.model.links):
+        return
+    moved = driven(subject.model)
+    seen = {block.get("reference") for block in subject.model.gazebo if block.child("sensor")}
+    for joint in idle(subject.tree):
+        assert joint.child is not None
+        child = joint.child.value
+        if joint.name in moved or not seen.isdisjoint(subject.tree.below(child)):
+            continue
+        yield Finding(
+            joint.at,
+            f"joint '{joint.name}' ({joint.kind}): link '{child}' and what hangs on it have "
+            "neither mass nor shape",
+        )
