@@ -22,8 +22,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "docs" / "commands"
 README = ROOT / "README.md"
+CHINESE = ROOT / "README.zh.md"
 #: All pages but those of the rules, which ``generate.py`` writes.
-PAGES = [README, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
+PAGES = [README, CHINESE, *sorted(FOLDER.glob("*.md")), *sorted(FOLDER.parent.glob("*.md"))]
 
 _BLOCK = re.compile(r"(?<=^```console\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
 #: All commands of such a page run in one folder, which holds a copy of a package.

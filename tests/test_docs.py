@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+import urdfkit
 from docs import generate, transcripts
 from tests.conftest import ROOT
 from urdfkit import rules
+from urdfkit.cli.group import COMMANDS
 
 WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
 
@@ -22,9 +27,62 @@ def test_the_pages_of_the_rules_are_up_to_date() -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="README shows a Unix shell")
-def test_the_report_in_readme_is_what_is_printed() -> None:
-    readme = transcripts.README.read_text(encoding="utf-8")
+@pytest.mark.parametrize("page", [transcripts.README, transcripts.CHINESE])
+def test_the_report_in_readme_is_what_is_printed(page: Path) -> None:
+    readme = page.read_text(encoding="utf-8")
     assert transcripts.with_output(readme) == readme, "run: python docs/transcripts.py"
+
+
+def test_the_chinese_readme_says_the_same() -> None:
+    """The same commands, programs, chapters and links; comments in commands are translated."""
+    found = []
+    for page in (transcripts.README, transcripts.CHINESE):
+        text = page.read_text(encoding="utf-8")
+        blocks = re.findall(r"^```\w+\n.*?^```$", text, re.DOTALL | re.MULTILINE)
+        links = re.findall(r"\]\(([^)]+)\)", text)
+        found.append(
+            (
+                [re.sub(r" {2,}# .*", "", block) for block in blocks],
+                re.findall(r"^#+", text, re.MULTILINE),
+                sorted(set(links) - {"README.md", "README.zh.md"}),
+            )
+        )
+    assert found[0] == found[1]
+
+
+def test_readme_leads_to_every_command() -> None:
+    readme = transcripts.README.read_text(encoding="utf-8")
+    shown = {"lsp": "(docs/editors.md)"}
+    missing = [
+        name
+        for name in COMMANDS
+        if shown.get(name, f"[{name}](docs/commands/{name}.md)") not in readme
+    ]
+    assert missing == []
+
+
+def test_the_road_in_readme_mends_the_robot(tmp_path: Path) -> None:
+    """The commands of the story, one after the other, in a shell."""
+    pytest.importorskip("trimesh")
+    pytest.importorskip("PIL")
+    pytest.importorskip("jinja2")
+    text = transcripts.README.read_text(encoding="utf-8")
+    (story,) = re.findall(r"^```sh\n(cp -r .*?)^```$", text, re.DOTALL | re.MULTILINE)
+    shutil.copytree(ROOT / "models", tmp_path / "models")
+    program = f'urdfkit() {{ PYTHONPATH="{ROOT}" "{sys.executable}" -m urdfkit "$@"; }}\n'
+    done = subprocess.run(
+        ["sh", "-c", program + story],
+        check=False,
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "error" not in done.stderr
+    for file in ("robot.png", "robot.html", "meshes/hokuyo.dae"):
+        assert (tmp_path / "mine" / file).stat().st_size > 10_000
+    report = urdfkit.check(tmp_path / "mine" / "urdf" / "waking_robot_new.xacro")
+    assert report.ok
 
 
 def test_every_rule_has_a_page() -> None:
