@@ -2,10 +2,10 @@
 
 A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
 text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
-beside the robot, by relative path; ``FOLDER`` stands for the folder that holds them all. Rules
-of other packages are tested with the same functions. ``NAME`` is the name of the example's file
-where it is no ``example.urdf``; ``TARGETS`` are the consumers that it is checked for where it does
-not give them away.
+beside the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them; ``FOLDER``
+stands for the folder that holds them all. Rules of other packages are tested with the same
+functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``; ``TARGETS``
+are the consumers that it is checked for where it does not give them away.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
-from urdfkit.diagnostic import Diagnostic
+from urdfkit.diagnostic import Diagnostic, Edit
 from urdfkit.fixer import apply_edits
 from urdfkit.judge import diagnose
 from urdfkit.resolve import Resolver
@@ -45,7 +45,7 @@ def laid_out(rule: Rule, text: str) -> Iterator[Source]:
     """An example in a folder of its own, with the files that its rule puts beside it."""
     module = sys.modules[rule.module]
     files: Mapping[str, bytes] = getattr(module, "FILES", {})
-    example: str = getattr(module, "NAME", "example.urdf")
+    example = _file_name(rule)
     with tempfile.TemporaryDirectory() as folder:
         for name, data in files.items():
             path = os.path.join(folder, name)
@@ -86,24 +86,44 @@ def assert_examples(rule: Rule) -> None:
     if found := diagnose_example(rule, good):
         raise AssertionError(f"{rule.code} finds in GOOD: {found[0].message}")
     fixed = rule.example("FIXED")
-    if rule.fixable is (fixed is None):
+    beside: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FIXED_FILES", {})
+    if rule.fixable is (fixed is None and not beside):
         raise AssertionError(f"{rule.code}: it takes FIXED and fixable=True, or neither of them")
     given = apply_fixes(rule, bad)
-    if given != (whole_robot(fixed) if fixed else None):
-        raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{fixed}")
+    expected = {"": whole_robot(fixed)} if fixed else {}
+    expected |= {name: data.decode() for name, data in beside.items()}
+    if given != expected:
+        raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{expected}")
     if fixed and (found := diagnose_example(rule, fixed)):
         raise AssertionError(f"{rule.code} finds in FIXED: {found[0].message}")
 
 
-def apply_fixes(rule: Rule, text: str) -> str | None:
-    """An example after all fixes that one rule proposes; None if it proposes none."""
+def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
+    """The files of an example that one rule's fixes change, by relative path; "" is the robot."""
     with laid_out(rule, text) as source:
         found = diagnose(rule, list(rule.check(subject_of(rule, source))))
-        edits = list(dict.fromkeys(edit for one in found if one.fix for edit in one.fix.edits))
-        if not edits:
-            return None
-        folder = os.path.dirname(source.path)
-        return apply_edits(edits[0].span.source.data, edits).decode().replace(folder, FOLDER)
+        folder = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
+        edits: dict[str, dict[Edit, None]] = {}
+        for one in found:
+            for edit in one.fix.edits if one.fix else ():
+                path = edit.span.source.path
+                name = "" if path == source.path else os.path.relpath(path, folder)
+                edits.setdefault(name, {})[edit] = None
+        return {
+            name: _edited(parts).replace(folder, FOLDER) for name, parts in sorted(edits.items())
+        }
+
+
+def _file_name(rule: Rule) -> str:
+    """The name of the file of an example, perhaps in a folder."""
+    name: str = getattr(sys.modules[rule.module], "NAME", "example.urdf")
+    return name
+
+
+def _edited(edits: Iterable[Edit]) -> str:
+    """The text of a source after edits of it."""
+    edits = tuple(edits)
+    return apply_edits(edits[0].span.source.data, edits).decode()
 
 
 def _example(rule: Rule, which: str) -> str:

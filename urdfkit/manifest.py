@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.packages import Packages
 from urdfkit.record import Record
+from urdfkit.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
 
@@ -31,18 +31,21 @@ class Manifest(Record):
     ros: int | None
 
 
-def manifest_of(packages: Packages, path: str) -> Manifest | None:
+def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
     """The package.xml of the package that a file lies in; None outside of packages."""
-    enclosing = packages.enclosing(path)
+    enclosing = resolver.packages.enclosing(path)
     if enclosing is None:
         return None
     name, folder = enclosing
     file = os.path.join(folder, "package.xml")
-    try:
-        with open(file, "rb") as opened:
-            data = _COMMENT.sub(b"", opened.read(MAX_BYTES))
-    except OSError:
-        return None  # a rosbuild package
+    data = resolver.text(file)
+    if data is None:
+        try:
+            with open(file, "rb") as opened:
+                data = opened.read(MAX_BYTES)
+        except OSError:
+            return None  # a rosbuild package
+    data = _COMMENT.sub(b"", data)
     build = _BUILD.search(data)
     return Manifest(
         file,

@@ -100,7 +100,7 @@ def _evidence(subject: Subject) -> Iterator[tuple[str, str]]:
 
 
 def _ros_of_package(subject: Subject) -> str | None:
-    manifest = manifest_of(subject.resolver.packages, subject.source.path)
+    manifest = manifest_of(subject.resolver, subject.source.path)
     return f"ros{manifest.ros}" if manifest and manifest.ros else None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -95,9 +96,14 @@ def test_the_fix_gives_fixed(code: str) -> None:
         assert [one.fix for one in found] == [None] * len(found)
         assert rule.example("FIXED") is None
         return
-    fixed = example(rule, "FIXED")
-    assert examples.apply_fixes(rule, example(rule, "BAD")) == examples.whole_robot(fixed)
-    assert examples.diagnose_example(rule, fixed) == []
+    fixed = rule.example("FIXED")
+    after = examples.apply_fixes(rule, example(rule, "BAD"))
+    assert after.pop("", None) == (examples.whole_robot(fixed) if fixed else None)
+    files = getattr(sys.modules[rule.module], "FIXED_FILES", {})
+    assert after == {name: data.decode() for name, data in files.items()}
+    assert after or fixed
+    if fixed:
+        assert examples.diagnose_example(rule, fixed) == []
 
 
 def test_the_rule_needs_no_more_than_it_declares(

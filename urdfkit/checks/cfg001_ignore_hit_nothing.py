@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import remove_spans
 from urdfkit.rules import Finding, Written, matching, rule
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ BAD = """\
 </robot>
 """
 GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
+FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE006] closed by the gripper -->\n", "")
 
 
 @rule(
@@ -30,6 +32,7 @@ GOOD = BAD.replace("urdfkit: ignore[TRE006] ", "")
     Severity.WARNING,
     needs=(),
     help="delete the comment",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     from urdfkit.suppress import sift
@@ -40,7 +43,12 @@ def check(subject: Subject) -> Iterator[Finding]:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
             place = Written(ignore.span)
-            yield Finding(place, f"nothing here is found by {', '.join(codes) or 'no rule'}")
+            # Of a file that others include, somebody else may need it.
+            is_own = ignore.span.source is subject.source
+            fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
+            yield Finding(
+                place, f"nothing here is found by {', '.join(codes) or 'no rule'}", fix=fix
+            )
 
 
 def _ran(words: list[str], chosen: frozenset[str]) -> bool:

@@ -12,7 +12,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import Extension, extensions
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_text
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ BAD = """\
   <mu1>0,8</mu1>
 </gazebo>"""
 GOOD = BAD.replace("0,8", "0.8")
+FIXED = GOOD
 
 _NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)"
 _WORDS = ("true", "yes", "1", "false", "no", "0")
@@ -37,7 +39,7 @@ _WORDS = ("true", "yes", "1", "false", "no", "0")
 _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
 
 
-@rule("GAZ004", "bad-value", Severity.ERROR)
+@rule("GAZ004", "bad-value", Severity.ERROR, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     handled = extensions()
     for block in subject.model.gazebo:
@@ -59,7 +61,10 @@ def _handled(child: Element, extension: Extension, text: str) -> Iterator[Findin
             yield Finding(child, message, "write a number")
         elif text[found.end() :].startswith(","):
             message = f"{name}: Gazebo reads {found.group()}, for a comma ends the number"
-            yield Finding(child, message, f"write {text.replace(',', '.')}")
+            right = text.replace(",", ".")
+            edits = replace_text(child, right) if child.text.strip() == text else None
+            fix = Fix(f"write {right}", edits) if edits else None
+            yield Finding(child, message, f"write {right}", fix)
     elif extension.type == "bool" and text.lower() not in _WORDS:
         read = "false" if extension.words == "yes" else "true"
         message = f"{name}, which Gazebo takes for {read}"

@@ -6,13 +6,16 @@ of the library; the name is free in Gazebo Classic and the class in gz-sim.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.source import Span
 
 if TYPE_CHECKING:
+    from urdfkit.plugins import Use
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -26,6 +29,7 @@ BAD = """\
   <plugin filename="libgazebo_ros_planar_move.so"/>
 </gazebo>"""
 GOOD = BAD.replace("<plugin", '<plugin name="drive"')
+FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 
 
 @rule(
@@ -33,6 +37,7 @@ GOOD = BAD.replace("<plugin", '<plugin name="drive"')
     "plugin-without-name-or-filename",
     Severity.ERROR,
     needs=(Need.MODEL, Need.GAZEBO),
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
@@ -40,4 +45,15 @@ def check(subject: Subject) -> Iterator[Finding]:
             if not (use.at.get(attribute) or "").strip():
                 other = use.filename if attribute == "name" else f"'{use.name}'"
                 message = f"plugin {other} has no {attribute}: Gazebo refuses the model"
-                yield Finding(use.at, message, f'add {attribute}="...", the {what}')
+                fix = _named(subject, use) if attribute == "name" else None
+                yield Finding(use.at, message, f'add {attribute}="...", the {what}', fix)
+
+
+def _named(subject: Subject, use: Use) -> Fix | None:
+    """The name of the library for a plugin that has no attribute of that name, if it is free."""
+    name = use.filename.removeprefix("lib").removesuffix(".so")
+    taken = {other.name for other in subject.plugins}
+    if "name" in use.at.attributes or not re.fullmatch(r"[a-z]\w*", name) or name in taken:
+        return None
+    source, _, end = use.at.tag_at.name_span
+    return Fix(f'add name="{name}"', (Edit(Span(source, end, end), f' name="{name}"'),))

@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.rules import Finding, rule
 from urdfkit.shapes import shaped, sizes
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -24,9 +26,10 @@ BAD = """\
   </collision>
 </link>"""
 GOOD = BAD.replace("-0.2", "0.2")
+FIXED = GOOD
 
 
-@rule("GEO001", "negative-size", Severity.ERROR, help="write a positive size in m")
+@rule("GEO001", "negative-size", Severity.ERROR, help="write a positive size in m", fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     for link, body, shape in shaped(subject.model):
         for attribute, values in sizes(shape):
@@ -35,4 +38,12 @@ def check(subject: Subject) -> Iterator[Finding]:
                     attribute,
                     f"link '{link.name}': {attribute.name} of the <{shape.kind}> in its "
                     f"{body.at.tag} is {min(values):g} m",
+                    fix=_fix(attribute),
                 )
+
+
+def _fix(attribute: Attribute) -> Fix | None:
+    """The same numbers without their signs."""
+    text = " ".join(part.lstrip("-") for part in attribute.value.split())
+    edits = replace_value(attribute, text)
+    return Fix(f'write {attribute.name}="{text}"', edits) if edits else None

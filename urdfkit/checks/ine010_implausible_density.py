@@ -12,9 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.edits import rewrite
+from urdfkit.inertia import scaled
 from urdfkit.inertia_claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
-from urdfkit.inertia_diagnosis import together
+from urdfkit.inertia_diagnosis import replacement, together
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -32,6 +34,7 @@ BAD = """\
   </inertial>
 </link>"""
 GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375", "0.0004375")
+FIXED = GOOD
 
 
 @rule(
@@ -39,6 +42,7 @@ GOOD = BAD.replace("350", "0.35").replace("0.245", "0.000245").replace("0.4375",
     "implausible-density",
     Severity.WARNING,
     help="correct the mass in kg, or the size in m",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     claimed = subject.masses.claims.get("INE010", ())
@@ -54,9 +58,22 @@ def _finding(weighed: Weighed) -> Finding:
         f"link '{weighed.link.name}': {weighed.mass:g} kg in a {weighed.solid} make "
         f"{density:.3g} kg/m^3; parts of robots have {LIGHTEST:g} to {HEAVIEST:g}",
         _advice(weighed),
+        _in_kilograms(weighed) if unit_slip(weighed) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
     )
+
+
+def _in_kilograms(weighed: Weighed) -> Fix | None:
+    """The mass by 1000, and the tensor as well if it was computed from the mass in grams."""
+    assert weighed.inertial.mass is not None
+    assert weighed.expected is not None
+    at = weighed.inertial.mass.at
+    edits = rewrite(at, f"{weighed.mass / 1000:g}")
+    if edits and weighed.fits(weighed.expected, 3):
+        tensor = replacement(weighed, scaled(weighed.tensor, 1e-3))
+        edits = (*edits, *tensor.edits) if tensor else None
+    return Fix(f"write {weighed.mass / 1000:g} kg", edits) if edits else None
 
 
 def _advice(weighed: Weighed) -> str:

@@ -31,7 +31,7 @@ GOOD = '<launch><node name="a" pkg="robot_state_publisher" type="a"/></launch>'
     help="mend the name, or declare the package in package.xml",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    manifest = manifest_of(subject.resolver.packages, subject.source.path)
+    manifest = manifest_of(subject.resolver, subject.source.path)
     declared = manifest.dependencies if manifest else frozenset()
     for package in subject.launch.packages:
         known = comes_with_ros(package.name) or package.name in declared

@@ -10,15 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import insert_after, insert_last
 from urdfkit.errors import PackageNotFound
 from urdfkit.manifest import manifest_of
 from urdfkit.mentions import of_package
+from urdfkit.reading import read_xml
 from urdfkit.ros_packages import comes_with_ros
 from urdfkit.rules import Finding, Written, rule
 
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver
+    from urdfkit.source import Source
     from urdfkit.subject import Subject
 
 NAME = "bot_description/bot.urdf"
@@ -48,12 +51,16 @@ FILES = {
     "bot_meshes/package.xml": b"<package><name>bot_meshes</name></package>",
     "bot_meshes/base.stl": _TRIANGLE,
 }
+FIXED_FILES = {
+    "bot_description/package.xml": b"<package><name>bot_description</name>"
+    b"<run_depend>bot_meshes</run_depend></package>",
+}
 
 
-@rule("PKG001", "undeclared-dependency", Severity.WARNING)
+@rule("PKG001", "undeclared-dependency", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     packages = subject.resolver.packages
-    manifest = manifest_of(packages, subject.source.path)
+    manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return
     told = {manifest.package, *manifest.dependencies}
@@ -67,7 +74,21 @@ def check(subject: Subject) -> Iterator[Finding]:
                 Written(mention.span),
                 f"package '{name}' is used, and {manifest.path} does not declare it",
                 f"add <exec_depend>{name}</exec_depend> to package.xml",
+                _fix(subject.resolver.read(manifest.path), name),
             )
+
+
+def _fix(source: Source, name: str) -> Fix | None:
+    """The dependency behind the last one, or before the end of the package."""
+    root = read_xml(source)[0]
+    if root is None or root.root.tag != "package":
+        return None
+    package = root.root
+    tag = "exec_depend" if package.get("format") in ("2", "3") else "run_depend"
+    line = f"<{tag}>{name}</{tag}>"
+    others = [child for child in package.children if child.tag.endswith("depend")]
+    edits = insert_after(others[-1], (line,)) if others else insert_last(package, (line,))
+    return Fix(f"add {line} to package.xml", edits)
 
 
 def _is_found(resolver: Resolver, name: str, near: str) -> bool:

@@ -6,12 +6,13 @@ tag", and the controller manager does not start. Correct the tag, or give the na
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import grammar
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
@@ -37,7 +38,10 @@ BAD = """\
   </joints>
 </ros2_control>"""
 GOOD = BAD.replace("joints", "joint")
+FIXED = GOOD
 
+#: How like a tag a word must be to be taken for a slip of it.
+_SLIP = 0.8
 #: A tag with a prefix, such as a call that nothing expands, is told elsewhere.
 _PREFIX = ":"
 
@@ -47,6 +51,7 @@ _PREFIX = ":"
     "control-block-refused",
     Severity.ERROR,
     help="see the grammar of <ros2_control>: hardware, joint, sensor, gpio, transmission",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     tags = grammar()
@@ -55,10 +60,17 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             if child.tag not in known and _PREFIX not in child.tag:
                 hint = did_you_mean(child.tag, known)
-                yield Finding(child, f"<ros2_control> may not hold <{child.tag}>{hint}")
+                message = f"<ros2_control> may not hold <{child.tag}>{hint}"
+                yield Finding(child, message, fix=_renamed(child, known))
         for element in _named(block):
             if not element.get("name"):
                 yield Finding(element, f"<{element.tag}> has no name", "give it a name")
+
+
+def _renamed(child: Element, known: Iterable[str]) -> Fix | None:
+    meant = nearest(child.tag, known, _SLIP)
+    edits = rename_element(child, meant) if meant else None
+    return Fix(f"rename it to <{meant}>", edits) if edits else None
 
 
 def _named(block: Element) -> Iterator[Element]:

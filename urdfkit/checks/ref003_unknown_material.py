@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.document import Attribute, Element
+from urdfkit.edits import replace_value
 from urdfkit.grammar import is_expression, owner
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
@@ -20,13 +21,17 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
+<material name="dark_grey">
+  <color rgba="0.3 0.3 0.3 1"/>
+</material>
 <link name="base">
   <visual>
     <geometry><box size="0.4 0.3 0.1"/></geometry>
-    <material name="blue"/>
+    <material name="dark_gray"/>
   </visual>
 </link>"""
-GOOD = '<material name="blue">\n  <color rgba="0 0 1 1"/>\n</material>\n' + BAD
+GOOD = BAD.replace('"dark_gray"', '"dark_grey"')
+FIXED = GOOD
 
 
 #: Visuals with the same material that are shown.
@@ -38,6 +43,7 @@ SHOWN = 8
     "unknown-material",
     Severity.WARNING,
     help='define it below <robot>, as <material name="..."><color rgba="..."/></material>',
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
@@ -46,6 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
     speller = Speller([name for name in (*top, *filled) if name])
     for word, uses in _uses_without_colour(top, used).items():
+        fix = None
         related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
         if later := filled.get(word):
             reason = "it is defined further down"
@@ -55,13 +62,26 @@ def check(subject: Subject) -> Iterator[Finding]:
             related = (Related(top[word].span, "the definition"), *related)
         else:
             reason = "it is defined nowhere" + _hint(word, speller)
+            fix = _fix(uses, speller.meant(word))
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
         yield Finding(
             uses[0],
             f"{who}: material '{word}' gives {visuals} no colour; {reason}",
+            fix=fix,
             related=related,
         )
+
+
+def _fix(uses: list[Attribute], meant: str) -> Fix | None:
+    """Another name in all uses; what a macro wrote stands in the file once."""
+    edits: dict[Edit, None] = {}
+    for use in uses if meant else ():
+        made = replace_value(use, meant)
+        if made is None:
+            return None
+        edits.update(dict.fromkeys(made))
+    return Fix(f"rename it to '{meant}'", tuple(edits)) if edits else None
 
 
 def _uses_without_colour(

@@ -6,29 +6,31 @@ found" or with joints that never move. The SRDF lags behind the robot, or the na
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
 <robot name="bad">
   <link name="base"/>
-  <link name="arm"/>
+  <link name="forearm"/>
   <link name="hand"/>
   <joint name="shoulder" type="revolute">
     <parent link="base"/>
-    <child link="arm"/>
+    <child link="forearm"/>
     <axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="10" velocity="1"/>
   </joint>
   <joint name="wrist" type="fixed">
-    <parent link="arm"/>
+    <parent link="forearm"/>
     <child link="hand"/>
   </joint>
 </robot>
@@ -36,14 +38,15 @@ BAD = """\
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = {
     "bad.srdf": b"""<robot name="bad">
-  <group name="arm"><link name="forearm"/></group>
+  <group name="arm"><link name="forarm"/></group>
 </robot>
 """,
     "good.srdf": b"""<robot name="good">
-  <group name="arm"><link name="arm"/></group>
+  <group name="arm"><link name="forearm"/></group>
 </robot>
 """,
 }
+FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
 @rule(
@@ -52,6 +55,7 @@ FILES = {
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
     help="mend the name, or make the SRDF anew for this robot",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
@@ -61,4 +65,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         known = srdf.known(kind)
         if attribute.value and attribute.value not in known:
             hint = did_you_mean(attribute.value, known)
-            yield Finding(attribute, f"there is no {kind} '{attribute.value}'{hint}")
+            message = f"there is no {kind} '{attribute.value}'{hint}"
+            yield Finding(attribute, message, fix=_fix(attribute, known))
+
+
+def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
+    meant = Speller(known).meant(attribute.value)
+    edits = replace_value(attribute, meant) if meant else None
+    return Fix(f"rename it to '{meant}'", edits) if edits else None

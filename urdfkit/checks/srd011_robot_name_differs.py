@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ BAD = """\
 """
 GOOD = BAD.replace('"bad"', '"other"')
 FILES = {"example.srdf": b'<robot name="other"/>'}
+FIXED_FILES = {"example.srdf": b'<robot name="bad"/>'}
 
 
 @rule(
@@ -42,6 +44,7 @@ FILES = {"example.srdf": b'<robot name="other"/>'}
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="give the SRDF the name of the robot",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
@@ -50,4 +53,6 @@ def check(subject: Subject) -> Iterator[Finding]:
     name = srdf.root.attributes.get("name")
     if name is not None and name.value != subject.model.name:
         message = f"the SRDF is of robot '{name.value}', the description of '{subject.model.name}'"
-        yield Finding(name, message)
+        edits = replace_value(name, subject.model.name) if subject.model.name else None
+        fix = Fix(f"write '{subject.model.name}' in the SRDF", edits) if edits else None
+        yield Finding(name, message, fix=fix)

@@ -7,29 +7,31 @@ robot.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
 <robot name="bad">
   <link name="base"/>
-  <link name="arm"/>
+  <link name="forearm"/>
   <link name="hand"/>
   <joint name="shoulder" type="revolute">
     <parent link="base"/>
-    <child link="arm"/>
+    <child link="forearm"/>
     <axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="10" velocity="1"/>
   </joint>
   <joint name="wrist" type="fixed">
-    <parent link="arm"/>
+    <parent link="forearm"/>
     <child link="hand"/>
   </joint>
 </robot>
@@ -37,14 +39,15 @@ BAD = """\
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = {
     "bad.srdf": b"""<robot name="bad">
-  <disable_collisions link1="base" link2="forearm" reason="Never"/>
+  <disable_collisions link1="base" link2="forarm" reason="Never"/>
 </robot>
 """,
     "good.srdf": b"""<robot name="good">
-  <disable_collisions link1="base" link2="arm" reason="Never"/>
+  <disable_collisions link1="base" link2="forearm" reason="Never"/>
 </robot>
 """,
 }
+FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
 @rule(
@@ -53,6 +56,7 @@ FILES = {
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="compute the collision matrix anew, or mend the name",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
@@ -64,4 +68,11 @@ def check(subject: Subject) -> Iterator[Finding]:
             attribute = pair.attributes.get(key)
             if attribute is not None and attribute.value not in links:
                 hint = did_you_mean(attribute.value, links)
-                yield Finding(attribute, f"there is no link '{attribute.value}'{hint}")
+                message = f"there is no link '{attribute.value}'{hint}"
+                yield Finding(attribute, message, fix=_fix(attribute, links))
+
+
+def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
+    meant = Speller(known).meant(attribute.value)
+    edits = replace_value(attribute, meant) if meant else None
+    return Fix(f"rename it to '{meant}'", edits) if edits else None
