@@ -1,10 +1,14 @@
 """A Record is a named tuple, whatever one does with it."""
 
+from __future__ import annotations
+
 import pickle
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
+import urdfkit
 from urdfkit.record import Record
 
 
@@ -94,3 +98,12 @@ def test_it_can_be_matched() -> None:
     match Place("a", 1):
         case Place(file, line):
             assert (file, line) == ("a", 1)
+
+
+def test_the_modules_of_records_keep_their_annotations_as_text() -> None:
+    """As Python 3.14 needs it."""
+    package = Path(urdfkit.__file__).parent
+    texts = {path: path.read_text(encoding="utf-8") for path in package.rglob("*.py")}
+    users = [path for path, text in texts.items() if "(Record)" in text]
+    assert len(users) > 50
+    assert [p for p in users if "from __future__ import annotations" not in texts[p]] == []

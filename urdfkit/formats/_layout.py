@@ -77,9 +77,14 @@ def frame(span: Span, width: int) -> tuple[str, str]:
     after = _first_line(data[start : start + reach])
     text = _text(after)
     length = len(_text(after[: max(0, span.end - start)])) or 1  # a place between characters
+    left = _text(before).lstrip()
+    whole = left + text
+    is_plain = whole.isascii() and whole.isprintable() and text
+    if len(whole) <= width and is_plain and max(len(before), len(after)) < reach:
+        return whole.rstrip(), " " * len(left) + "^" * len(text[:length].rstrip() or " ")
     cells = [
         *_cells(_CUT if len(before) == reach else "", marked=False),
-        *_cells(_text(before).lstrip(), marked=False),
+        *_cells(left, marked=False),
         *_cells(text[:length] or " ", marked=True),
         *_cells(text[length:], marked=False),
         *_cells(_CUT if len(after) == reach else "", marked=False),
