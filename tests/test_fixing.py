@@ -244,7 +244,8 @@ def test_ignored_files_and_those_outside_are_refused(tmp_path: Path) -> None:
     repository, outside = tmp_path / "here", tmp_path / "there"
     for folder in (repository, outside):
         write(folder, "part.xacro", FIXED_JOINT, XACRO)
-        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
+        needs = "<depend>there</depend>"
+        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name>{needs}</package>")
         subprocess.run(["git", "init", "-q", str(folder)], check=True)
     file = write(
         repository, "r.xacro", '<xacro:include filename="$(find there)/part.xacro"/>', XACRO
