@@ -66,6 +66,11 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
         ([ARM, "--joint", "elbow"], "--joint elbow"),
         ([ARM, "--joint", "knee=1"], "knee"),
         ([ARM, "--distance", "0"], "distance"),
+        ([ARM, "--layers", "frame"], "did you mean"),
+        ([ARM, "--diff"], "two files"),
+        ([ARM, "--diff", "--thumbnail", ARM], "do not go together"),
+        ([ARM, "--sweep", "knee"], "no joint 'knee'"),
+        ([ARM, "--diff", ARM, "--view", "all"], "only one"),
     ],
 )
 def test_what_cannot_be_done_is_said(
@@ -84,3 +89,39 @@ def test_a_name_that_is_no_picture_is_refused(
 ) -> None:
     assert main(["render", ARM, "-o", str(tmp_path / "robot.txt"), *SMALL]) == 2
     assert "write .png" in capsys.readouterr().err
+
+
+def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["render", ARM]) == 2
+    assert "-o" in capsys.readouterr().err
+
+
+def test_layers_findings_and_a_sheet_go_together(tmp_path: Path) -> None:
+    path = tmp_path / "robot.png"
+    words = ["--view", "iso,top", "--layers", "visual,collision,frames,names", "--findings"]
+    assert main(["render", MODEL, "-o", str(path), *SMALL, *words]) == 0
+    with Image.open(path) as image:
+        assert image.size == (160, 90)
+
+
+def test_a_turntable_and_a_sweep(tmp_path: Path) -> None:
+    few = ["--size", "48x32", "--quality", "draft"]
+    assert main(["render", ARM, "--turntable", str(tmp_path / "t.webp"), *few]) == 0
+    assert main(["render", ARM, "--sweep", "elbow", "-o", str(tmp_path / "s.gif"), *few]) == 0
+    for name in ("t.webp", "s.gif"):
+        with Image.open(tmp_path / name) as image:
+            assert (getattr(image, "n_frames", 1), image.size) == (48, (48, 32))
+
+
+def test_a_thumbnail_is_small_and_transparent(tmp_path: Path) -> None:
+    path = tmp_path / "icon.png"
+    assert main(["render", ARM, "-o", str(path), "--thumbnail"]) == 0
+    with Image.open(path) as image:
+        assert (image.size, image.mode) == ((256, 256), "RGBA")
+
+
+def test_two_states_side_by_side(tmp_path: Path) -> None:
+    path = tmp_path / "difference.png"
+    assert main(["render", "--diff", ARM, ARM, "-o", str(path), "--size", "300x100"]) == 0
+    with Image.open(path) as image:
+        assert image.size == (300, 100)

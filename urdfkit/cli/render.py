@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from typing import TYPE_CHECKING
+import tempfile
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -11,48 +14,37 @@ from urdfkit.cli import options
 from urdfkit.formats._layout import printable
 
 if TYPE_CHECKING:
-    from urdfkit.render import Background, Missing
+    from urdfkit.render import Background, Missing, Scene
+    from urdfkit.subject import Subject
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
+#: Of a picture, of an animation, of both states beside one another, and of a thumbnail.
+SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
 
 @click.command("render")
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
-@click.option("-o", "--output", "path", required=True, metavar="FILE", help="robot.png, .webp ...")
+@click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
 @click.option("--findings", is_flag=True, help="Links with errors red, with warnings orange.")
+@click.option("--joint", "joints", multiple=True, metavar="NAME=VALUE", help="In rad, deg or m.")
+@click.option("--pose", metavar="NAME", help="A pose file, or a state of the SRDF.")
+@click.option("--turntable", metavar="FILE", help="One turn as .gif, .webp or .apng.")
+@click.option("--sweep", metavar="JOINT", help="A joint from end to end, as .gif, .webp or .apng.")
+@click.option("--diff", is_flag=True, help="Two files, or REVISION:FILE, and the difference.")
+@click.option("--thumbnail", is_flag=True, help=f"{THUMBNAIL}, transparent.")
 @click.option("--azimuth", type=float, help="Of the camera, in degrees from the front to the left.")
 @click.option("--elevation", type=float, help="Of the camera, in degrees above the horizon.")
 @click.option("--distance", type=float, help="Of the camera, in m. [default: all in view]")
 @click.option("--orthographic", is_flag=True, help="Without perspective.")
-@click.option("--size", default="1280x720", metavar="WIDTHxHEIGHT", help="[default: 1280x720]")
+@click.option("--size", metavar="WIDTHxHEIGHT", help=f"[default: {SIZE}]")
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="No shadow on the ground.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
-@click.option("--joint", "joints", multiple=True, metavar="NAME=VALUE", help="In rad, deg or m.")
-@click.option("--pose", metavar="NAME", help="A pose file, or a state of the SRDF.")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
 @click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
-def command(
-    words: tuple[str, ...],
-    path: str,
-    views: tuple[str, ...],
-    layers: tuple[str, ...],
-    findings: bool,
-    azimuth: float | None,
-    elevation: float | None,
-    distance: float | None,
-    orthographic: bool,
-    size: str,
-    background: str | None,
-    no_ground: bool,
-    quality: str,
-    joints: tuple[str, ...],
-    pose: str | None,
-    package: tuple[str, ...],
-    trust: bool,
-) -> int:
+def command(words: tuple[str, ...], **values: Any) -> int:
     """Draw a robot.
 
     Neither a display nor a graphics card is needed. A mesh that is missing or broken is drawn as
@@ -60,44 +52,154 @@ def command(
 
     Exit codes: 0 done, 2 it cannot be done.
     """
-    from urdfkit import poses, render
-    from urdfkit.engine import check
+    values[options.FILES] = words
+    files, wanted = options.files(values), 2 if values["diff"] else 1
+    if len(files) != wanted:
+        many = "two files" if wanted == 2 else "one file"
+        raise options.UsageError(f"render takes {many}; xacro arguments are written name:=value")
+    kinds = [name for name in ("diff", "sweep", "turntable", "thumbnail") if values[name]]
+    if len(kinds) > 1:
+        raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} do not go together")
+    if not (values["output"] or values["turntable"]):
+        raise options.UsageError("render needs -o FILE, such as -o robot.png")
+    if values["diff"]:
+        missing = _difference(files, values)
+    else:
+        robot = _read(files[0], values)
+        scene = _scene(robot, values)
+        missing = scene.missing
+        if values["turntable"] or values["sweep"]:
+            _animation(robot, scene, values)
+        else:
+            _picture(scene, values)
+    _tell(missing)
+    return 0
+
+
+def _read(file: str, values: dict[str, Any]) -> Subject:
     from urdfkit.loading import read
 
-    values = {options.FILES: words, "package": package, "view": views, "layers": layers}
-    files = options.files(values)
-    if len(files) != 1:
-        raise options.UsageError("render takes one file; xacro arguments are written name:=value")
-    named = options.words(values, "view") or ["iso"]
-    arguments, packages = options.arguments(values), options.packages(values)
-    robot = read(files[0], arguments=arguments, packages=packages, trust=trust)
-    positions = poses.pose(robot, _joints(joints), pose)
+    return read(
+        file,
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        trust=values["trust"],
+    )
+
+
+def _scene(robot: Subject, values: dict[str, Any]) -> Scene:
+    """The robot in its pose, with everything over it that is asked for."""
+    from urdfkit import render
+    from urdfkit.engine import check
+    from urdfkit.poses import pose
+
+    positions = pose(robot, _joints(values["joints"]), values["pose"])
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
-    scene = render.explained(
-        render.build(robot, positions, roles),
-        robot,
-        [layer for layer in shown if layer not in roles],
-        positions,
+    scene = render.build(robot, positions, roles)
+    scene = render.explained(scene, robot, [name for name in shown if name not in roles], positions)
+    if not values["findings"]:
+        return scene
+    report = check(
+        robot.source,
+        arguments=options.arguments(values),
+        packages=options.packages(values),
+        trust=values["trust"],
     )
-    if findings:
-        report = check(robot.source, arguments=arguments, packages=packages, trust=trust)
-        scene = render.marked(scene, robot, report.diagnostics)
+    return render.marked(scene, robot, report.diagnostics)
+
+
+def _picture(scene: Scene, values: dict[str, Any]) -> None:
+    from urdfkit import render
+
+    named = options.words(values, "views") or ["iso"]
+    if values["thumbnail"]:
+        values["size"] = values["size"] or THUMBNAIL
+        values["background"] = values["background"] or "transparent"
     image = render.picture(
         scene,
         VIEWS if named == ["all"] else named,
-        azimuth=azimuth,
-        elevation=elevation,
-        distance=distance,
-        orthographic=orthographic,
-        size=_size(size),
-        quality=quality,
-        background=render.STUDIO if background is None else _background(background),
-        floor=not no_ground,
+        size=_size(values["size"] or SIZE),
+        floor=not values["no_ground"],
+        background=_background(values["background"]),
+        quality=values["quality"],
+        **_camera(values),
     )
-    render.save(image, path)
-    _tell(scene.missing)
-    return 0
+    render.save(image, values["output"])
+
+
+def _animation(robot: Subject, scene: Scene, values: dict[str, Any]) -> None:
+    """A turn of the robot, or a sweep of one of its joints."""
+    from urdfkit import render
+    from urdfkit.cli.progress import on_terminal
+    from urdfkit.poses import pose
+
+    path = values["turntable"] or values["output"]
+    render.animation_format(path)
+    positions = pose(robot, _joints(values["joints"]), values["pose"])
+    size, view = _size(values["size"] or MOVING), _one_view(values)
+    if values["turntable"]:
+        points = render.swept_circle(scene.points())
+        shots = render.orbit(scene, render.looking(points, view, size=size, **_camera(values)))
+    else:
+        scenes = render.sweep(scene, robot, values["sweep"], positions)
+        shots = render.followed(list(scenes), view, size=size, **_camera(values))
+    progress = on_terminal()
+    images = render.animated(
+        shots,
+        floor=not values["no_ground"],
+        background=_background(values["background"]),
+        quality=values["quality"],
+        progress=progress,
+    )
+    if progress is not None:
+        progress.wipe()
+    render.save_animation(images, path)
+
+
+def _difference(files: Sequence[str], values: dict[str, Any]) -> tuple[Missing, ...]:
+    """Both states beside one another; what is missing in the second one."""
+    from urdfkit import render
+    from urdfkit.comparison.states import read
+
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+        before, after = (
+            _scene(
+                read(
+                    file,
+                    os.path.join(os.path.realpath(folder), name),
+                    arguments=options.arguments(values),
+                    packages=options.packages(values),
+                    targets=(),
+                    trust=values["trust"],
+                    config=None,
+                ).subject,
+                values,
+            )
+            for file, name in zip(files, ("before", "after"), strict=True)
+        )
+        image = render.difference(
+            before,
+            after,
+            _one_view(values),
+            size=_size(values["size"] or DIFFERENCE),
+            background=_background(values["background"]),
+            quality=values["quality"],
+            **_camera(values),
+        )
+    render.save(image, values["output"])
+    return after.missing
+
+
+def _camera(values: dict[str, Any]) -> dict[str, Any]:
+    return {name: values[name] for name in ("azimuth", "elevation", "distance", "orthographic")}
+
+
+def _one_view(values: dict[str, Any]) -> str:
+    named = options.words(values, "views") or ["iso"]
+    if len(named) != 1 or named == ["all"]:
+        raise options.UsageError("--view: only one here")
+    return named[0]
 
 
 def _size(word: str) -> tuple[int, int]:
@@ -117,12 +219,14 @@ def _joints(words: tuple[str, ...]) -> dict[str, str]:
     return found
 
 
-def _background(word: str) -> Background | None:
-    from urdfkit.render import colour
+def _background(word: str | None) -> Background | None:
+    from urdfkit import render
 
+    if word is None:
+        return render.STUDIO
     if word == "transparent":
         return None
-    rgb = colour(word)
+    rgb = render.colour(word)
     return rgb, rgb
 
 

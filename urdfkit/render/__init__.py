@@ -15,7 +15,17 @@ from __future__ import annotations
 from urdfkit.errors import MissingLibrary
 
 try:
+    from urdfkit.render.animation import (
+        animated,
+        animation_format,
+        followed,
+        orbit,
+        save_animation,
+        sweep,
+        swept_circle,
+    )
     from urdfkit.render.camera import VIEWS, Camera, looking
+    from urdfkit.render.difference import difference
     from urdfkit.render.draw import QUALITIES, STUDIO, Background, draw
     from urdfkit.render.findings import marked
     from urdfkit.render.layers import LAYERS, explained
@@ -40,12 +50,20 @@ __all__ = [
     "Missing",
     "PictureError",
     "Scene",
+    "animated",
+    "animation_format",
     "build",
     "colour",
+    "difference",
     "draw",
     "explained",
+    "followed",
     "looking",
     "marked",
+    "orbit",
     "picture",
     "save",
+    "save_animation",
+    "sweep",
+    "swept_circle",
 ]

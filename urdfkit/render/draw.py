@@ -79,6 +79,7 @@ def draw(
     quality: str = "default",
     background: Background | None = STUDIO,
     floor: bool = True,
+    level: float | None = None,
     threads: int | None = None,
 ) -> Bytes:
     """Draw a scene.
@@ -89,19 +90,27 @@ def draw(
         quality: a name of `QUALITIES`.
         background: colours; None for a transparent one.
         floor: whether there is a ground that catches shadows.
+        level: height of the ground in m; that of the robot's lowest point if None.
         threads: how many work on it; the picture does not depend on it.
 
     Returns:
         (h, w, 4), red green blue alpha, sRGB, not premultiplied.
     """
-    return _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor).picture(background)
+    drawing = _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor, level)
+    return drawing.picture(background)
 
 
 class _Drawing:
     """One picture on its way."""
 
     def __init__(
-        self, scene: Scene, camera: Camera, quality: Quality, workers: Workers, floor: bool
+        self,
+        scene: Scene,
+        camera: Camera,
+        quality: Quality,
+        workers: Workers,
+        floor: bool,
+        level: float | None,
     ) -> None:
         self.scene, self.camera, self.quality, self.workers = scene, camera, quality, workers
         self.rig: Rig = rig(camera)
@@ -119,7 +128,7 @@ class _Drawing:
         self.floor: Ground | None = None
         if floor and (kind == _OPAQUE).any():
             casts = everything.faces[kind == _OPAQUE]
-            self.floor = ground(world, casts, self.sun, self.rig, camera)
+            self.floor = ground(world, casts, self.sun, camera, level)
         everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
         self.screen: Projected

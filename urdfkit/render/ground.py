@@ -8,7 +8,7 @@ import numpy as np
 
 from urdfkit.render.arrays import Floats, Integers, bounds, turned
 from urdfkit.render.camera import Camera
-from urdfkit.render.light import TEXELS, Rig, ShadowMap
+from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import mentioned
 
@@ -61,18 +61,21 @@ def world_rays(camera: Camera, x: Floats, y: Floats) -> tuple[Floats, Floats]:
     return turned(origins, axes.T) + np.asarray(camera.eye, dtype=np.float32), turned(ahead, axes.T)
 
 
-def ground(points: Floats, faces: Integers, map_: ShadowMap, rig: Rig, camera: Camera) -> Ground:
-    """The floor under a robot that stands on it with its lowest point.
+def ground(
+    points: Floats, faces: Integers, map_: ShadowMap, camera: Camera, level: float | None
+) -> Ground:
+    """The floor under a robot.
 
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
         map_: what the sun sees.
-        rig: the lamps.
-        camera: in whose frame the two are given.
+        camera: in whose frame that is given.
+        level: height of the floor; that of the robot's lowest point if None.
     """
     lowest, highest = bounds(points[mentioned(faces, len(points))])
-    height, size = float(lowest[2]), float((highest - lowest).max())
+    height = float(lowest[2]) if level is None else level
+    size = float((highest - lowest).max())
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
     middle = (lowest + highest)[:2] / 2
     origin = (float(middle[0] - edge / 2), float(middle[1] - edge / 2))

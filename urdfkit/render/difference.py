@@ -1,0 +1,101 @@
+"""Two states of a robot side by side, and where they differ."""
+
+from __future__ import annotations
+
+import numpy as np
+from PIL import Image
+
+from urdfkit.render.arrays import Bytes
+from urdfkit.render.camera import looking
+from urdfkit.render.draw import STUDIO, Background, draw
+from urdfkit.render.labels import caption
+from urdfkit.render.scene import Scene
+
+GONE, NEW, CHANGED = (214, 48, 49), (22, 150, 76), (240, 160, 20)
+#: Differences of colour up to this, of 255, are none.
+TOLERANCE = 14
+
+
+def difference(
+    before: Scene,
+    after: Scene,
+    view: str = "iso",
+    *,
+    size: tuple[int, int] = (1920, 480),
+    azimuth: float | None = None,
+    elevation: float | None = None,
+    distance: float | None = None,
+    orthographic: bool = False,
+    quality: str = "default",
+    background: Background | None = STUDIO,
+    threads: int | None = None,
+) -> Image.Image:
+    """Before, after and the difference, seen by one camera that has both in view.
+
+    In the difference the robot is pale; red is what only the first state covers, green what only
+    the second one does, amber what looks different in both.
+
+    Args:
+        before: the first state.
+        after: the second one.
+        view: name of a view.
+        size: of all three pictures together, in pixels.
+        azimuth: of the camera instead of the view's, in degrees from the front to the left.
+        elevation: of the camera instead of the view's, in degrees above the horizon.
+        distance: of the camera, in m; None to have both states in view.
+        orthographic: without perspective.
+        quality: ``draft``, ``default`` or ``high``.
+        background: colours above and below, sRGB from 0 to 1; None for a transparent one.
+        threads: that work on it; the bytes do not depend on it.
+
+    Raises:
+        NoSuchView: the view has no name, or a number is out of bounds.
+    """
+    cell = (max(size[0] // 3, 16), max(size[1], 16))
+    points = np.concatenate((before.points(), after.points()))
+    camera = looking(
+        points,
+        view,
+        azimuth=azimuth,
+        elevation=elevation,
+        distance=distance,
+        size=cell,
+        orthographic=orthographic,
+    )
+    level = float(points[:, 2].min()) if len(points) else None
+    bare, whole = [], Image.new("RGBA", (cell[0] * 3, cell[1]))
+    for number, (scene, name) in enumerate(((before, "before"), (after, "after"))):
+        bare.append(
+            draw(scene, camera, quality="draft", background=None, floor=False, threads=threads)
+        )
+        image = Image.fromarray(
+            draw(
+                scene, camera, quality=quality, background=background, level=level, threads=threads
+            )
+        )
+        caption(image, name)
+        whole.paste(image, (number * cell[0], 0))
+    image = Image.fromarray(_compared(*bare))
+    caption(image, "difference")
+    whole.paste(image, (2 * cell[0], 0))
+    return whole if background is None else whole.convert("RGB")
+
+
+def _compared(before: Bytes, after: Bytes) -> Bytes:
+    """The picture of the difference of two pictures of robots and nothing else."""
+    old, new = (pixels.astype(np.int32) for pixels in (before, after))
+    result = np.full(before.shape, 255, dtype=np.uint8)
+    shown = np.where((new[..., 3] > 0)[..., None], new, old)
+    grey = shown[..., :3].mean(axis=2) * 0.25 + 180
+    cover = np.maximum(old[..., 3], new[..., 3]) / 255
+    result[..., :3] = np.rint(255 * (1 - cover) + grey * cover)[..., None]
+    apart = np.abs(old[..., :3] - new[..., :3]).max(axis=2)
+    both = (old[..., 3] > 127) & (new[..., 3] > 127)
+    for where, colour in (
+        (both & (apart > TOLERANCE), CHANGED),
+        ((old[..., 3] > 127) & (new[..., 3] <= 127), GONE),
+        ((new[..., 3] > 127) & (old[..., 3] <= 127), NEW),
+    ):
+        light = shown[where][:, :3].mean(axis=1, keepdims=True) / 255
+        result[where, :3] = np.rint(np.array(colour) * (0.6 + 0.4 * light))
+    return result
