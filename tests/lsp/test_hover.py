@@ -90,6 +90,11 @@ def test_a_mesh_that_is_there_and_one_that_is_not() -> None:
     path = arm.parents[1] / mesh.partition("/")[2]
     assert f"**mesh** `{path}`" in shown
     assert f", {path.stat().st_size / 1024:.1f} KiB" in shown
+    trimesh = pytest.importorskip("trimesh")
+    loaded = trimesh.load(path, force="mesh")
+    size = " x ".join(f"{edge:.4g}" for edge in loaded.extents)
+    assert f"- {len(loaded.faces)} triangles, {size} m" in shown
+    assert f"- {'a' if loaded.is_watertight else 'not a'} closed solid" in shown
     shown = told(Edited(MISSION, mission("package://gazebo_pkg/meshes/hok", "uyo")))
     assert shown.splitlines() == [
         "**mesh** `package://gazebo_pkg/meshes/hokuyo.dae`: no such file",

@@ -21,6 +21,8 @@ from urdfkit.suppress import ignores
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
 MAX_SHOWN = 6
+#: Bytes of a mesh that is opened while somebody waits.
+MAX_MESH = 5_000_000
 _LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
 _FORCE_UNIT = {"revolute": "N m", "continuous": "N m", "prismatic": "N"}
 
@@ -178,6 +180,24 @@ def _file(robot: Robot, node: Node, reference: str) -> Iterator[str]:
         yield f"- {facts.format or 'unknown format'}, {facts.size / 1024:.1f} KiB"
         if facts.defect:
             yield f"- {facts.defect.reason}"
+        if facts.size <= MAX_MESH:
+            yield from _measures(located.path)
+
+
+def _measures(path: str) -> Iterator[str]:
+    """Triangles and size, where the extra for meshes is installed."""
+    try:
+        from urdfkit.meshes.describe import describe
+        from urdfkit.meshes.load import UnloadableMesh
+    except ModuleNotFoundError:
+        return
+    try:
+        mesh = describe(path)
+    except UnloadableMesh:
+        return
+    size = " x ".join(f"{high - low:.4g}" for low, high in zip(mesh.low, mesh.high, strict=True))
+    yield f"- {mesh.health.faces} triangles, {size} m"
+    yield f"- {'a closed solid' if mesh.health.is_solid else 'not a closed solid'}"
 
 
 # ---------------------------------------------------------------------- rules
