@@ -32,7 +32,7 @@ def page() -> Iterator[Page]:
 
 
 def written(robot: Path, folder: Path, language: str = "en") -> Path:
-    text, _ = report(str(robot), language=language, has_pictures=False)
+    text, _ = report(str(robot), language=language, quick=True)
     file = folder / "report.html"
     file.write_text(text, encoding="utf-8")
     return file

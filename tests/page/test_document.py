@@ -21,7 +21,7 @@ GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 def test_a_robot_as_a_whole() -> None:
-    document, subject = describe(GRIPPER)
+    document, subject, _ = describe(GRIPPER)
     robot = document["robot"]
     assert (robot["links"], robot["joints"], robot["degrees_of_freedom"]) == (4, 3, 1)
     assert robot["mass"] == pytest.approx(subject.model.mass)
@@ -32,10 +32,10 @@ def test_a_robot_as_a_whole() -> None:
 
 
 def test_the_verdict_of_each_program_is_its_own() -> None:
-    document, _ = describe(MISSION)
+    document, *_ = describe(MISSION)
     assert [target["name"] for target in document["targets"]] == ["ros1", "classic-ros1"]
     assert {target["verdict"] for target in document["targets"]} == {"unfit"}
-    document, _ = describe(GRIPPER, targets=["drake"])
+    document, *_ = describe(GRIPPER, targets=["drake"])
     (drake,) = document["targets"]
     assert (drake["verdict"], drake["error"], drake["warning"]) == ("good", 0, 0)
 
@@ -54,7 +54,7 @@ def test_statics_are_those_of_a_beam(tmp_path: Path) -> None:
     assert load["worst"] == pytest.approx(2 * 9.81 * 0.5, rel=1e-3)
     assert load["used"] == pytest.approx(load["worst"] / 20)
     assert (load["joint"], load["unit"], load["exceeded"]) == ("j", "N m", False)
-    quick, _ = describe(str(robot), quick=True)
+    quick, *_ = describe(str(robot), quick=True)
     assert quick["statics"] is None
     assert "statics" not in quick["missing"]
 
@@ -73,6 +73,31 @@ def test_a_box_stands_and_tips_where_its_edge_is(tmp_path: Path) -> None:
     assert standing["tips"] is False
 
 
+def test_collisions_are_those_that_can_happen(tmp_path: Path) -> None:
+    """Two boxes of 0.2 m whose middles are 1 m apart; the second slides over the first, or not."""
+    pytest.importorskip("coal")
+    box = '<collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>'
+    far = box.replace("<geometry>", '<origin xyz="0 9 0"/><geometry>')
+    robot = tmp_path / "slide.urdf"
+    for reach, verdict in ((0.5, "never"), (2.0, "sometimes")):
+        robot.write_text(
+            f'<robot name="r"><link name="a">{box}</link><link name="b">{far}</link><link name="c">{box}'
+            '</link><joint name="f" type="fixed"><parent link="a"/><child link="b"/></joint>'
+            '<joint name="j" type="prismatic"><origin xyz="1 0 0"/><parent link="b"/>'
+            f'<child link="c"/><axis xyz="-1 0 0"/><limit lower="0" upper="{reach}" effort="1" '
+            'velocity="1"/></joint></robot>'
+        )
+        found = describe(str(robot))[0]["collisions"]
+        assert found["links"] == ["a", "b", "c"]
+        verdicts = {(one["first"], one["second"]): one["verdict"] for one in found["pairs"]}
+        assert verdicts == {("a", "b"): "adjacent", ("a", "c"): verdict, ("b", "c"): "adjacent"}
+        pair = found["pairs"][1]
+        if verdict == "sometimes":  # while they are within 0.2 m of one another
+            assert pair["frequency"] == pytest.approx(0.4 / 2.0, abs=0.04)
+        else:
+            assert pair["distance"] == pytest.approx(0.3, abs=1e-3)
+
+
 def test_a_finding_knows_its_links_joints_and_lines(tmp_path: Path) -> None:
     robot = tmp_path / "robot.urdf"
     robot.write_text(
@@ -80,7 +105,7 @@ def test_a_finding_knows_its_links_joints_and_lines(tmp_path: Path) -> None:
         '<parent link="a/b"/><child link="c"/>\n\t<limit lower="2" upper="1"/>\n</joint>\n'
         '<gazebo reference="a/b"><mu1>x</mu1></gazebo>\n</robot>\n'
     )
-    document, _ = describe(str(robot))
+    document, *_ = describe(str(robot))
     found = {one["code"]: one for one in document["findings"]}
     limit = found["JNT003"]
     assert (limit["links"], limit["joints"], limit["family"]) == (["c"], ["j"], "joints")
@@ -109,7 +134,7 @@ def test_an_excerpt_shows_what_steers_a_screen() -> None:
 def test_a_robot_that_cannot_be_read_has_its_findings_told(tmp_path: Path) -> None:
     robot = tmp_path / "robot.urdf"
     robot.write_text("<robot><link")
-    document, _ = describe(str(robot))
+    document, *_ = describe(str(robot))
     assert document["robot"] is None
     assert document["missing"]["links"] == "the description cannot be read"
     assert [one["code"] for one in document["findings"]] == ["XML001"]

@@ -56,7 +56,7 @@ class Elements(HTMLParser):
 
 @pytest.fixture(scope="module")
 def page() -> Elements:
-    return Elements(report(MISSION)[0])
+    return Elements(report(MISSION, quick=True)[0])
 
 
 def test_every_element_is_closed(page: Elements) -> None:
@@ -99,7 +99,7 @@ def test_the_same_robot_gives_the_same_page() -> None:
 def test_pictures_are_inside() -> None:
     text, _ = report(MISSION)
     assert len(re.findall(r'<img class="picture" src="data:image/webp;base64,', text)) == 2
-    text, _ = report(MISSION, has_pictures=False)
+    text, _ = report(MISSION, quick=True)
     assert 'src="data:image/webp' not in text
 
 
@@ -108,7 +108,7 @@ def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
         raise Unavailable(scene.INSTALL)
 
     monkeypatch.setattr(scene, "surfaces", missing)
-    text, document = report(MISSION)
+    text, document = report(MISSION, quick=True)
     assert document["missing"] == {"3D view": scene.INSTALL}
     assert "THREE" not in text
     assert "pip install &#39;urdfkit[report]&#39;" in text
@@ -118,7 +118,7 @@ def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None
     html._environment.cache_clear()
     monkeypatch.setitem(__import__("sys").modules, "jinja2", None)
     with pytest.raises(UrdfkitError, match=r"pip install 'urdfkit\[report\]'"):
-        report(MISSION)
+        report(MISSION, quick=True)
 
 
 def test_the_engine_carries_its_licence() -> None:
@@ -150,6 +150,7 @@ def words_of_pages() -> set[str]:
     found |= {pair[0] for pair in re.findall(r'\["(\w+)", (null|\d)', buttons)}
     found |= set(rules.FAMILIES.values())
     found |= {"good", "doubtful", "unfit", "stays", "merged", "dropped", "not made"}
+    found |= {"adjacent", "default", "always", "sometimes"}
     found |= {"macro", "include", "launch", "visual", "collision", "inferred", "guessed"}
     return found
 
@@ -169,7 +170,7 @@ def test_what_is_translated_is_somewhere_used() -> None:
 
 
 def test_the_data_of_a_page_is_json(page: Elements) -> None:
-    text = report(MISSION)[0]
+    text = report(MISSION, quick=True)[0]
     (robot,) = re.findall(r'id="robot">(.*?)</script>', text)
     assert "<" not in robot
     assert [link["name"] for link in json.loads(robot)["links"]][:2] == ["dummy", "base_footprint"]

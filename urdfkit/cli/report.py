@@ -6,6 +6,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output
+from urdfkit.cli.progress import on_terminal
 from urdfkit.diagnostic import Severity
 from urdfkit.page.csv import COLUMNS
 from urdfkit.page.words import LANGUAGES
@@ -16,7 +17,7 @@ from urdfkit.page.writing import form_of, report
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
 @click.option("-o", "target", metavar="FILE", help="Write .html, .md, .json or .csv to FILE.")
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
-@click.option("--no-pictures", is_flag=True, help="Of a .html: sooner done, without pictures.")
+@click.option("--quick", is_flag=True, help="Without pictures, statics and collisions.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")
 @click.option("--fail-on", type=click.Choice(["error", "warning", "info"]), help="Exit with 1.")
 @click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
@@ -28,7 +29,7 @@ def command(
     words: tuple[str, ...],
     target: str | None,
     lang: str,
-    no_pictures: bool,
+    quick: bool,
     table: str,
     fail_on: str | None,
     targets: tuple[str, ...],
@@ -56,18 +57,24 @@ def command(
     files = options.files(values)
     if len(files) != 1:
         raise options.UsageError("report takes one file; xacro arguments are written name:=value")
-    text, document = report(
-        files[0],
-        form_of(target) if target else "markdown",
-        language=lang,
-        table=table,
-        has_pictures=not no_pictures,
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        targets=options.words(values, "target"),
-        trust=trust,
-        config=options.config(values, files[0]),
-    )
+    progress = on_terminal()
+    try:
+        text, document = report(
+            files[0],
+            form_of(target) if target else "markdown",
+            language=lang,
+            table=table,
+            quick=quick,
+            arguments=options.arguments(values),
+            packages=options.packages(values),
+            targets=options.words(values, "target"),
+            trust=trust,
+            config=options.config(values, files[0]),
+            progress=progress,
+        )
+    finally:
+        if progress:
+            progress.wipe()
     if target:
         atomic.write(target, output.encode(text))
     else:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -17,9 +18,10 @@ from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats import json as as_json
-from urdfkit.page import tables
+from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
+from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
@@ -41,12 +43,22 @@ _PARTS: dict[str, Callable[[Subject], object]] = {
     "gazebo": tables.gazebo,
     "meshes": tables.meshes,
 }
+#: The parts that take a while.
+LONG = ("statics", "standing", "collisions")
 
-#: Those that take a while.
-_LONG: dict[str, Callable[[Subject], object]] = {
-    "statics": tables.statics,
-    "standing": tables.standing,
-}
+
+class Told(Record):
+    """A robot and what is told of it.
+
+    Attributes:
+        document: for all outputs.
+        subject: the robot.
+        diagnostics: what ``urdfkit check`` finds.
+    """
+
+    document: Document
+    subject: Subject
+    diagnostics: tuple[Diagnostic, ...]
 
 
 def describe(
@@ -58,8 +70,9 @@ def describe(
     trust: bool = False,
     config: Config | None = None,
     quick: bool = False,
-) -> tuple[Document, Subject]:
-    """Everything that is told of a robot, and the robot.
+    progress: Callable[[int, int], None] | None = None,
+) -> Told:
+    """Everything that is told of a robot.
 
     A robot that cannot be read has its findings told, and nothing else.
 
@@ -70,7 +83,8 @@ def describe(
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
-        quick: leave out what takes a while.
+        quick: leave out what takes a while, which is all of `LONG`.
+        progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
@@ -90,14 +104,17 @@ def describe(
         config=config._replace(robots=()) if config else None,
     )
     subject = Subject(source, Resolver(every), values, trust=trust)
-    parts = _PARTS if quick else _PARTS | _LONG
-    return _document(subject, report, parts), subject
+    parts = dict(_PARTS)
+    if not quick:
+        parts |= {"statics": physics.statics, "standing": physics.standing}
+        parts["collisions"] = partial(physics.collisions, progress=progress)
+    return Told(_document(subject, report, parts), subject, report.diagnostics)
 
 
 def _document(
     subject: Subject, report: Report, wanted: Mapping[str, Callable[[Subject], object]]
 ) -> Document:
-    parts: Document = dict.fromkeys(_LONG)
+    parts: Document = dict.fromkeys(LONG)
     missing: dict[str, str] = {}
     for name, part in wanted.items():
         try:

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 #: Findings and rows of a table that a page shows; a browser takes no pleasure in more.
 MAX_FINDINGS, MAX_ROWS = 500, 400
+#: Links of a matrix.
+MAX_MATRIX = 60
 
 _FOLDER = os.path.join(os.path.dirname(__file__), "templates")
 _SEVERITIES = ("error", "warning", "info")
@@ -110,6 +112,8 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
         "groups": _groups(found[:MAX_FINDINGS]),
         "more": max(0, len(found) - MAX_FINDINGS),
         "rows": MAX_ROWS,
+        "matrix": _matrix(document["collisions"]),
+        "colliding": _colliding(document["collisions"]),
         "sections": [
             (key, title)
             for key, title, there in (
@@ -121,11 +125,34 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
                 ("joints", "Joints", document["joints"]),
                 ("meshes", "Meshes", document["meshes"]),
                 ("statics", "Statics", document["statics"] or document["standing"]),
+                ("collisions", "Collisions", document["collisions"]),
                 ("gazebo", "In Gazebo", document["gazebo"]),
             )
             if there
         ],
     }
+
+
+def _matrix(found: dict[str, Any] | None) -> list[tuple[str, list[dict[str, Any] | None]]]:
+    """The lower half of the matrix of collisions, a row for each link; empty if it is too large."""
+    if not found or len(found["links"]) > MAX_MATRIX:
+        return []
+    pairs = {frozenset((pair["first"], pair["second"])): pair for pair in found["pairs"]}
+    names = found["links"]
+    return [
+        (name, [pairs.get(frozenset((name, other))) for other in names[:number]])
+        for number, name in enumerate(names)
+    ]
+
+
+def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
+    """The pairs that collide, or come near to it, the most frequent first."""
+    pairs = [
+        pair
+        for pair in (found["pairs"] if found else ())
+        if pair["near_miss"] or pair["verdict"] not in ("adjacent", "never")
+    ]
+    return sorted(pairs, key=lambda pair: -(pair["frequency"] or 0.0))
 
 
 def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[int, Any]]]]:

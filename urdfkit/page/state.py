@@ -85,7 +85,7 @@ def read(wish: Wish) -> State:
         UrdfkitError: the file is missing, or the job cannot be done.
     """
     before = {wish.file: stamp(wish.file)}
-    document, subject = describe(
+    told = describe(
         wish.file,
         arguments=wish.arguments,
         packages=wish.packages,
@@ -94,7 +94,8 @@ def read(wish: Wish) -> State:
         config=wish.config,
         quick=True,
     )
-    drawings, scene = drawn(document, subject, has_pictures=False)
+    document, subject = told.document, told.subject
+    drawings, scene = drawn(told, has_pictures=False)
     stamps = {path: stamp(path) for path in files_of(subject, document)}
     return State(document, drawings, scene, _declared(subject), stamps | before)
 

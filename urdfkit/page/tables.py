@@ -6,11 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import MissingLibrary
 from urdfkit.inertia import combined, principal_moments
-from urdfkit.joints import effort_unit
 from urdfkit.kinematics import frames
 from urdfkit.rigid import properties_of
 from urdfkit.source import Span
-from urdfkit.stability import stability
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
@@ -18,11 +16,6 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 Row = dict[str, Any]
-
-#: Poses that statics samples, besides zero and the limits.
-POSES = 200
-#: Torques in N m, and forces in N, under this are rounding.
-NOISE = 1e-9
 
 
 def robot(subject: Subject) -> Row:
@@ -171,54 +164,3 @@ def _triangles(subject: Subject) -> dict[str, int]:
             if mesh is not None:
                 found[shape.filename.value] = sum(len(part.faces) for part in mesh.parts)
     return found
-
-
-def statics(subject: Subject) -> Row:
-    """What gravity asks of each joint in its worst pose, the weakest joint first.
-
-    Raises:
-        Unavailable: Pinocchio is not installed, or cannot take the robot.
-    """
-    robot = subject.dynamics
-    from urdfkit.dynamics.statics import statics as loads_of
-
-    found = loads_of(robot, samples=POSES)
-    joints = subject.model.joints_by_name
-    return {
-        "poses": found.poses,
-        "mass": found.mass,
-        "joints": [
-            {
-                "joint": load.joint,
-                "unit": effort_unit(joints[load.joint]),
-                "at_zero": _round(load.at_zero),
-                "worst": _round(load.worst),
-                "effort": load.effort,
-                "used": load.used,
-                "exceeded": load.is_exceeded,
-            }
-            for load in found.loads
-        ],
-    }
-
-
-def _round(torque: float) -> float:
-    """A torque, or 0 where it is but the rounding of sums."""
-    return 0.0 if abs(torque) < NOISE else torque
-
-
-def standing(subject: Subject) -> Row | None:
-    """Whether the robot stands, all joints at zero; None if it stands on no area."""
-    try:
-        found = stability(subject)
-    except (ImportError, MissingLibrary):
-        found = stability(subject, meshes=False)
-    return found and {
-        "links": list(found.links),
-        "polygon": [list(point) for point in found.polygon],
-        "center": list(found.center),
-        "ground": found.ground,
-        "margin": found.margin,
-        "angle": found.angle,
-        "tips": found.tips,
-    }

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.page.document import Document, describe
+from urdfkit.page.document import Document, Told, describe
 from urdfkit.page.words import Words
-from urdfkit.subject import Subject, Unavailable
+from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -24,12 +24,13 @@ def report(
     *,
     language: str = "en",
     table: str = "findings",
-    has_pictures: bool = True,
+    quick: bool = False,
     arguments: Mapping[str, str] | None = None,
     packages: Mapping[str, str] | None = None,
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> tuple[str, Document]:
     """The text of a report, and the document that it was made from.
 
@@ -38,25 +39,29 @@ def report(
         form: ``html``, ``markdown``, ``json`` or ``csv``.
         language: of headings and the like: ``en`` or ``zh``.
         table: of CSV: ``findings``, ``links``, ``joints`` or ``meshes``.
-        has_pictures: of HTML: draw pictures, which takes a second or two.
+        quick: leave out what takes a while: pictures, statics and collisions.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
         UrdfkitError: the form needs a library that is not installed, or has no such table.
     """
-    document, subject = describe(
+    told = describe(
         file,
         arguments=arguments,
         packages=packages,
         targets=targets,
         trust=trust,
         config=config,
+        quick=quick or form in ("csv", "markdown"),  # which do not show it
+        progress=progress,
     )
+    document = told.document
     if form == "json":
         from urdfkit.page import json
 
@@ -69,40 +74,39 @@ def report(
         from urdfkit.page import markdown
 
         return markdown.render(document, Words(language)), document
-    return page(document, subject, Words(language), has_pictures=has_pictures), document
+    return page(told, Words(language), has_pictures=not quick), document
 
 
-def page(document: Document, subject: Subject, words: Words, *, has_pictures: bool = True) -> str:
+def page(told: Told, words: Words, *, has_pictures: bool = True) -> str:
     """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.page import html
 
-    drawings, scene = drawn(document, subject, has_pictures=has_pictures)
+    drawings, scene = drawn(told, has_pictures=has_pictures)
     if scene is None:
-        return html.render(document, words, drawings)
+        return html.render(told.document, words, drawings)
     from urdfkit.page import engine
 
-    return html.render(document, words, drawings, scene, engine.load())
+    return html.render(told.document, words, drawings, scene, engine.load())
 
 
-def drawn(
-    document: Document, subject: Subject, *, has_pictures: bool
-) -> tuple[dict[str, str], Scene | None]:
+def drawn(told: Told, *, has_pictures: bool) -> tuple[dict[str, str], Scene | None]:
     """The drawings of a robot, and the robot in three dimensions.
 
     What cannot be had is left out; where that is for want of a library, the document tells so.
     """
     from urdfkit.page import drawings, scene
 
+    subject = told.subject
     found = drawings.tree(subject)
     if subject.reading.document is None:
         return found, None
     try:
         built = scene.surfaces(subject)
     except Unavailable as reason:
-        document["missing"]["3D view"] = str(reason)
+        told.document["missing"]["3D view"] = str(reason)
         return found, None
     if has_pictures:
-        found |= drawings.pictures(built, document)
+        found |= drawings.pictures(built, subject, told.diagnostics)
     return found, scene.build(subject, built)
 
 
