@@ -82,7 +82,8 @@ def test_collisions_are_those_that_can_happen(tmp_path: Path) -> None:
     for reach, verdict in ((0.5, "never"), (2.0, "sometimes")):
         robot.write_text(
             f'<robot name="r"><link name="a">{box}</link><link name="b">{far}</link>'
-            f'<link name="c">{box}</link><joint name="f" type="fixed"><parent link="a"/><child link="b"/></joint>'
+            f'<link name="c">{box}</link><joint name="f" type="fixed"><parent link="a"/>'
+            '<child link="b"/></joint>'
             '<joint name="j" type="prismatic"><origin xyz="1 0 0"/><parent link="b"/>'
             f'<child link="c"/><axis xyz="-1 0 0"/><limit lower="0" upper="{reach}" effort="1" '
             'velocity="1"/></joint></robot>'
