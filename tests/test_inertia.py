@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit import inertia
-from urdfkit.inertia import ZERO, MassProperties, principal_moments, rotated
+from urdfkit.inertia import ZERO, MassProperties, principal_axes, principal_moments, rotated
 from urdfkit.model import Tensor
-from urdfkit.spatial import IDENTITY, Vector, from_rpy, rotate
+from urdfkit.spatial import IDENTITY, Vector, cross, dot, from_rpy, rotate
 
 Moments = tuple[float, float, float]
 
@@ -213,3 +213,34 @@ def test_agreement_is_of_positive_moments_in_both_directions() -> None:
     assert not inertia.agree(one, diagonal((1.2, 2, 3)), 1.1)
     assert not inertia.agree(one, diagonal((1, 2, -3)), 1.1)
     assert not inertia.agree(ZERO, ZERO, 2)
+
+
+@given(symmetric, scales)
+def test_principal_axes_make_the_tensor_again(tensor: Tensor, scale: float) -> None:
+    """``R diag(moments) R^T`` along axes that are a rotation."""
+    scaled = inertia.scaled(tensor, scale)
+    found, axes = principal_axes(scaled)
+    assert found == principal_moments(scaled)
+    assert close(rotated(diagonal(found), axes), scaled, 1e-12)
+    x, y, z = zip(*axes, strict=True)
+    for one, other, product in ((x, x, 1), (y, y, 1), (z, z, 1), (x, y, 0), (y, z, 0), (x, z, 0)):
+        assert abs(dot(one, other) - product) < 1e-13
+    assert dot(cross(x, y), z) > 0
+
+
+@pytest.mark.parametrize(
+    ("tensor", "axes"),
+    [
+        (Tensor(1, 0, 0, 2, 0, 3), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+        (Tensor(3, 0, 0, 1, 0, 2), ((0, 0, 1), (1, 0, 0), (0, 1, 0))),
+        (Tensor(1, 0, 0, 1, 0, 1), ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+        (ZERO, ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
+    ],
+)
+def test_principal_axes_of_plain_tensors_are_basis_vectors(tensor: Tensor, axes: Any) -> None:
+    assert principal_axes(tensor)[1] == axes
+
+
+@given(st.builds(Tensor, *[st.floats(allow_nan=True, allow_infinity=True)] * 6))
+def test_principal_axes_of_anything_end(tensor: Tensor) -> None:
+    assert len(principal_axes(tensor)[1]) == 3

@@ -13,6 +13,9 @@ from urdfkit.model import Tensor
 from urdfkit.record import Record
 from urdfkit.spatial import IDENTITY, Rotation, Vector, cross, dot, rotate
 
+#: Sweeps of Jacobi's rotations: they converge quadratically, and five reach rounding.
+_SWEEPS = 8
+
 ZERO = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -61,6 +64,50 @@ def principal_moments(tensor: Tensor) -> Vector:
     middle, radius = (uu + vv) / 2, hypot((uu - vv) / 2, uv)
     low, middle, high = sorted((dot(w, rotate(rows, w)), middle - radius, middle + radius))
     return (low * scale, middle * scale, high * scale)
+
+
+def principal_axes(tensor: Tensor) -> tuple[Vector, Rotation]:
+    """The principal moments, smallest first, and a rotation whose columns are their axes.
+
+    Of each axis the largest part is positive, but for the last one, where a right-handed set needs
+    it. Equal moments have no axes of their own: any set of them is one, the basis vectors first.
+    Source: C. G. J. Jacobi's rotations (1846), each of which clears one product of inertia.
+    """
+    scale = max(map(abs, tensor)) or 1.0
+    xx, xy, xz, yy, yz, zz = (value / scale for value in tensor)
+    rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    for _ in range(_SWEEPS):
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            _clear(rows, axes, i, j)
+    moments = principal_moments(tensor)
+    order = sorted(range(3), key=lambda index: rows[index][index])
+    x, y = (_upright([axes[row][index] for row in range(3)]) for index in order[:2])
+    z = cross(x, y)
+    return moments, ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
+
+
+def _clear(rows: list[list[float]], axes: list[list[float]], i: int, j: int) -> None:
+    """Turn in the plane of two axes until their product of inertia is zero."""
+    if abs(rows[i][j]) < 1e-18:
+        return
+    half = (rows[j][j] - rows[i][i]) / (2 * rows[i][j])
+    t = (1 if half >= 0 else -1) / (abs(half) + hypot(half, 1.0))
+    c = 1 / hypot(t, 1.0)
+    s = t * c
+    for row in rows:
+        row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
+    rows[i], rows[j] = (
+        [c * a - s * b for a, b in zip(rows[i], rows[j], strict=True)],
+        [s * a + c * b for a, b in zip(rows[i], rows[j], strict=True)],
+    )
+    for row in axes:
+        row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
+
+
+def _upright(axis: list[float]) -> Vector:
+    sign = 1.0 if max(axis, key=abs) >= 0 else -1.0
+    return (sign * axis[0] + 0.0, sign * axis[1] + 0.0, sign * axis[2] + 0.0)
 
 
 def _eigenbasis(

@@ -23,6 +23,7 @@ COMMANDS = (
     "info",
     "tree",
     "kinematics",
+    "mass",
     "statics",
     "collisions",
     "gazebo",

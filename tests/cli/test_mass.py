@@ -1,0 +1,57 @@
+"""The mass command: text, JSON, CSV, Markdown."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+GRIPPER = str(MODELS / "good" / "gripper.urdf")
+MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    assert main(["mass", *words]) == 0
+    return capsys.readouterr().out
+
+
+def test_text(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = run(capsys, GRIPPER).splitlines()
+    assert lines[1].split() == ["palm", "0.5", "89.3%", "0", "0", "0.02", "976.6"]
+    assert any(line.split()[:2] == ["total", "0.56"] for line in lines)
+
+
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    document = json.loads(run(capsys, MODEL, "--format", "json"))
+    assert document["total"]["mass"] == pytest.approx(10.2301)
+    wheel = next(link for link in document["links"] if link["name"] == "wheel_1")
+    assert wheel["shapes"]["source"] == "the collision"
+    assert wheel["density"] == pytest.approx(884.19, rel=1e-4)
+    assert wheel["principal_axes"] == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def test_csv_has_a_line_for_each_link_and_one_for_the_whole(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    rows = list(csv.DictReader(io.StringIO(run(capsys, GRIPPER, "--format", "csv"))))
+    assert [row["link"] for row in rows] == ["palm", "left_finger", "right_finger", ""]
+    assert sum(float(row["mass"]) for row in rows[:-1]) == pytest.approx(float(rows[-1]["mass"]))
+    assert float(rows[0]["i3"]) == pytest.approx(float(rows[0]["shape_i3"]), rel=1e-4)
+
+
+def test_markdown_is_a_table(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = run(capsys, GRIPPER, "--format", "markdown").splitlines()
+    assert len(lines) == 6
+    assert {line.count("|") for line in lines} == {6}
+
+
+def test_a_pose(capsys: pytest.CaptureFixture[str]) -> None:
+    words = (GRIPPER, "--format", "json", "--joint", "left_finger_joint=0.05")
+    opened = json.loads(run(capsys, *words))["total"]["principal_moments"]
+    closed = json.loads(run(capsys, *words[:3]))["total"]["principal_moments"]
+    assert opened[2] > closed[2]

@@ -1,0 +1,191 @@
+"""``urdfkit mass``: the mass properties of every link and of the whole."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.mass_table import MassRow, MassTable, mass_table
+from urdfkit.spatial import Rotation
+
+VERSION = 1
+
+
+@click.command("mass")
+@one_robot
+@posed
+@click.option(
+    "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
+)
+def command(
+    words: tuple[str, ...],
+    joint: tuple[str, ...],
+    pose: str | None,
+    form: str,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Tell the mass properties of every link and of the whole robot.
+
+    Mass, centre of mass and principal moments as declared, beside the density and the moments
+    that the shapes of the link give. The whole is taken at a pose.
+
+    Exit codes: 0 done, 2 the file or the pose cannot be read.
+    """
+    subject = robot(words, package, trust)
+    found = mass_table(subject, positions(subject, joint, pose))
+    write = {"text": as_text, "json": as_json, "csv": as_csv, "markdown": as_markdown}
+    output.write(write[form](found))
+    return 0
+
+
+def as_text(found: MassTable) -> str:
+    """Two tables: masses and places, then moments and axes."""
+    return "".join(
+        f"{line}\n" for line in (*_masses(found), "", *_moments(found), *_unknown(found))
+    )
+
+
+def _masses(found: MassTable) -> Iterator[str]:
+    width = max((len(row.link) for row in found.rows), default=5)
+    yield (
+        f"{'link':<{width}} {'mass / kg':>10} {'share':>6} {'centre of mass / m':>29} {'kg/m^3':>8}"
+    )
+    for row in found.rows:
+        density = "" if row.density is None else f"{row.density:.4g}"
+        share = row.properties.mass / found.whole.mass if found.whole.mass else 0.0
+        yield (
+            f"{row.link:<{width}} {row.properties.mass:>10.5g} {share:>6.1%}"
+            f" {_three(row.properties.center)} {density:>8}"
+        )
+    place = f"  in {found.root}" if found.root else ""
+    total = f"{found.whole.mass:>10.6g} {'':>6} {_three(found.whole.center)}"
+    yield f"{'total':<{width}} {total}{place}"
+
+
+def _moments(found: MassTable) -> Iterator[str]:
+    width = max((len(row.link) for row in found.rows), default=5)
+    yield f"{'principal moments / kg m^2':<{width + 30}}  axes       of its shapes"
+    for row in found.rows:
+        shapes = row.of_shapes
+        yield (
+            f"{row.link:<{width}} {_three(row.moments)}  {_axes(row.axes):<9}"
+            f" {_three(shapes[0]) if shapes else ''}"
+        ).rstrip()
+    yield f"{'total':<{width}} {_three(found.moments)}  {_axes(found.axes)}"
+
+
+def _unknown(found: MassTable) -> Iterator[str]:
+    reasons: dict[str, list[str]] = {}
+    for row in found.rows:
+        for reason in (row.reason, *(row.matter.notes if row.matter else ())):
+            if reason:
+                reasons.setdefault(reason, []).append(row.link)
+    if reasons:
+        yield ""
+    for reason, names in reasons.items():
+        yield f"{', '.join(names)}: {reason}"
+
+
+def _axes(axes: Rotation) -> str:
+    """The axes as letters where they are those of the link, else ``turned``."""
+    letters = []
+    for column in zip(*axes, strict=True):
+        at = max(range(3), key=lambda index: abs(column[index]))
+        if abs(column[at]) < 1 - 1e-6:
+            return "turned"
+        letters.append("xyz"[at])
+    return " ".join(letters)
+
+
+def _three(values: Iterable[float]) -> str:
+    every = list(values)
+    noise = 1e-9 * max(map(abs, every))
+    return " ".join(f"{0.0 if abs(value) <= noise else value:>9.4g}" for value in every)
+
+
+def as_json(found: MassTable) -> str:
+    """For programs; in kg, m, kg m^2 and kg/m^3, axes as columns."""
+    document = {
+        "version": VERSION,
+        "root": found.root,
+        "total": _numbers(found),
+        "links": [_link(row) for row in found.rows],
+    }
+    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+
+
+def _numbers(found: MassTable | MassRow) -> dict[str, Any]:
+    mass, center, tensor = found.whole if isinstance(found, MassTable) else found.properties
+    return {
+        "mass": mass,
+        "center": list(center),
+        "inertia": tensor._asdict(),
+        "principal_moments": list(found.moments),
+        "principal_axes": [list(row) for row in found.axes],
+    }
+
+
+def _link(row: MassRow) -> dict[str, Any]:
+    shapes: dict[str, Any] | None = None
+    if row.matter and row.of_shapes:
+        moments, axes = row.of_shapes
+        shapes = {
+            "source": row.matter.source,
+            "volume": row.matter.properties.mass,
+            "center": list(row.matter.properties.center),
+            "principal_moments": list(moments),
+            "principal_axes": [list(line) for line in axes],
+            "notes": list(row.matter.notes),
+        }
+    known = {"density": row.density, "shapes": shapes, "reason": row.reason}
+    return {"name": row.link, **_numbers(row), **known}
+
+
+def as_csv(found: MassTable) -> str:
+    """One line for each link and one for the whole, which has no name."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(
+        "link mass cx cy cz ixx ixy ixz iyy iyz izz i1 i2 i3 volume density shape_i1 shape_i2 "
+        "shape_i3".split()
+    )
+    for row in found.rows:
+        shapes: list[float | str] = [""] * 5
+        if row.matter and row.of_shapes and row.density is not None:
+            shapes = [row.matter.properties.mass, row.density, *row.of_shapes[0]]
+        mass, center, tensor = row.properties
+        writer.writerow([row.link, mass, *center, *tensor, *row.moments, *shapes])
+    mass, center, tensor = found.whole
+    writer.writerow(["", mass, *center, *tensor, *found.moments, *[""] * 5])
+    return text.getvalue()
+
+
+def as_markdown(found: MassTable) -> str:
+    """A table for a README or an issue."""
+    lines = [
+        "| link | mass / kg | centre of mass / m | principal moments / kg m^2 | density / kg/m^3 |",
+        "| --- | ---: | --- | --- | ---: |",
+    ]
+    for row in found.rows:
+        density = "" if row.density is None else f"{row.density:.4g}"
+        name = row.link.replace("|", "\\|")
+        lines.append(
+            f"| {name} | {row.properties.mass:.6g} | {_plain(row.properties.center)} |"
+            f" {_plain(row.moments)} | {density} |"
+        )
+    total = f"{_plain(found.whole.center)} | {_plain(found.moments)}"
+    lines.append(f"| **total** | **{found.whole.mass:.6g}** | {total} | |")
+    return "\n".join(lines) + "\n"
+
+
+def _plain(values: Iterable[float]) -> str:
+    return " ".join(_three(values).split())
