@@ -34,6 +34,7 @@ class Editor:
         self.client: Any = LanguageClient("editor", "1")
         self.found: dict[str, list[lsp.Diagnostic]] = {}
         self.messages: list[str] = []
+        self.registered: list[str] = []
         self.versions: dict[str, int] = {}
         self._news = asyncio.Condition()
         self.initialized: Any = None
@@ -43,18 +44,26 @@ class Editor:
                 self.found[params.uri] = list(params.diagnostics)
                 self._news.notify_all()
 
+        def register(params: lsp.RegistrationParams) -> None:
+            self.registered += [one.method for one in params.registrations]
+
         def hear(params: lsp.ShowMessageParams) -> None:
             self.messages.append(params.message)
 
         self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
         self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(hear)
+        self.client.feature(lsp.CLIENT_REGISTER_CAPABILITY)(register)
 
     async def start(self, encoding: str | None = None) -> None:
         await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
         general = lsp.GeneralClientCapabilities(
             position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
         )
-        capabilities = lsp.ClientCapabilities(general=general)
+        watching = lsp.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
+        capabilities = lsp.ClientCapabilities(
+            general=general,
+            workspace=lsp.WorkspaceClientCapabilities(did_change_watched_files=watching),
+        )
         params = lsp.InitializeParams(capabilities=capabilities)
         self.initialized = await self.client.initialize_async(params)
         self.client.initialized(lsp.InitializedParams())
@@ -267,7 +276,7 @@ def test_nothing_that_is_typed_ends_the_server(tmp_path: Path) -> None:
 
     async def conversation(editor: Editor) -> None:
         file = editor.open(tmp_path / "r.xacro", TEXT)
-        for _ in range(40):
+        for _ in range(20):
             text = TEXT
             for _ in range(chance.randrange(1, 4)):
                 at, until = sorted(chance.choices(range(len(text)), k=2))
@@ -307,7 +316,7 @@ def test_standard_error_has_no_traceback_after_damage(tmp_path: Path) -> None:
         editor = Editor()
         await editor.start()
         file = editor.open(tmp_path / "r.xacro", TEXT)
-        for end in range(0, len(TEXT), 331):
+        for end in range(0, len(TEXT), 661):
             editor.retype(file.uri, TEXT[:end])
             lines = TEXT[:end].split("\n")
             here = lsp.Position(len(lines) - 1, len(lines[-1]))
@@ -330,6 +339,7 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
     async def conversation(editor: Editor) -> None:
         file = editor.open(top, text)
         await editor.until(file.uri, lambda found: "INE019" in codes(found))
+        assert editor.registered == [lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES]
         parts.write_text(f'{head}<link name="a"/><link name="a"/></robot>')
         change = lsp.FileEvent(to_uri(str(parts)), lsp.FileChangeType.Changed)
         editor.client.workspace_did_change_watched_files(lsp.DidChangeWatchedFilesParams([change]))

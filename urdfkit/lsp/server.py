@@ -35,6 +35,11 @@ Answer = TypeVar("Answer")
 
 #: Seconds without a change after which a text is checked.
 QUIET = 0.03
+#: The files that a check may read.
+PARTS = (
+    "**/{package.xml,urdfkit.toml,pyproject.toml,"
+    "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,stl,dae,obj,ply,glb,gltf}}"
+)
 #: Of the thread that expands robots: xacro recurses in the depth of macros.
 _STACK = 64 * 1024 * 1024
 
@@ -93,6 +98,17 @@ class Server(LanguageServer):
         """The real path of a URI."""
         path = to_path(uri)
         return os.path.realpath(path) if path != uri else uri
+
+    def watch(self) -> None:
+        """Let the client tell when files change that no editor shows."""
+        workspace = self.client_capabilities.workspace
+        watching = workspace.did_change_watched_files if workspace else None
+        if not (watching and watching.dynamic_registration):
+            return
+        options = lsp.DidChangeWatchedFilesRegistrationOptions([lsp.FileSystemWatcher(PARTS)])
+        method = lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES
+        registration = lsp.Registration("parts", method, options)
+        self.client_register_capability(lsp.RegistrationParams([registration]))
 
     # -------------------------------------------------------------- documents
 
@@ -209,6 +225,7 @@ def _add_documents(server: Server) -> None:
     def _(params: lsp.InitializedParams) -> None:
         server.worker.submit(slow_rules)  # so that the first check is as fast as the others
         server.places = Places(server.server_capabilities.position_encoding or "utf-16")
+        server.watch()
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
     def _(params: lsp.DidOpenTextDocumentParams) -> None:

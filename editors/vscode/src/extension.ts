@@ -5,8 +5,6 @@ import { LanguageClient } from "vscode-languageclient/node";
 import { findCommand } from "./command";
 
 const ROBOTS = "**/*.{urdf,xacro,srdf,launch}";
-/** Files that are checked with a robot, though nobody types in them. */
-const PARTS = "**/{package.xml,urdfkit.toml,pyproject.toml,*.{urdf,xacro,srdf,yaml,yml,launch,stl,dae,obj}}";
 
 let client: LanguageClient | undefined;
 
@@ -50,7 +48,6 @@ async function start(): Promise<void> {
         { language: "urdf" },
         { scheme: "file", language: "xml", pattern: ROBOTS },
       ],
-      synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher(PARTS) },
     },
   );
   await client.start();
