@@ -64,6 +64,14 @@ def as_written(attribute: Attribute) -> str:
     return text if text.split() == attribute.value.split() else attribute.value
 
 
+def add_attribute(after: Attribute, name: str, value: str) -> tuple[Edit, ...] | None:
+    """Give an element one more attribute, behind another one that stands in its tag."""
+    if after.written_in is not None:
+        return None
+    source, _, end = after.span
+    return (Edit(Span(source, end + 1, end + 1), f' {name}="{value}"'),)
+
+
 def replace_value(attribute: Attribute, value: str) -> tuple[Edit, ...] | None:
     """Give an attribute another value."""
     if attribute.span.text.split() != attribute.value.split():

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         jobs: int
         progress: Callable[[int, int], None] | None
         texts: Mapping[str, bytes] | None
+        cache: bool
 
 
 class Job(Record):
@@ -73,6 +74,7 @@ class Settings(Record):
     config: Config | None
     foreign: dict[str, str]
     texts: dict[str, bytes]
+    cache: bool
 
 
 def check(
@@ -89,6 +91,7 @@ def check(
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
     texts: Mapping[str, bytes] | None = None,
+    cache: bool = True,
 ) -> Report:
     """Check descriptions of robots.
 
@@ -116,6 +119,7 @@ def check(
         jobs: processes that check at the same time.
         progress: called with the number of descriptions done and of all.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
+        cache: keep what is measured of mesh files for the next run.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
@@ -132,6 +136,7 @@ def check(
         config,
         catalogue.foreign(),
         dict(texts or {}),
+        cache,
     )
     resolver = Resolver(settings.packages, texts=settings.texts)
     plan = _planned(files, resolver, config, arguments, changed=changed)
@@ -347,6 +352,7 @@ def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
         targets=settings.targets,
         frame=job.frame,
         parameters=job.parameters,
+        cache=settings.cache,
     )
     verdict = judge(subject, settings.chosen, settings.config)
     return _without_arguments(verdict, job) if job.found else verdict

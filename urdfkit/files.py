@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from urdfkit.document import Attribute, Tag
-from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts
-from urdfkit.meshes.sniff import sniff_file
+from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts, has_other_unit
+from urdfkit.meshes.sniff import MAX_BYTES, sniff_file
 from urdfkit.model import Body, Placed, RobotModel, Shape
 from urdfkit.nearest import nearest
 from urdfkit.record import Record
@@ -110,6 +110,12 @@ class Files:
         """The file that a mesh or a texture names; None if there is no such file."""
         return self.resolver.locate(name.value, _tag(name).source.path, self.top).path
 
+    def facts(self, path: str) -> MeshFacts:
+        """What the bytes of a file say."""
+        if path not in self._facts:
+            self._facts[path] = sniff_file(path)
+        return self._facts[path]
+
     @cached_property
     def missing(self) -> tuple[MeshReference, ...]:
         """The references that lead to no file, although their package is known."""
@@ -136,7 +142,52 @@ class Files:
                 codes.add("MSH006")
             if mesh.facts and mesh.located.path:
                 codes |= _codes(mesh.facts, mesh.located.path)
-        return codes
+        found = {"MSH024": self.copies, "MSH025": self.ignored, "MSH027": self.case_collisions}
+        return codes.union(code for code, meshes in found.items() if meshes)
+
+    @cached_property
+    def copies(self) -> list[tuple[MeshReference, MeshReference]]:
+        """The references to a file with the content of an earlier one, and the latter."""
+        by_size: dict[int, list[MeshReference]] = {}
+        for mesh in self._each_file:
+            if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES:
+                by_size.setdefault(mesh.facts.size, []).append(mesh)
+        found = []
+        for alike in by_size.values():
+            first: dict[bytes, MeshReference] = {}
+            for mesh in alike if len(alike) > 1 else ():
+                earlier = first.setdefault(_content(mesh), mesh)
+                if earlier is not mesh:
+                    found.append((mesh, earlier))
+        return found
+
+    @cached_property
+    def ignored(self) -> list[MeshReference]:
+        """The references to files that git leaves out of the repository that they lie in."""
+        from urdfkit.gitignore import Ignored
+
+        ignored = Ignored()
+        return [mesh for mesh in self._each_file if mesh.located.path in ignored]
+
+    @cached_property
+    def case_collisions(self) -> list[tuple[MeshReference, str]]:
+        """The references to files, and the name beside each that differs in case only."""
+        found = []
+        for mesh in self._each_file:
+            folder, name = os.path.split(mesh.located.path or "")
+            entries = self.resolver.folders.entries(folder) or {}
+            others = [one for one in entries if one != name and one.casefold() == name.casefold()]
+            found += [(mesh, other) for other in sorted(others)[:1]]
+        return found
+
+    @cached_property
+    def _each_file(self) -> list[MeshReference]:
+        """The first reference to each file that is there; links to one file are one."""
+        first: dict[str, MeshReference] = {}
+        for mesh in self.meshes:
+            if mesh.located.path:
+                first.setdefault(os.path.realpath(mesh.located.path), mesh)
+        return list(first.values())
 
     def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
         """The references whose file cannot be used for a reason of this kind, and the reason."""
@@ -198,11 +249,7 @@ class Files:
 
     def _mesh(self, link: str, role: str, filename: Placed[str]) -> MeshReference:
         located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
-        facts = None
-        if located.path:
-            if located.path not in self._facts:
-                self._facts[located.path] = sniff_file(located.path)
-            facts = self._facts[located.path]
+        facts = self.facts(located.path) if located.path else None
         return MeshReference(filename, link, role, located, facts)
 
     def _expected(self, located: Located) -> tuple[str, str]:
@@ -252,11 +299,27 @@ class Files:
 def _codes(facts: MeshFacts, path: str) -> set[str]:
     """The codes of the rules that explain what is wrong with the content of a file."""
     codes = {"MSH026"} if facts.non_finite else set()
+    if has_other_unit(facts):
+        codes.add("MSH013")
+    if facts.up_axis not in ("", "Z_UP"):
+        codes.add("MSH014")
+    if facts.starts_with_solid:
+        codes.add("MSH018")
     if facts.defect:
         codes.add(_CODES[facts.defect.kind])
     elif facts.format not in BY_SUFFIX.get(_suffix(path), ()):
         codes.add("MSH007")
     return codes
+
+
+def _content(mesh: MeshReference) -> bytes:
+    """The bytes of a file; its path where they cannot be read, which equals no other."""
+    path = mesh.located.path or ""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return path.encode("utf-8", "surrogateescape")
 
 
 def is_slip(wrong: str, right: str) -> bool:

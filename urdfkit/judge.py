@@ -59,6 +59,7 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     """
     run = _Run(subject, config)
     run.skipped += unread(subject, chosen)
+    run.skipped += unmeasured(subject, chosen)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if code.startswith("CFG")]
     run.rules(applicable(subject, [code for code in chosen if code not in own]))
@@ -146,7 +147,11 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
     told = {problem.code for problem in reading.problems}
     silent = {"LAU"}
     waiting = (
-        rules.TOLD_BY_READING | rules.TOLD_BY_GRAMMAR | rules.TOLD_BY_FILES | rules.TOLD_BY_MASSES
+        rules.TOLD_BY_READING
+        | rules.TOLD_BY_GRAMMAR
+        | rules.TOLD_BY_FILES
+        | rules.TOLD_BY_MESHES
+        | rules.TOLD_BY_MASSES
     )
     if reading.xacro is None:
         silent.add("XAC")
@@ -165,8 +170,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
             waiting |= {"DYN001", "DYN002"}
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
-        elif not rules.TOLD_BY_FILES.isdisjoint(chosen):
-            told |= subject.files.told
+        else:
+            told |= _told_by_meshes(subject, chosen)
         if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
             told |= subject.masses.told
     return [
@@ -174,6 +179,19 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         for code in chosen
         if code in told or not (code[:3] in silent or code in waiting)
     ]
+
+
+def _told_by_meshes(subject: Subject, chosen: Iterable[str]) -> set[str]:
+    """The rules that have something to say about the mesh files or what is in them."""
+    told: set[str] = set()
+    if not rules.TOLD_BY_FILES.isdisjoint(chosen):
+        told |= subject.files.told
+    if not rules.TOLD_BY_MESHES.isdisjoint(chosen):
+        try:
+            told |= subject.measured.told
+        except Unavailable:
+            pass  # which `unmeasured` tells
+    return told
 
 
 def _silent_families(subject: Subject) -> set[str]:
@@ -215,6 +233,21 @@ def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
         for code in chosen
         if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
+
+
+def unmeasured(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
+    """The rules that cannot look into the meshes, for want of a library."""
+    path = subject.source.path
+    wanted = [code for code in chosen if code in rules.TOLD_BY_MESHES]
+    if is_launch(path) or subject.reading.document is None or not wanted:
+        return []
+    if not any(shape.filename for shape in subject.model.shapes):
+        return []
+    try:
+        _ = subject.measured
+    except Unavailable as reason:
+        return [Skipped(code, path, str(reason)) for code in wanted]
+    return []
 
 
 def _bounded(finding: Finding) -> Finding:

@@ -40,7 +40,14 @@ TOLD_BY_GRAMMAR = frozenset(
 
 #: Rules that only tell what is wrong with the mesh files; imported likewise.
 TOLD_BY_FILES = frozenset(
-    "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH026".split()
+    "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH013 MSH014 "
+    "MSH018 MSH024 MSH025 MSH026 MSH027".split()
+)
+
+#: Rules that only tell what is doubtful about the triangles of meshes; imported likewise.
+TOLD_BY_MESHES = frozenset(
+    "MSH012 MSH015 MSH016 MSH017 MSH019 MSH020 MSH021 MSH023 MSH028 MSH029 MSH031 MSH032 MSH033 "
+    "MSH034".split()
 )
 
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.
@@ -75,6 +82,7 @@ class Need(Enum):
     XACRO = "xacro"  # the expansion: macros, properties, arguments
     MODEL = "model"  # the expanded document and the robot in it
     FILES = "files"  # the files that the model names
+    MESHES = "meshes"  # the triangles in them, measured
     GAZEBO = "gazebo"  # what Gazebo makes of the model
     LAUNCH = "launch"  # the launch file
     SRDF = "srdf"  # MoveIt's file beside the model

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.grammar import Deviation
     from urdfkit.launch import FileUse, Launch
     from urdfkit.masses import Masses
+    from urdfkit.measured import Measured
     from urdfkit.model import RobotModel
     from urdfkit.parameters import Unread
     from urdfkit.plugins import Use
@@ -76,6 +77,7 @@ class Subject:
         trust: True if the model's expressions and files are not fenced in.
         frame: the launch file that asks for it; None if it was named itself.
         parameters: the files of parameters that this launch file loads.
+        cache: True if measures of meshes may be kept for the next run.
         outcome: what the rules before the present one found; set by the engine alone.
     """
 
@@ -89,9 +91,11 @@ class Subject:
         targets: Targets | None = None,
         frame: Frame | None = None,
         parameters: tuple[FileUse, ...] = (),
+        cache: bool = False,
     ) -> None:
         self.frame = frame
         self.parameters = parameters
+        self.cache = cache
         self._given_targets = targets
         self.outcome = Outcome()
         self.source = source
@@ -270,7 +274,13 @@ class Subject:
 
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
         """Another description, read in the same way."""
-        return Subject(self.resolver.read(path), self.resolver, arguments, trust=self.trust)
+        return Subject(
+            self.resolver.read(path),
+            self.resolver,
+            arguments,
+            trust=self.trust,
+            cache=self.cache,
+        )
 
     @cached_property
     def masses(self) -> Masses:
@@ -336,6 +346,21 @@ class Subject:
         from urdfkit.files import Files
 
         return Files(self.model, self.resolver)
+
+    @cached_property
+    def measured(self) -> Measured:
+        """The mesh files that the model names, measured.
+
+        Raises:
+            Unavailable: a library that measures them is not installed.
+        """
+        from urdfkit.measured import Measured
+        from urdfkit.meshes import store
+
+        missing = store.missing_library()
+        if missing:
+            raise Unavailable(f"meshes are not measured without {missing}: {store.INSTALL}")
+        return Measured(self.model, self.files, store.shared(cached=self.cache))
 
     @cached_property
     def meshes(self) -> Meshes:

@@ -65,6 +65,7 @@ def choices(values: Mapping[str, Any]) -> Options:
         "config": options.config(values, os.curdir if files[0] == "-" else files[0]),
         "changed": values["changed"],
         "jobs": options.jobs(values),
+        "cache": not values["no_cache"],
     }
 
 

@@ -14,6 +14,7 @@ _NEEDS = {
     Need.XACRO: "a xacro that expands",
     Need.MODEL: "a robot that can be read",
     Need.FILES: "the files that the robot names",
+    Need.MESHES: "meshes that can be read (pip install 'urdfkit[meshes]')",
 }
 
 

@@ -99,6 +99,7 @@ CHECK = (
         default="auto",
     ),
     Option("--changed", "FILE are changed files: check the robots that they are part of."),
+    Option("--no-cache", "Measure every mesh anew, and keep nothing for the next run."),
     Option("--jobs", "Processes that check at the same time. [default: 1]", "N"),
     Option("--config", "The configuration. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Take no configuration."),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from math import inf
 from xml.parsers import expat
 
 from urdfkit.meshes.facts import Defect, empty, truncated, unreadable
@@ -16,6 +17,8 @@ _REFERENCE = re.compile(
     rb"""<(?:instance_geometry|accessor|input)\s[^>]*\b(?:url|source)\s*=\s*["']#([^"'&]*)"""
 )
 _ID = re.compile(rb"""\sid\s*=\s*["']([^"'&]*)""")
+_UNIT = re.compile(rb"""<unit\s[^>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*["']""")
+_UP_AXIS = re.compile(rb"<up_axis>\s*([XYZ]_UP)\s*<")
 _NOT_FINITE = re.compile(rb"[^\s<>]*(?:[nN][aA][nN]|[iI][nN][fFdD])[^\s<>]*")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
@@ -65,6 +68,15 @@ def _where_it_ends(content: _Content) -> str:
     open_tags = " in ".join(f"<{tag}>" for tag in reversed(content.open[-2:]))
     held = "" if content.surfaces else ", before any triangle"
     return f"ends inside {open_tags or 'its first tag'}{held}"
+
+
+def conventions(data: bytes) -> tuple[float, str]:
+    """Metres per unit of length and the upward axis, as the ``<asset>`` at the top says."""
+    start = data.find(b"<asset")
+    asset = data[start : data.find(b"</asset>", start)] if start >= 0 else b""
+    unit, axis = _UNIT.search(asset), _UP_AXIS.search(asset)
+    meter = float(unit.group(1)) if unit else 1.0
+    return meter if 0 < meter < inf else 1.0, axis.group(1).decode() if axis else ""
 
 
 class _Content:

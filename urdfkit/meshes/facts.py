@@ -14,6 +14,9 @@ PLY = "PLY"
 GLB = "GLB"
 GLTF = "glTF"
 
+#: The formats whose triangles are read.
+READ = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
+
 #: The formats that a suffix promises; consumers choose their reader by the suffix.
 BY_SUFFIX = {
     ".stl": (BINARY_STL, ASCII_STL),
@@ -56,12 +59,23 @@ class MeshFacts(Record):
         size: in bytes.
         defect: why it cannot be used, or None.
         non_finite: which coordinate is not finite, in words; empty if all are.
+        unit: metres per unit of length, as COLLADA says; 1 where nothing is said.
+        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as COLLADA says; empty where nothing is said.
+        starts_with_solid: True for a binary STL that begins as ASCII ones do.
     """
 
     format: str
     size: int
     defect: Defect | None = None
     non_finite: str = ""
+    unit: float = 1.0
+    up_axis: str = ""
+    starts_with_solid: bool = False
+
+
+def has_other_unit(facts: MeshFacts) -> bool:
+    """True if a file says that it is not in metres."""
+    return abs(facts.unit - 1) > 1e-6
 
 
 def empty(reason: str) -> Defect:

@@ -42,7 +42,7 @@ class Measures(Record):
         duplicate: triangles on corners that an earlier one has.
         bodies: pieces that hang together.
         flat_bodies: pieces that lie in a plane.
-        inverted_bodies: closed pieces that look inwards and lie in no other one.
+        inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.
         unit, up_axis, losses, extras, textures: as in `urdfkit.meshes.geometry.Mesh`.
     """
 

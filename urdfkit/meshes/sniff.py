@@ -111,7 +111,13 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
         defect, not_finite = getattr(import_module(f"urdfkit.meshes.{module}"), function)(data)
     elif not form and defect is None:
         defect = _unknown(data)
-    return MeshFacts(form, len(data), defect, not_finite)
+    unit, up_axis = 1.0, ""
+    if form == facts.COLLADA and defect is None:
+        from urdfkit.meshes.collada import conventions
+
+        unit, up_axis = conventions(data)
+    is_solid = form == facts.BINARY_STL and data[:5].lower() == b"solid"
+    return MeshFacts(form, len(data), defect, not_finite, unit, up_axis, is_solid)
 
 
 def recognise(data: bytes, size: int) -> str:

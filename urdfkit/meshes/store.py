@@ -25,6 +25,8 @@ VARIABLE = "URDFKIT_CACHE_DIR"
 #: Entries in one of the 256 folders; of some 2 kB each.
 MAX_ENTRIES = 100
 
+INSTALL = "pip install 'urdfkit[meshes]'"
+
 _LIBRARY = re.compile(rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)")
 
 

@@ -120,6 +120,10 @@ def duplicates(faces: Integers) -> int:
     return len(faces) - len(np.unique(pairs * number + ordered[:, 2]))
 
 
+#: Part of the volume of all pieces below which one of them does not matter.
+SIGNIFICANT = 0.01
+
+
 class Pieces(NamedTuple):
     """How many pieces hang together, and how many of them are flat or look inwards."""
 
@@ -149,7 +153,10 @@ def pieces(places: Floats, faces: Integers, flat: float) -> Pieces:
     # An edge belongs to the piece of its ends.
     _, of_edge = np.unique(label[edges.ends[:, 0]], return_inverse=True)
     ragged = np.bincount(of_edge, edges.forward != edges.backward, number) > 0
-    inwards = ~ragged & ~is_flat & (volumes < 0)
+    closed = ~ragged & ~is_flat
+    # A screw that looks inwards changes nothing.
+    least = SIGNIFICANT * np.abs(volumes[closed]).sum()
+    inwards = closed & (volumes < -least)
     return Pieces(number, int(is_flat.sum()), _outermost(inwards, low, high, ragged | is_flat))
 
 

@@ -1,0 +1,76 @@
+"""A mesh is so large that it was drawn in millimetres.
+
+URDF is in metres. A part of 300 mm that a CAD program exports in millimetres becomes 300 m long:
+RViz shows nothing but its inside, the robot collides with everything, and a planner finds no way.
+The rest of the robot, its joints and primitives, tells that it is not meant. Give the `<mesh>` the
+attribute `scale="0.001 0.001 0.001"`, or export the mesh in metres.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit import edits
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.document import Attribute
+from urdfkit.mesh_claims import rest_of_robot
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.measured import Use
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </visual>
+</link>
+<joint name="shoulder" type="continuous">
+  <parent link="base"/>
+  <child link="arm"/>
+  <origin xyz="0 0 0.2"/>
+  <axis xyz="0 0 1"/>
+</joint>"""
+FIXED = GOOD = BAD.replace(
+    'filename="forearm.stl"', 'filename="forearm.stl" scale="0.001 0.001 0.001"'
+)
+FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
+
+
+@rule(
+    "MSH012",
+    "looks-like-millimetres",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.MESHES),
+    help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH012", ()):
+        length = use.longest
+        yield Finding(
+            use.at,
+            f"{use.who} is {length:.4g} m long, and the rest of the robot "
+            f"{rest_of_robot(subject.measured):.3g} m; in mm it would be {length / 1000:.3g} m",
+            fix=_fix(use),
+            confidence=Confidence.GUESSED,
+            weight=length,
+        )
+
+
+def _fix(use: Use) -> Fix | None:
+    """A thousandth of the scale, where the source holds this very mesh."""
+    name = use.at.at
+    if not isinstance(name, Attribute) or not name.literal:
+        return None
+    scale = " ".join(f"{factor * 0.001:.9g}" for factor in use.shape.scale)
+    written = use.scale_at
+    if written is not None:
+        change = edits.replace_value(written, scale) if written.literal else None
+    else:
+        change = edits.add_attribute(name, "scale", scale)
+    return Fix(f'scale="{scale}"', change) if change else None

@@ -1,0 +1,53 @@
+"""A COLLADA file is not in metres, and its readers disagree what that means.
+
+`<unit meter="0.001"/>` at the top of the file says that its lengths are in millimetres. RViz and
+Gazebo multiply by it; MoveIt, Pinocchio, coal and most Python tools do not. So the robot looks
+right and its planner avoids something a thousand times as large, or the other way round. Bake the
+unit into the vertices, with `urdfkit mesh convert`; then all readers agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import has_other_unit
+from urdfkit.meshes.samples import collada
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.dae"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada('<unit name="millimeter" meter="0.001"/>'),
+    "hand.dae": collada('<unit name="meter" meter="1"/>'),
+}
+
+
+@rule(
+    "MSH013",
+    "collada-unit-not-metre",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.FILES),
+    help="bake it: urdfkit mesh convert FILE -o NEW.dae",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    told = set()
+    for mesh in subject.files.meshes:
+        facts, path = mesh.facts, mesh.located.path
+        if facts is None or not has_other_unit(facts) or path in told:
+            continue
+        told.add(path)
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} says that its unit is {facts.unit:g} m: RViz and Gazebo multiply by it, "
+            "MoveIt, Pinocchio and coal do not",
+        )

@@ -1,0 +1,56 @@
+"""A COLLADA file says that another axis than z points upwards.
+
+RViz, Gazebo, MoveIt, Pinocchio and most Python tools pass over `<up_axis>` and show the mesh as
+its numbers are. Bullet, and viewers in the browser, turn it by 90 degrees. If the robot looks right
+in RViz, all is well until somebody loads it elsewhere. `urdfkit mesh convert` writes Z_UP, with the
+same numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import collada
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.dae"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada("<up_axis>Y_UP</up_axis>"),
+    "hand.dae": collada("<up_axis>Z_UP</up_axis>"),
+}
+
+
+@rule(
+    "MSH014",
+    "collada-up-axis",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.FILES),
+    help="nothing, if it looks right in RViz; urdfkit mesh convert writes Z_UP",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    turned = {
+        mesh.located.path: mesh
+        for mesh in reversed(subject.files.meshes)
+        if mesh.facts and mesh.facts.up_axis not in ("", "Z_UP")
+    }
+    if not turned:
+        return
+    *others, mesh = turned.values()
+    assert mesh.facts is not None
+    more = f" ({len(others)} more of this robot say such a thing)" if others else ""
+    yield Finding(
+        mesh.at,
+        f"{mesh.who} says {mesh.facts.up_axis}{more}: Bullet turns it by 90 degrees, RViz, Gazebo, "
+        "MoveIt and Pinocchio do not",
+    )

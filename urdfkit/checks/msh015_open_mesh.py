@@ -1,0 +1,56 @@
+"""The surface of a collision mesh is not closed.
+
+It has holes, or triangles that look in opposite ways along an edge. What is inside and what outside
+is then not said: a volume, a mass or an inertia cannot be computed from it, MuJoCo may refuse it,
+and a thin object can slip in through a hole. A quarter of the collision meshes of real robots are
+like that, and simulators that only test triangles live with it. `urdfkit mesh repair` closes small
+holes; `urdfkit mesh hull` makes a closed convex shape.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import counted
+from urdfkit.meshes.samples import BOX, box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3), BOX[2:])),
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH015",
+    "open-mesh",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH015", ()):
+        found = use.measures
+        parts = [
+            counted(number, f"{kind} edge")
+            for number, kind in ((found.open_edges, "open"), (found.flipped_edges, "twisted"))
+            if number
+        ]
+        yield Finding(
+            use.at,
+            f"{use.who} is not closed: {' and '.join(parts)} among "
+            f"{counted(found.triangles, 'triangle')}",
+            weight=found.open_edges,
+        )

@@ -1,0 +1,49 @@
+"""Triangles of a mesh have no area.
+
+Two of their corners are at the same place, or all three on a line. They show nothing, and they have
+no normal: collision checks may get undefined contact directions from them, and normals computed at
+their corners are wrong. Few of them do little harm. `urdfkit mesh repair` removes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.facts import counted
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.stl": stl([*box((0, 0, 0), (0.1, 0.1, 0.3)), [(0, 0, 0), (0.1, 0, 0), (0.1, 0, 0)]]),
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH017",
+    "degenerate-faces",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="urdfkit mesh repair FILE",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH017", ()):
+        found = use.measures
+        yield Finding(
+            use.at,
+            f"{use.who}: {found.degenerate} of {counted(found.triangles, 'triangle')} "
+            f"{'has' if found.degenerate == 1 else 'have'} no area",
+            weight=found.degenerate / found.triangles,
+        )

@@ -1,0 +1,51 @@
+"""A binary STL begins with the word that marks a text.
+
+A text STL begins with `solid`; the 80 bytes at the start of a binary one are free, and some CAD
+programs write `solid` there too. The readers of RViz, Gazebo, MuJoCo and Python look further and
+load it, RViz with a warning; simple readers take it for a broken text. Writing the file again, with
+`urdfkit mesh convert`, removes the word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), b"solid forearm"),
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH018",
+    "binary-stl-starts-with-solid",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.FILES),
+    help="urdfkit mesh convert FILE -o NEW.stl",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    found = {
+        mesh.located.path: mesh
+        for mesh in reversed(subject.files.meshes)
+        if mesh.facts and mesh.facts.starts_with_solid
+    }
+    if not found:
+        return
+    *others, mesh = found.values()
+    more = f", as {len(others)} more of this robot do" if others else ""
+    yield Finding(mesh.at, f"{mesh.who} is a binary STL and begins with 'solid'{more}")

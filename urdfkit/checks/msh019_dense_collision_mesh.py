@@ -1,0 +1,51 @@
+"""A collision mesh has very many triangles.
+
+Simulators and planners test it thousands of times a second. Over some 20 000 triangles a simulation
+falls behind real time, MoveIt plans in seconds instead of milliseconds, and loading takes long;
+MuJoCo refuses more than 200 000. A box, a cylinder or a convex hull does the same job: `urdfkit
+mesh collision` finds the best, `urdfkit mesh simplify` keeps the shape with fewer triangles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.mesh_claims import DENSE_COLLISION, MUJOCO_MOST
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.stl": stl(1700 * box((0, 0, 0), (0.1, 0.1, 0.3))),
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH019",
+    "dense-collision-mesh",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.MESHES),
+    help="urdfkit mesh collision or urdfkit mesh simplify makes a lighter one",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH019", ()):
+        number = use.measures.triangles
+        refused = f", and MuJoCo refuses over {MUJOCO_MOST}" if number > MUJOCO_MOST else ""
+        yield Finding(
+            use.at,
+            f"{use.who} has {number} triangles; over {DENSE_COLLISION} collision checks are slow"
+            f"{refused}",
+            weight=number,
+        )

@@ -1,0 +1,51 @@
+"""Two mesh files of a robot have the same content.
+
+One copy will be mended some day and the other forgotten, and both are loaded. Refer to one file
+from both places; a `<mesh>` may be mirrored with its scale and moved with its `<origin>`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="left">
+  <visual>
+    <geometry><mesh filename="left.stl"/></geometry>
+  </visual>
+</link>
+<link name="right">
+  <visual>
+    <geometry><mesh filename="right.stl"/></geometry>
+  </visual>
+</link>
+<joint name="axle" type="fixed">
+  <parent link="left"/>
+  <child link="right"/>
+</joint>"""
+GOOD = BAD.replace("right.stl", "left.stl")
+FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0.3))))
+
+
+@rule(
+    "MSH024",
+    "duplicate-mesh-files",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.FILES),
+    help="refer to one of them from both places",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for copy, first in subject.files.copies:
+        yield Finding(
+            copy.at,
+            f"{copy.who} has the same content as '{first.at.value}'",
+            related=(Related(first.at.span, "the other one"),),
+        )

@@ -1,0 +1,46 @@
+"""Git ignores a mesh file that the robot needs.
+
+The robot works on this machine; whoever clones the repository gets it without the mesh. Most often
+a pattern for the output of compilers, such as `*.obj`, or for large files, hits it. `git add -f`
+takes the file in; a line such as `!meshes/*.obj` in .gitignore keeps it so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <collision>
+    <geometry><mesh filename="forearm.obj"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace("forearm.obj", "hand.stl")
+FILES = {
+    ".git/HEAD": b"ref: refs/heads/main\n",
+    ".git/objects/info/keep": b"",
+    ".git/refs/heads/keep": b"",
+    ".gitignore": b"# compiler\n*.obj\n",
+    "forearm.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
+}
+
+
+@rule(
+    "MSH025",
+    "mesh-not-tracked",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.FILES),
+    help="git add -f FILE, and an exception in .gitignore",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh in subject.files.ignored:
+        yield Finding(mesh.at, f"{mesh.who} is ignored by git: clones of the repository lack it")

@@ -1,0 +1,47 @@
+"""A mesh file holds more than triangles.
+
+Lines, cameras, lights, bones and animations that a modelling program exports along are not shown by
+RViz, and old Gazebo has drawn the lines as thick wire frames. They cost time to load. Export the
+selected mesh only, or write the file again with `urdfkit mesh convert`, which keeps the triangles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.mesh_claims import extras
+from urdfkit.meshes.samples import collada
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.dae"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forearm", "hand")
+FILES = {
+    "forearm.dae": collada(
+        more="""<lines count="1">
+      <input semantic="VERTEX" source="#corners" offset="0"/><p>0 1</p></lines>"""
+    ),
+    "hand.dae": collada(),
+}
+
+
+@rule(
+    "MSH029",
+    "collada-extras-ignored",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="export the mesh alone, or urdfkit mesh convert FILE -o NEW.dae",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH029", ()):
+        message = f"{use.who} also holds {', '.join(extras(use))}; only triangles count"
+        yield Finding(use.at, message)

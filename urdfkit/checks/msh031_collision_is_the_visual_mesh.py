@@ -1,0 +1,53 @@
+"""A link collides with its detailed visual mesh.
+
+Screws and fillets that make a part look good make collision checks slow and contacts noisy. A
+simpler shape, such as a box, a cylinder or a convex hull, is faster and behaves better: `urdfkit
+mesh collision` proposes one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.mesh_claims import DENSE_SHARED
+from urdfkit.meshes.samples import box, stl
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </visual>
+  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>
+  </collision>
+</link>"""
+GOOD = BAD.replace(
+    """  <collision>
+    <geometry><mesh filename="forearm.stl"/></geometry>""",
+    """  <collision>
+    <geometry><box size="0.2 0.2 0.6"/></geometry>""",
+)
+FILES = {"forearm.stl": stl(500 * box((0, 0, 0), (0.1, 0.1, 0.3)))}
+
+
+@rule(
+    "MSH031",
+    "collision-is-the-visual-mesh",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.MESHES),
+    help="urdfkit mesh collision proposes a simple shape",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for use in subject.measured.claims.get("MSH031", ()):
+        yield Finding(
+            use.at,
+            f"{use.who} is that of the visual, too, and has {use.measures.triangles} triangles; "
+            f"over {DENSE_SHARED} a simpler one is worth it",
+            weight=use.measures.triangles,
+        )
