@@ -11,6 +11,7 @@ import pytest
 
 from urdfkit import engine, examples, rules
 from urdfkit.diagnostic import Diagnostic, Severity
+from urdfkit.meshes import store
 from urdfkit.rules import Need, Rule
 from urdfkit.subject import Subject
 
@@ -22,6 +23,7 @@ PARTS = {
     Need.XACRO: ("xacro",),
     Need.MODEL: ("document", "deviations", "model", "tree"),
     Need.FILES: ("files",),
+    Need.MESHES: ("files", "measured"),
     Need.GAZEBO: {"gazebo", "plugins"},
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
@@ -33,8 +35,12 @@ pytestmark = pytest.mark.parametrize("code", rules.codes())
 
 @pytest.fixture(autouse=True)
 def _what_it_needs(code: str) -> None:
-    if Need.DYNAMICS in rules.get(code).needs:
+    needs = rules.get(code).needs
+    if Need.DYNAMICS in needs:
         pytest.importorskip("pinocchio")
+    missing = store.missing_library()
+    if missing and Need.MESHES in needs:
+        pytest.skip(f"{missing} is not installed")
 
 
 def example(rule: Rule, which: str) -> str:

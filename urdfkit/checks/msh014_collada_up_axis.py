@@ -16,6 +16,7 @@ from urdfkit.meshes.samples import collada
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -39,14 +40,13 @@ FILES = {
     help="nothing, if it looks right in RViz; urdfkit mesh convert writes Z_UP",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    turned = {
-        mesh.located.path: mesh
-        for mesh in reversed(subject.files.meshes)
-        if mesh.facts and mesh.facts.up_axis not in ("", "Z_UP")
-    }
+    turned: dict[str | None, MeshReference] = {}
+    for mesh in subject.files.meshes:
+        if mesh.facts and mesh.facts.up_axis not in ("", "Z_UP"):
+            turned.setdefault(mesh.located.path, mesh)
     if not turned:
         return
-    *others, mesh = turned.values()
+    mesh, *others = turned.values()
     assert mesh.facts is not None
     more = f" ({len(others)} more of this robot say such a thing)" if others else ""
     yield Finding(

@@ -16,6 +16,7 @@ from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
+    from urdfkit.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -39,13 +40,12 @@ FILES = {
     help="urdfkit mesh convert FILE -o NEW.stl",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found = {
-        mesh.located.path: mesh
-        for mesh in reversed(subject.files.meshes)
-        if mesh.facts and mesh.facts.starts_with_solid
-    }
+    found: dict[str | None, MeshReference] = {}
+    for mesh in subject.files.meshes:
+        if mesh.facts and mesh.facts.starts_with_solid:
+            found.setdefault(mesh.located.path, mesh)
     if not found:
         return
-    *others, mesh = found.values()
+    mesh, *others = found.values()
     more = f", as {len(others)} more of this robot do" if others else ""
     yield Finding(mesh.at, f"{mesh.who} is a binary STL and begins with 'solid'{more}")

@@ -1,0 +1,25 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.meshed import link, mesh, messages
+from urdfkit.meshes.samples import collada
+
+INCH = collada('<unit name="inch" meter="0.0254"/>')
+TAIL = "RViz and Gazebo multiply by it, MoveIt, Pinocchio and coal do not"
+
+
+def test_a_file_in_inches_is_told_once(tmp_path: Path) -> None:
+    robot = link(mesh("a.dae", "visual"), mesh("a.dae"))
+    assert messages(tmp_path, "MSH013", robot, {"a.dae": INCH}) == [
+        f"link 'arm': the visual mesh 'a.dae' says that its unit is 0.0254 m: {TAIL}"
+    ]
+
+
+@pytest.mark.parametrize(
+    "asset", ["", '<unit meter="1"/>', '<unit meter="1.0000"/>', '<unit meter="0"/>', "<unit/>"]
+)
+def test_metres(tmp_path: Path, asset: str) -> None:
+    assert messages(tmp_path, "MSH013", link(mesh("a.dae")), {"a.dae": collada(asset)}) == []

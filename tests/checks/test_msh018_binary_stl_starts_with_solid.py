@@ -1,0 +1,30 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.meshed import SOUND, link, mesh, messages
+from tests.meshes import made
+from urdfkit.meshes.samples import box, stl
+
+MISLEADING = stl(box((0, 0, 0), (1, 1, 1)), b"solid part")
+TEXT = made.ascii_stl()
+
+
+def test_a_binary_one_that_says_solid(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH018", link(mesh("a.stl")), {"a.stl": MISLEADING}) == [
+        "link 'arm': the collision mesh 'a.stl' is a binary STL and begins with 'solid'"
+    ]
+
+
+def test_a_robot_is_told_once(tmp_path: Path) -> None:
+    robot = link(mesh("a.stl"), mesh("b.stl"), mesh("a.stl"))
+    (found,) = messages(tmp_path, "MSH018", robot, {"a.stl": MISLEADING, "b.stl": MISLEADING})
+    assert found.startswith("link 'arm': the collision mesh 'a.stl'")
+    assert found.endswith(", as 1 more of this robot do")
+
+
+@pytest.mark.parametrize("data", [SOUND, TEXT])
+def test_others(tmp_path: Path, data: bytes) -> None:
+    assert messages(tmp_path, "MSH018", link(mesh("a.stl")), {"a.stl": data}) == []

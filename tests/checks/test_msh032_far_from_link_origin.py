@@ -1,0 +1,40 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("lxml")
+pytest.importorskip("manifold3d")
+
+from tests.meshed import link, mesh, messages
+from urdfkit.meshes.samples import box, stl
+
+
+def at(x: float) -> bytes:
+    """A cube with edges of 0.2 m, a distance away."""
+    return stl(box((x, -0.1, -0.1), (x + 0.2, 0.1, 0.1)))
+
+
+def test_a_part_in_the_coordinates_of_an_assembly(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH032", link(mesh("a.stl")), {"a.stl": at(2)}) == [
+        (
+            "link 'arm': the collision mesh 'a.stl' is 0.2 m long and begins 2 m away from the "
+            "origin of the link"
+        )
+    ]
+
+
+@pytest.mark.parametrize(
+    ("x", "is_told"), [(0.59, False), (0.61, True), (-0.79, False), (-0.81, True)]
+)
+def test_three_times_its_length(tmp_path: Path, x: float, is_told: bool) -> None:
+    found = messages(tmp_path, "MSH032", link(mesh("a.stl")), {"a.stl": at(x)})
+    assert bool(found) is is_told
+
+
+def test_the_origin_counts(tmp_path: Path) -> None:
+    back = '<origin xyz="0 0 -2" rpy="0 -1.5707963267948966 0"/>'
+    robot = link(mesh("a.stl", origin=back))
+    assert messages(tmp_path, "MSH032", robot, {"a.stl": at(2)}) == []
