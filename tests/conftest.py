@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import settings
+
+# Each run of the tests measures meshes itself, and leaves nothing behind.
+os.environ["URDFKIT_CACHE_DIR"] = ""
 
 # How long an example takes is the machine's affair.
 settings.register_profile("urdfkit", deadline=None)

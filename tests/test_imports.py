@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,8 @@ import pytest
 
 from tests.conftest import MODELS, ROOT
 
-PLAIN = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+PLAIN = MODELS / "good" / "gripper.urdf"
+WITH_MESHES = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 XACRO = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 #: Not for a plain robot, even though Python brings most of them along.
@@ -23,7 +25,7 @@ SLOW = set(
 )
 
 
-def loaded(*words: str) -> set[str]:
+def loaded(*words: str, cache: Path | None = None) -> set[str]:
     """What a command line has loaded when it is done, beyond what Python starts with."""
     program = (
         "import sys; before = set(sys.modules)\n"
@@ -39,6 +41,7 @@ def loaded(*words: str) -> set[str]:
         capture_output=True,
         text=True,
         timeout=60,
+        env={**os.environ, "URDFKIT_CACHE_DIR": str(cache or "")},
     )
     assert done.returncode == 0, done.stderr
     return set(done.stderr.split())
@@ -74,6 +77,15 @@ def test_findings_and_statistics_load_no_more(tmp_path: Path) -> None:
 def test_json_costs_json_alone() -> None:
     modules = loaded("check", str(PLAIN), "--format", "json")
     assert slow(modules) == {"json"}
+
+
+def test_meshes_that_were_measured_before_need_nothing_but_python(tmp_path: Path) -> None:
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+    assert "numpy" in loaded("check", str(WITH_MESHES), cache=tmp_path)
+    modules = loaded("check", str(WITH_MESHES), cache=tmp_path)
+    assert foreign(modules) == set()
+    assert slow(modules) <= {"hashlib", "json"}
 
 
 def test_a_xacro_loads_a_private_copy_of_xacro_and_nothing_else_foreign() -> None:

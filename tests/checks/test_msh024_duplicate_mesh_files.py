@@ -17,6 +17,16 @@ def test_a_copy(tmp_path: Path) -> None:
     assert [note.span.text for note in found.related] == ["a.stl"]
 
 
+def test_a_robot_is_told_once(tmp_path: Path) -> None:
+    robot = link(mesh("a.stl"), mesh("b.stl"), mesh("c.stl"), mesh("d.stl"), mesh("e.stl"))
+    files = dict.fromkeys(("a.stl", "b.stl", "c.stl"), SOUND)
+    files |= dict.fromkeys(("d.stl", "e.stl"), OTHER)
+    (found,) = messages(tmp_path, "MSH024", robot, files)
+    assert found.endswith(
+        "'b.stl' has the same content as 'a.stl' (2 more files of this robot are copies)"
+    )
+
+
 def test_a_link_to_a_file_is_no_copy(tmp_path: Path) -> None:
     (tmp_path / "b.stl").symlink_to(tmp_path / "a.stl")
     robot = link(mesh("a.stl"), mesh("b.stl"))

@@ -43,9 +43,12 @@ FILES = dict.fromkeys(("left.stl", "right.stl"), stl(box((0, 0, 0), (0.1, 0.1, 0
     help="refer to one of them from both places",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for copy, first in subject.files.copies:
-        yield Finding(
-            copy.at,
-            f"{copy.who} has the same content as '{first.at.value}'",
-            related=(Related(first.at.span, "the other one"),),
-        )
+    if not subject.files.copies:
+        return
+    (copy, first), *others = subject.files.copies
+    more = f" ({len(others)} more files of this robot are copies)" if others else ""
+    yield Finding(
+        copy.at,
+        f"{copy.who} has the same content as '{first.at.value}'{more}",
+        related=(Related(first.at.span, "the other one"),),
+    )

@@ -15,8 +15,8 @@ from urdfkit.fixing import Fixes
 from urdfkit.formats._layout import printable, wrap
 
 _OPTIONS = (
-    "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs config "
-    "isolated"
+    "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "
+    "no-cache config isolated"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8
