@@ -41,33 +41,34 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, Any]]) -> None:
     folder, model = entry
     file, arguments = copy / folder.name / model["path"], corpus_findings.arguments_of(model)
-    before = check(file, arguments=arguments)
     fixes = fix(file, arguments=arguments, force=True)
+    assert [one for one in fixes.report.diagnostics if one.fix and one.fix.safe] == []
+    if not fixes.files:
+        return
+    before = check(file, arguments=arguments)
     fixes.write()
     after = check(file, arguments=arguments)
     assert not _codes(after) - _codes(before)
-    assert after.count(Severity.ERROR) <= before.count(Severity.ERROR)
-    assert [one for one in after.diagnostics if one.fix and one.fix.safe] == []
-    if fixes.files:
-        assert fix(file, arguments=arguments, force=True).files == ()
+    assert _codes(after) == _codes(fixes.report)
+    assert {one.path for one in after.skipped} <= {one.path for one in before.skipped}
+
+
+#: Robots that are large, or much like others, are left out: their checks take long.
+SOME = [entry for entry in ENTRIES[::2] if "pr2" not in entry[1]["path"]]
 
 
 @needs_corpus
-def test_unsafe_fixes_add_no_error_and_are_applied_once() -> None:
-    done = 0
-    for folder, model in ENTRIES:
-        file, arguments = folder / model["path"], corpus_findings.arguments_of(model)
-        fixes = fix(file, arguments=arguments, force=True, unsafe=True)
-        texts = {rewrite.path: rewrite.after for rewrite in fixes.files}
-        if not texts:
-            continue
-        done += 1
+@pytest.mark.parametrize("entry", SOME, ids=model_id)
+def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[str, Any]]) -> None:
+    folder, model = entry
+    file, arguments = folder / model["path"], corpus_findings.arguments_of(model)
+    fixes = fix(file, arguments=arguments, force=True, unsafe=True)
+    texts = {rewrite.path: rewrite.after for rewrite in fixes.files}
+    if texts:
         before = check(file, arguments=arguments)
         assert not _errors(fixes.report) - _errors(before)
-        assert {one.path for one in fixes.report.skipped} <= {one.path for one in before.skipped}
         again = fix(file, arguments=arguments, force=True, unsafe=True, texts=texts)
-        assert again.files == (), (model["path"], [one.code for one in again.applied])
-    assert done >= 80
+        assert [one.code for one in again.applied] == []
 
 
 def _codes(report: Any) -> Counter[str]:
@@ -111,7 +112,7 @@ def _robots() -> list[Path]:
     ]
 
 
-@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_a_damaged_robot_is_mended_once_and_for_all(data: st.DataObject) -> None:
     """In memory, where the files beside the robot are found as ever."""
