@@ -29,8 +29,8 @@ def places(code: str, text: str, path: str = "robot.urdf") -> list[tuple[int, st
     return [(found.span.line, found.span.text) for found in told(code, text, path)]
 
 
-def fixed(code: str, text: str, path: str = "robot.urdf") -> str:
+def fixed(code: str, text: str, path: str = "robot.urdf", targets: tuple[str, ...] = ()) -> str:
     """The robot after every fix that a rule offers."""
-    found = told(code, text, path)
+    found = told(code, text, path, targets)
     edits = [edit for diagnostic in found if diagnostic.fix for edit in diagnostic.fix.edits]
     return apply_edits(whole_robot(text).encode(), dict.fromkeys(edits)).decode()

@@ -46,16 +46,20 @@ def test_the_new_root_has_the_indentation_of_the_old() -> None:
         '      <child link="base"/>\r\n'
         "    </joint>\r\n"
     )
-    assert fixed("TRE007", robot) == robot.replace("    <link", new + "    <link")
+    assert fixed("TRE007", robot, targets=("kdl",)) == robot.replace("    <link", new + "    <link")
 
 
 def test_a_name_that_is_taken_and_a_link_of_a_macro_are_left_to_a_person() -> None:
     taken = (
         EMPTY.replace("base", "base_root") + BASE.format("1") + JOINT.format("base", "base_root")
     )
-    assert [found.fix for found in told("TRE007", taken)] == [None]
+    assert [found.fix for found in told("TRE007", taken, targets=("kdl",))] == [None]
     robot = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
         f'<xacro:macro name="m" params="">{BASE.format("1")}</xacro:macro><xacro:m/></robot>'
     )
-    assert [found.fix for found in told("TRE007", robot, "robot.xacro")] == [None]
+    assert [found.fix for found in told("TRE007", robot, "robot.xacro", ("kdl",))] == [None]
+
+
+def test_another_root_is_proposed_for_kdl_only() -> None:
+    assert [found.fix for found in told("TRE007", BASE.format("1"))] == [None]

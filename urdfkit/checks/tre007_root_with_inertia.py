@@ -36,6 +36,7 @@ GOOD = (
     + BAD
 )
 FIXED = GOOD
+TARGETS = ("kdl",)
 
 
 @rule(
@@ -58,7 +59,8 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"root link '{root.name}' has "
             + (f"{mass.value:g} kg" if mass else "an inertia")
             + ", which KDL leaves out",
-            fix=_empty_root(root, subject.model),
+            # For others than KDL, such as Gazebo, another root would change more than it mends.
+            fix=_empty_root(root, subject.model) if "kdl" in subject.targets.names else None,
         )
 
 

@@ -25,6 +25,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     blocks = [page.diagnostic(diagnostic) for diagnostic in report.diagnostics]
     blocks += [page.crash(crash) for crash in report.crashed]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
+    hints += _mendable(report)
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
         text = f"Weighed for {'; '.join(evidence)}. Others: --target NAME"
@@ -32,6 +33,16 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     if hints:
         blocks.append("".join(f"{hint}\n" for hint in hints))
     return "\n".join(blocks) + summary(report, color=color, width=width)
+
+
+def _mendable(report: Report) -> Iterator[str]:
+    """How many findings a fix would mend, and how to let it."""
+    safe = [found.fix.safe for found in report.diagnostics if found.fix]
+    careful, bold = safe.count(True), safe.count(False)
+    if careful:
+        yield f"Mended by --fix: {careful}" + (f"; with --unsafe-fixes: {bold} more" * bool(bold))
+    elif bold:
+        yield f"Mended by --fix --unsafe-fixes: {bold}"
 
 
 def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
