@@ -10,11 +10,13 @@ from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.massive import BALL, inertial, link, part, shape
 from tests.test_overview import of
 from urdfkit.loading import read
-from urdfkit.mass_table import mass_table
+from urdfkit.mass_table import mass_properties
 
 
 def test_a_box_as_declared_and_as_its_shape() -> None:
-    (row,) = mass_table(of(part("box", 6, (0.05, 0.025, 0.065), '<box size="0.2 0.3 0.1"/>'))).rows
+    (row,) = mass_properties(
+        of(part("box", 6, (0.05, 0.025, 0.065), '<box size="0.2 0.3 0.1"/>'))
+    ).rows
     assert row.properties.mass == 6
     assert row.moments == pytest.approx((0.025, 0.05, 0.065))
     assert row.density == pytest.approx(1000)
@@ -28,7 +30,7 @@ def test_a_box_as_declared_and_as_its_shape() -> None:
 
 def test_a_turned_inertial_has_turned_axes() -> None:
     turned = inertial(1, (1, 2, 2.5), rpy=f"0 0 {pi / 2}")
-    (row,) = mass_table(of(link("a", turned))).rows
+    (row,) = mass_properties(of(link("a", turned))).rows
     columns = list(zip(*row.axes, strict=True))
     assert [abs(part) for part in columns[0]] == pytest.approx([0, 1, 0], abs=1e-12)
     assert row.density is None
@@ -36,13 +38,13 @@ def test_a_turned_inertial_has_turned_axes() -> None:
 
 
 def test_links_without_mass_or_shape_are_no_rows() -> None:
-    found = mass_table(of(link("a") + link("b", shape("visual", BALL))))
+    found = mass_properties(of(link("a") + link("b", shape("visual", BALL))))
     assert [row.link for row in found.rows] == ["b"]
     assert found.rows[0].density == 0
 
 
 def test_the_mission_s_model() -> None:
-    found = mass_table(read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"))
+    found = mass_properties(read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"))
     assert found.whole.mass == pytest.approx(10.2301)
     assert found.root == "dummy"
     rows = {row.link: row for row in found.rows}
@@ -56,7 +58,7 @@ def test_the_mission_s_model() -> None:
 
 def test_a_pose_moves_the_whole_and_no_link() -> None:
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
-    zero, moved = mass_table(arm), mass_table(arm, {"shoulder": 1.0})
+    zero, moved = mass_properties(arm), mass_properties(arm, {"shoulder": 1.0})
     assert zero.rows == moved.rows
     assert zero.whole.center != moved.whole.center
 
@@ -65,7 +67,7 @@ def test_a_pose_moves_the_whole_and_no_link() -> None:
 def test_meshes_of_a_real_arm_have_the_density_of_an_arm() -> None:
     pytest.importorskip("numpy")
     file = CORPUS / "Universal_Robots_ROS2_Description" / "urdf" / "ur.urdf.xacro"
-    found = mass_table(read(file, arguments={"name": "ur", "ur_type": "ur5e"}))
+    found = mass_properties(read(file, arguments={"name": "ur", "ur_type": "ur5e"}))
     rows = {row.link: row for row in found.rows}
     forearm = rows["forearm_link"]
     assert forearm.matter is not None

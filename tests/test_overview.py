@@ -15,7 +15,7 @@ from tests.conftest import MODELS, manifest, model_id
 from tests.massive import inertial, joint, link, shape
 from urdfkit.examples import whole_robot
 from urdfkit.loading import read
-from urdfkit.overview import overview
+from urdfkit.overview import summarise
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -28,7 +28,7 @@ def of(text: str) -> Subject:
 
 
 def test_the_mission_s_model() -> None:
-    found = overview(read(MODEL))
+    found = summarise(read(MODEL))
     structure = found.structure
     assert (structure.links, sum(structure.joints.values())) == (10, 9)
     assert structure.joints == {"fixed": 5, "continuous": 4}
@@ -42,7 +42,7 @@ def test_the_mission_s_model() -> None:
 
 
 def test_a_follower_is_no_degree_of_freedom() -> None:
-    structure = overview(read(MODELS / "good" / "gripper.urdf")).structure
+    structure = summarise(read(MODELS / "good" / "gripper.urdf")).structure
     assert (structure.nq, structure.nv) == (1, 1)
     assert structure.free == {"left_finger_joint": "prismatic"}
     assert structure.followers == {"right_finger_joint": "left_finger_joint"}
@@ -50,7 +50,7 @@ def test_a_follower_is_no_degree_of_freedom() -> None:
 
 def test_the_arm_lies_down() -> None:
     """Centre of mass and size at a right angle of the shoulder, by hand."""
-    found = overview(
+    found = summarise(
         read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"),
         {"shoulder": math.pi / 2},
     )
@@ -66,7 +66,7 @@ def test_the_arm_lies_down() -> None:
 def test_the_whole_tensor_of_two_balls_by_the_parallel_axes() -> None:
     ball = inertial(2, (0.1, 0.1, 0.1))
     text = link("a", ball) + link("b", ball) + joint("a", "b", xyz="1 0 0")
-    mass, center, tensor = overview(of(text)).weight.whole
+    mass, center, tensor = summarise(of(text)).weight.whole
     assert (mass, center) == (4, (0.5, 0, 0))
     assert tensor == pytest.approx((0.2, 0, 0, 1.2, 0, 1.2), abs=1e-15)
 
@@ -81,7 +81,7 @@ def test_without_the_readers_of_meshes_the_rest_is_there(monkeypatch: pytest.Mon
         return importing(name, *rest)
 
     monkeypatch.setattr(builtins, "__import__", lean)
-    found = overview(arm)
+    found = summarise(arm)
     assert found.shapes.triangles is None
     assert found.skipped == (
         "triangles: meshes are not read without: pip install 'urdfkit[meshes]'",
@@ -99,15 +99,15 @@ def test_odd_robots_have_a_page() -> None:
         '<joint name="ba" type="fixed"><parent link="b"/><child link="a"/></joint>'
     )
     for text in ("<gazebo/>", '<link name="a"/>', loop, '<link/><joint/><link name="x"/>'):
-        found = overview(of(text))
+        found = summarise(of(text))
         assert found.weight.whole.mass == 0
         assert found.shapes.box is None
-    assert overview(of(loop)).structure.roots == ()
+    assert summarise(of(loop)).structure.roots == ()
 
 
 def test_turned_primitives_are_measured_exactly() -> None:
     cylinder = shape("visual", '<cylinder radius="0.1" length="2"/>', rpy="1.5707963267948966 0 0")
-    box = overview(of(link("a", cylinder))).shapes.box
+    box = summarise(of(link("a", cylinder))).shapes.box
     assert box is not None
     assert box.edges == pytest.approx((0.2, 2, 0.2), abs=1e-12)
 
@@ -124,7 +124,7 @@ def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
     source = Source.read(folder / model["path"])
     subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
     vars(subject)["meshes"] = _NoMeshes()
-    found, expected = overview(subject), model["expect"]
+    found, expected = summarise(subject), model["expect"]
     assert found.structure.joints == expected["joint_types"]
     assert found.weight.whole.mass == pytest.approx(expected["total_mass_kg"], rel=1e-9, abs=1e-12)
     pinocchio = expected["pinocchio"]
@@ -150,4 +150,4 @@ class _NoMeshes:
 def test_it_is_all_json() -> None:
     from urdfkit.cli.info import as_json
 
-    assert json.loads(json.dumps(as_json(overview(read(MODEL)))))["structure"]["nq"] == 8
+    assert json.loads(json.dumps(as_json(summarise(read(MODEL)))))["structure"]["nq"] == 8

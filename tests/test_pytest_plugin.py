@@ -175,6 +175,34 @@ def test_one(robot_model, urdf_report):
     assert "test_it.py::test_one PASSED" in outcome(result, passed=1)
 
 
+def test_the_robot_in_pinocchio(project: Project) -> None:
+    pytest.importorskip("pinocchio")
+    result = project.test(
+        """
+@pytest.mark.urdf("urdf/arm.urdf.xacro", args={"side": "right"})
+def test_one(robot_dynamics):
+    assert robot_dynamics.columns == ("right_joint",)
+    assert robot_dynamics.gravity({"right_joint": 0.5}).tolist() == [0]
+"""
+    )
+    assert "test_it.py::test_one PASSED" in outcome(result, passed=1)
+
+
+def test_without_pinocchio_the_test_is_skipped_with_the_command_to_install_it(
+    project: Project,
+) -> None:
+    result = project.test(
+        """
+import sys
+sys.modules["pinocchio"] = None
+@pytest.mark.urdf("urdf/arm.urdf.xacro")
+def test_one(robot_dynamics):
+    assert False
+"""
+    )
+    assert "pip install 'urdfkit[dynamics]'" in outcome(result, skipped=1)
+
+
 def test_lists_and_variants_run_the_test_for_each(project: Project) -> None:
     result = project.test(
         """
@@ -331,7 +359,7 @@ def test_the_marker_is_listed(project: Project) -> None:
 def test_the_settings_and_fixtures_are_listed(project: Project) -> None:
     assert "urdf_files (args):" in project.run("--help").stdout.str()
     text = project.run("--fixtures").stdout.str()
-    for fixture in ("urdf", "robot_model", "urdf_report", "check_urdf"):
+    for fixture in ("urdf", "robot_model", "robot_dynamics", "urdf_report", "check_urdf"):
         assert f"\n{fixture} -- " in text
 
 

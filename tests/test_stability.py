@@ -12,13 +12,13 @@ from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.massive import inertial, joint, link, shape
 from tests.test_overview import of
 from urdfkit.loading import read
-from urdfkit.stability import hull, stability
+from urdfkit.stability import hull, stand
 
 TALL = shape("collision", '<box size="0.4 0.2 1"/>')
 
 
 def test_a_tall_box_tips_across_its_narrow_side() -> None:
-    found = stability(of(link("box", TALL, inertial(3, (1, 1, 1), xyz="0 0 0.1"))))
+    found = stand(of(link("box", TALL, inertial(3, (1, 1, 1), xyz="0 0 0.1"))))
     assert found is not None
     assert found.links == ("box",)
     assert set(found.polygon) == {(-0.2, -0.1), (0.2, -0.1), (0.2, 0.1), (-0.2, 0.1)}
@@ -29,7 +29,7 @@ def test_a_tall_box_tips_across_its_narrow_side() -> None:
 
 
 def test_it_falls_where_its_mass_hangs_out() -> None:
-    found = stability(of(link("box", TALL, inertial(3, (1, 1, 1), xyz="0.25 0 0"))))
+    found = stand(of(link("box", TALL, inertial(3, (1, 1, 1), xyz="0.25 0 0"))))
     assert found is not None
     assert found.tips
     assert found.margin == pytest.approx(-0.05, rel=1e-12)
@@ -43,7 +43,7 @@ def test_a_payload_moves_the_centre() -> None:
         + link("tray")
         + joint("box", "tray", xyz="0 0.4 0")
     )
-    light, heavy = (stability(box, payload={"tray": mass}) for mass in (0.5, 3.0))
+    light, heavy = (stand(box, payload={"tray": mass}) for mass in (0.5, 3.0))
     assert light is not None
     assert heavy is not None
     assert light.center[1] == pytest.approx(0.5 * 0.4 / 3.5)
@@ -57,7 +57,7 @@ def test_three_balls_make_a_triangle() -> None:
         link(f"leg{n}", ball) + joint("base", f"leg{n}", xyz=f"{x} {y} 0")
         for n, (x, y) in enumerate(((1, 0), (-0.5, sqrt(0.75)), (-0.5, -sqrt(0.75))))
     )
-    found = stability(of(link("base", inertial(1, (1, 1, 1))) + legs))
+    found = stand(of(link("base", inertial(1, (1, 1, 1))) + legs))
     assert found is not None
     assert found.margin == pytest.approx(0.5, rel=1e-12)
     assert found.ground == pytest.approx(-0.1)
@@ -69,7 +69,7 @@ def test_a_wheel_touches_along_a_line(rpy: str) -> None:
     wheel = shape("collision", '<cylinder radius="0.06" length="0.05"/>', rpy=rpy)
     pair = link("left", wheel) + joint("base", "left", "continuous", "0 0.1 0")
     text = link("base", inertial(1, (1, 1, 1))) + pair
-    found = stability(of(text + pair.replace("left", "right").replace('"0 0.1', '"0.3 -0.1')))
+    found = stand(of(text + pair.replace("left", "right").replace('"0 0.1', '"0.3 -0.1')))
     assert found is not None
     ys = sorted(y for _, y in found.polygon)
     assert [ys[0], ys[-1]] == pytest.approx([-0.125, 0.125], abs=1e-9)
@@ -80,21 +80,21 @@ def test_two_wheels_alone_balance() -> None:
     wheel = shape("collision", '<sphere radius="0.06"/>')
     pair = link("left", wheel) + joint("base", "left", "continuous", "0 0.1 0")
     text = link("base", inertial(1, (1, 1, 1), xyz="0.5 0 0")) + pair
-    assert stability(of(text + pair.replace("left", "right").replace('"0 0.1', '"0 -0.1'))) is None
+    assert stand(of(text + pair.replace("left", "right").replace('"0 0.1', '"0 -0.1'))) is None
 
 
 def test_nothing_stands_without_a_mass_or_a_shape() -> None:
-    assert stability(of(link("a", TALL))) is None
-    assert stability(of(link("a", inertial(1, (1, 1, 1))))) is None
+    assert stand(of(link("a", TALL))) is None
+    assert stand(of(link("a", inertial(1, (1, 1, 1))))) is None
 
 
 def test_named_contacts() -> None:
     robot = read(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
-    found = stability(robot)
+    found = stand(robot)
     assert found is not None
     assert found.links == ("left_wheel", "right_wheel", "caster")
     assert found.margin > 0
-    wheels = stability(robot, contacts=["left_wheel", "right_wheel"])
+    wheels = stand(robot, contacts=["left_wheel", "right_wheel"])
     assert wheels is not None
     assert wheels.links == ("left_wheel", "right_wheel")
     assert wheels.margin < found.margin
@@ -103,7 +103,7 @@ def test_named_contacts() -> None:
 def test_the_lowest_vertices_of_a_mesh_are_contacts() -> None:
     pytest.importorskip("numpy")
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
-    found = stability(arm, {"shoulder": 1.2})
+    found = stand(arm, {"shoulder": 1.2})
     assert found is not None
     assert found.links == ("base",)
 
@@ -118,7 +118,7 @@ def test_the_lowest_vertices_of_a_mesh_are_contacts() -> None:
     ],
 )
 def test_real_robots_stand(path: str, feet: int) -> None:
-    found = stability(read(CORPUS / path), meshes=False)
+    found = stand(read(CORPUS / path), meshes=False)
     assert found is not None
     assert len(found.links) == feet
     assert found.margin > 0.01

@@ -19,6 +19,7 @@ __all__ = [
     "Call",
     "Confidence",
     "Diagnostic",
+    "Dynamics",
     "Edit",
     "Fix",
     "Fixes",
@@ -30,6 +31,7 @@ __all__ = [
     "Severity",
     "Source",
     "Span",
+    "Subject",
     "UnreadableRobot",
     "UrdfkitError",
     "Xacro",
@@ -39,7 +41,15 @@ __all__ = [
     "find_rule",
     "fix",
     "format_files",
+    "frames",
     "load",
+    "mass_properties",
+    "pose",
+    "read",
+    "stand",
+    "statics",
+    "summarise",
+    "transform",
 ]
 
 TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 8 ms
@@ -55,27 +65,43 @@ if TYPE_CHECKING:
         Report,
         Severity,
     )
+    from urdfkit.dynamics.robot import Dynamics
+    from urdfkit.dynamics.statics import statics
     from urdfkit.engine import check
     from urdfkit.errors import UnreadableRobot, UrdfkitError
     from urdfkit.expansion import Xacro
     from urdfkit.fixing import Fixes, fix
     from urdfkit.formatting import Formatted, format_files
-    from urdfkit.loading import expand, load
+    from urdfkit.kinematics import frames, transform
+    from urdfkit.loading import expand, load, read
+    from urdfkit.mass_table import mass_properties
     from urdfkit.model import RobotModel
+    from urdfkit.overview import summarise
+    from urdfkit.poses import pose
     from urdfkit.rules import Rule, all_rules, find_rule
     from urdfkit.source import Source, Span
+    from urdfkit.stability import stand
+    from urdfkit.subject import Subject
 
 _HOMES = {
     "diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
+    "dynamics.robot": "Dynamics",
+    "dynamics.statics": "statics",
     "engine": "check",
     "errors": "UnreadableRobot UrdfkitError",
     "expansion": "Xacro",
     "fixing": "Fixes fix",
     "formatting": "Formatted format_files",
-    "loading": "expand load",
+    "kinematics": "frames transform",
+    "loading": "expand load read",
+    "mass_table": "mass_properties",
     "model": "RobotModel",
+    "overview": "summarise",
+    "poses": "pose",
     "rules": "Rule all_rules find_rule",
     "source": "Source Span",
+    "stability": "stand",
+    "subject": "Subject",
 }
 
 

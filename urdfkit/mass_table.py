@@ -65,7 +65,7 @@ class MassTable(Record):
     root: str
 
 
-def mass_table(subject: Subject, pose: Mapping[str, float] | None = None) -> MassTable:
+def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -> MassTable:
     """The table.
 
     Args:

@@ -127,11 +127,11 @@ class Overview(Record):
     skipped: tuple[str, ...]
 
 
-def overview(subject: Subject, pose: Mapping[str, float] | None = None) -> Overview:
+def summarise(subject: Subject, pose: Mapping[str, float] | None = None) -> Overview:
     """The page.
 
     >>> from urdfkit.loading import read
-    >>> arm = overview(read("models/good/two_link_arm/urdf/two_link_arm.urdf"))
+    >>> arm = summarise(read("models/good/two_link_arm/urdf/two_link_arm.urdf"))
     >>> round(arm.weight.whole.mass, 9), list(arm.structure.free)
     (5.2, ['shoulder', 'elbow'])
 

@@ -22,6 +22,7 @@ import pytest
 
 if TYPE_CHECKING:
     from urdfkit.diagnostic import Report
+    from urdfkit.dynamics.robot import Dynamics
     from urdfkit.model import RobotModel
     from urdfkit.testing import Description
 
@@ -140,6 +141,16 @@ def marked_urdf(request: pytest.FixtureRequest) -> Description:
 def robot_model(marked_urdf: Description) -> RobotModel:
     """The robot of the ``urdf`` marker: links, joints and what they hold."""
     return marked_urdf.model
+
+
+@pytest.fixture
+def robot_dynamics(marked_urdf: Description) -> Dynamics:
+    """The same robot in Pinocchio: gravity torques, mass matrix, Jacobians.
+
+    The test is skipped where Pinocchio is not installed.
+    """
+    pytest.importorskip("pinocchio", reason="it needs: pip install 'urdfkit[dynamics]'")
+    return marked_urdf.dynamics
 
 
 @pytest.fixture

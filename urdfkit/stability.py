@@ -67,7 +67,7 @@ class Stability(Record):
         return "to its left (+y)" if y > 0 else "to its right (-y)"
 
 
-def stability(
+def stand(
     subject: Subject,
     pose: Mapping[str, float] | None = None,
     contacts: Collection[str] | None = None,

@@ -12,6 +12,7 @@ import tempfile
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from urdfkit.config import Config, load, nearest
 from urdfkit.diagnostic import Report, Severity
@@ -24,6 +25,10 @@ from urdfkit.rules import matching
 from urdfkit.source import Source
 from urdfkit.states import as_it_was
 from urdfkit.subject import Subject
+from urdfkit.tree import KinematicTree
+
+if TYPE_CHECKING:
+    from urdfkit.dynamics.robot import Dynamics
 
 __all__ = [
     "Description",
@@ -73,6 +78,18 @@ class Description:
         if subject.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
         return subject.model
+
+    @cached_property
+    def dynamics(self) -> Dynamics:
+        """The robot in Pinocchio.
+
+        Raises:
+            AssertionError: it cannot be read; with what is wrong with it.
+            UrdfkitError: its links and joints form no tree, or are beyond what Pinocchio holds.
+        """
+        from urdfkit.dynamics.robot import Dynamics
+
+        return Dynamics(KinematicTree(self.model))
 
     def _why_unreadable(self) -> Report:
         """Whatever rules the project selects."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rigid import rigid_bodies
 from urdfkit.rules import Finding, rule
-from urdfkit.stability import Stability, stability
+from urdfkit.stability import Stability, stand
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -65,7 +65,7 @@ _TOLERANCE = 1e-3
 def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part or not subject.tree.is_sound:
         return
-    standing = stability(subject, meshes=False)
+    standing = stand(subject, meshes=False)
     if standing is None or standing.margin > -_TOLERANCE or not _is_on_wheels(subject, standing):
         return
     links = subject.model.links_by_name

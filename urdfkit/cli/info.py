@@ -15,7 +15,7 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.inertia import principal_moments
 from urdfkit.meshes.facts import counted
-from urdfkit.overview import Overview, Shapes, Structure, overview
+from urdfkit.overview import Overview, Shapes, Structure, summarise
 from urdfkit.sensors import Sensor
 
 VERSION = 1
@@ -46,7 +46,7 @@ def command(
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     subject = robot(words, package, trust)
-    found = overview(subject, positions(subject, joint, pose))
+    found = summarise(subject, positions(subject, joint, pose))
     if form == "json":
         text = json.dumps(as_json(found), ensure_ascii=False, indent=2)
     else:

@@ -13,7 +13,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.mass_table import MassRow, MassTable, mass_table
+from urdfkit.mass_table import MassRow, MassTable, mass_properties
 from urdfkit.spatial import Rotation
 
 VERSION = 1
@@ -41,7 +41,7 @@ def command(
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     subject = robot(words, package, trust)
-    found = mass_table(subject, positions(subject, joint, pose))
+    found = mass_properties(subject, positions(subject, joint, pose))
     write = {"text": as_text, "json": as_json, "csv": as_csv, "markdown": as_markdown}
     output.write(write[form](found))
     return 0

@@ -16,7 +16,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.joints import effort_unit
 from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
-from urdfkit.stability import Stability, stability
+from urdfkit.stability import Stability, stand
 from urdfkit.subject import Subject, Unavailable
 
 TYPE_CHECKING = False
@@ -116,9 +116,9 @@ def _stability(
 ) -> Stability | None:
     contacts = [_known(subject, link) for link in contact] or None
     try:
-        return stability(subject, given, contacts, payload=payload)
+        return stand(subject, given, contacts, payload=payload)
     except ImportError:
-        return stability(subject, given, contacts, payload=payload, meshes=False)
+        return stand(subject, given, contacts, payload=payload, meshes=False)
 
 
 def render(found: Statics, model: RobotModel) -> Iterator[str]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import MissingLibrary, UrdfkitError
 from urdfkit.joints import effort_unit
 from urdfkit.page.tables import Row
-from urdfkit.stability import stability
+from urdfkit.stability import stand
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
@@ -59,9 +59,9 @@ def _round(torque: float) -> float:
 def standing(subject: Subject) -> Row | None:
     """Whether the robot stands, all joints at zero; None if it stands on no area."""
     try:
-        found = stability(subject)
+        found = stand(subject)
     except (ImportError, MissingLibrary):
-        found = stability(subject, meshes=False)
+        found = stand(subject, meshes=False)
     return found and {
         "links": list(found.links),
         "polygon": [list(point) for point in found.polygon],
