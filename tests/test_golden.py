@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+from importlib.util import find_spec
 
 import pytest
 
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Report, check
+from urdfkit.rules import TOLD_BY_COAL
 
 PACKAGE = MODELS / "gazebo_pkg"
 MODEL = PACKAGE / "urdf" / "waking_robot_new.xacro"
@@ -58,6 +60,13 @@ FINDINGS = [
     ("GAZ030", "info", 404, 9, 1),
     ("GAZ016", "info", 405, 9, 1),
 ]
+#: Found where coal is installed, else skipped.
+HAS_COAL = find_spec("coal") is not None
+if HAS_COAL:
+    FINDINGS = sorted(
+        [*FINDINGS, *(("COL006", "info", line, 5, 1) for line in (83, 104, 125, 146))],
+        key=lambda row: (row[2], row[3], row[0]),
+    )
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +87,7 @@ def placed(report: Report) -> list[tuple[str, str, int, int, int]]:
 
 def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> None:
     assert placed(report) == FINDINGS
-    assert report.skipped == ()
+    assert {skip.code for skip in report.skipped} == (set() if HAS_COAL else TOLD_BY_COAL)
     assert report.crashed == ()
     assert {d.span.source.path for d in report.diagnostics} == {str(MODEL)}
 
@@ -100,6 +109,15 @@ def test_one_macro_is_one_finding_with_five_calls_worst_first(report: Report) ->
     assert all(call.via[-1].name == "default_inertial" for call in inertia.calls)
     assert "31.6 m" in inertia.calls[0].message  # the radius of gyration
     assert "47.3 times" in inertia.calls[1].message
+
+
+@pytest.mark.skipif(not HAS_COAL, reason="coal is not installed")
+def test_the_wheels_are_deep_in_the_chassis(report: Report) -> None:
+    wheels = found(report, "COL006")
+    assert [wheel.element for wheel in wheels] == [
+        f"link/wheel_{number}/collision" for number in (1, 2, 3, 4)
+    ]
+    assert all("'base_link' by 0.045 m" in wheel.message for wheel in wheels)
 
 
 def test_the_macro_behind_it_is_told_with_the_links(report: Report) -> None:

@@ -106,6 +106,11 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     return codes
 
 
+def may_collide(model: RobotModel) -> bool:
+    """True if two links have collision geometry."""
+    return sum(bool(link.collisions) for link in model.links) > 1
+
+
 def is_controlled(model: RobotModel) -> bool:
     """True if a model has transmissions, ros2_control or a plugin that runs controllers."""
     if model.transmissions or model.ros2_controls:

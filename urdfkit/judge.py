@@ -13,7 +13,7 @@ from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
-from urdfkit.subject import Outcome, Subject, Unavailable
+from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
 
 #: Families of rules that look at the document or the robot in it.
-_OF_THE_DOCUMENT = frozenset("URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
+_OF_THE_DOCUMENT = frozenset("COL URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -60,6 +60,7 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     run = _Run(subject, config)
     run.skipped += unread(subject, chosen)
     run.skipped += unmeasured(subject, chosen)
+    run.skipped += without_library(subject, chosen)
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if code.startswith("CFG")]
     run.rules(applicable(subject, [code for code in chosen if code not in own]))
@@ -168,6 +169,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         silent |= _silent_families(subject)
         if "pinocchio" not in subject.given_targets:
             waiting |= {"DYN001", "DYN002"}
+        if not rules.TOLD_BY_COAL.isdisjoint(chosen) and not _can_collide(subject):
+            waiting |= rules.TOLD_BY_COAL
         if not any(shape.filename for shape in model.shapes):
             silent.add("MSH")
         else:
@@ -248,6 +251,31 @@ def unmeasured(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
     except Unavailable as reason:
         return [Skipped(code, path, str(reason)) for code in wanted]
     return []
+
+
+def _can_collide(subject: Subject) -> bool:
+    """True if bodies may overlap, and what measures them is installed."""
+    return glance.may_collide(subject.model) and _has_coal() and subject.is_crowded
+
+
+def _has_coal() -> bool:
+    from importlib.util import find_spec
+
+    return find_spec("coal") is not None
+
+
+def without_library(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
+    """The rules that would look at the robot with a library that is not installed.
+
+    Known without importing them, and asked only where they may have something to say.
+    """
+    path = subject.source.path
+    wanted = [code for code in chosen if code in rules.TOLD_BY_COAL]
+    if not wanted or is_launch(path) or subject.reading.document is None:
+        return []
+    if not glance.may_collide(subject.model) or _has_coal():
+        return []
+    return [Skipped(code, path, WITHOUT_COAL) for code in wanted]
 
 
 def _bounded(finding: Finding) -> Finding:

@@ -207,6 +207,10 @@ class RobotModel:
         """The first joint of each name."""
         return _first_by_name(self.joints)
 
+    def collision(self, link: str, number: int) -> Element:
+        """The element of a collision of a link, by its number from 0."""
+        return self.links_by_name[link].collisions[number].at
+
     @property
     def names(self) -> list[Attribute]:
         """The names of all links and joints, where they have one."""

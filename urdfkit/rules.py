@@ -53,6 +53,9 @@ TOLD_BY_MESHES = frozenset(
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.
 TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
 
+#: Rules that look at collisions, and need coal for it.
+TOLD_BY_COAL = frozenset("COL001 COL002 COL003 COL004 COL006".split())
+
 #: Families of urdfkit's own rules, and what they are about; other packages take other letters.
 FAMILIES = {
     "CFG": "the checking itself",
@@ -87,6 +90,7 @@ class Need(Enum):
     LAUNCH = "launch"  # the launch file
     SRDF = "srdf"  # MoveIt's file beside the model
     DYNAMICS = "dynamics"  # the robot in Pinocchio, or what Pinocchio says of it
+    COLLISIONS = "collisions"  # which links overlap, by coal
 
 
 class Written(Record):

@@ -47,6 +47,26 @@ class Srdf:
             found.setdefault(group.get("name") or "", []).append(group)
         return found
 
+    @cached_property
+    def disabled(self) -> dict[frozenset[str], Element]:
+        """The pairs of links that are disabled one by one, each with its first element."""
+        found: dict[frozenset[str], Element] = {}
+        for element in self.root.all("disable_collisions"):
+            found.setdefault(pair_of(element), element)
+        return found
+
+    def disables(self, pair: frozenset[str]) -> bool:
+        """True if the collisions of two links are not checked.
+
+        ``disable_default_collisions`` is for all pairs of a link, unless enabled again (MoveIt
+        2.5).
+        """
+        if pair in self.disabled:
+            return True
+        links = {one.get("link") or "" for one in self.root.all("disable_default_collisions")}
+        enabled = {pair_of(one) for one in self.root.all("enable_collisions")}
+        return not links.isdisjoint(pair) and pair not in enabled
+
     def references(self) -> Iterator[tuple[str, Attribute]]:
         """What names a ``link``, ``joint`` or ``group``, apart from the collision matrix."""
         for group in self.groups:
@@ -111,6 +131,11 @@ class Srdf:
             joints = self.way(part.get("base_link") or "", part.get("tip_link") or "")
             return {joint.child.value for joint in joints or () if joint.child}
         return set()
+
+
+def pair_of(element: Element) -> frozenset[str]:
+    """The links that an element of the collision matrix is about."""
+    return frozenset((element.get("link1") or "", element.get("link2") or ""))
 
 
 def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attribute]]:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
+WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
 
 
 class Unavailable(Exception):
@@ -306,18 +307,27 @@ class Subject:
             raise Unavailable(str(reason)) from reason
 
     @cached_property
+    def is_crowded(self) -> bool:
+        """True if bodies of two links may overlap where the robot begins; no library is needed."""
+        from urdfkit.crowding import may_overlap
+
+        return may_overlap(self.tree)
+
+    @cached_property
     def collisions(self) -> Collisions:
         """Which links collide with one another, by coal.
 
         Raises:
             Unavailable: coal is not installed.
         """
+        from importlib.util import find_spec
+
+        if find_spec("coal") is None:
+            raise Unavailable(WITHOUT_COAL)
         try:
             from urdfkit.collision.robot import Collisions
         except ImportError as error:
-            raise Unavailable(
-                f"coal is not installed ({error}): pip install 'urdfkit[dynamics]'"
-            ) from error
+            raise Unavailable(WITHOUT_COAL) from error
         return Collisions(self)
 
     @cached_property

@@ -28,6 +28,7 @@ PARTS = {
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics", "opinion"},
+    Need.COLLISIONS: {"is_crowded", "collisions", "meshes", "files"},
 }
 
 pytestmark = pytest.mark.parametrize("code", rules.codes())
@@ -41,6 +42,8 @@ def _what_it_needs(code: str) -> None:
     missing = store.missing_library()
     if missing and Need.MESHES in needs:
         pytest.skip(f"{missing} is not installed")
+    if Need.COLLISIONS in needs:
+        pytest.importorskip("coal")
 
 
 def example(rule: Rule, which: str) -> str:

@@ -9,14 +9,16 @@ import pytest
 
 pytest.importorskip("coal")
 
+from tests.collision.robots import robot
 from urdfkit.collision.crew import CollisionError
 from urdfkit.collision.matrix import Matrix, PairResult, Verdict
 from urdfkit.collision.sampling import collisions
-from urdfkit.collision.srdf_matrix import compare, disabled, updated, written
+from urdfkit.collision.srdf_matrix import compare, updated, written
 from urdfkit.loading import read
 from urdfkit.poses import pose
 from urdfkit.reading import read_xml
 from urdfkit.source import Source
+from urdfkit.srdf import Srdf
 from urdfkit.srdf import read as read_srdf
 
 
@@ -124,7 +126,7 @@ def test_a_xacro_is_not_touched() -> None:
 def compared(text: str) -> tuple[list[str], list[str], int]:
     document, _ = read_xml(source(text))
     assert document is not None
-    found = compare(MATRIX, document.root)
+    found = compare(MATRIX, Srdf("r.srdf", document.root, robot().tree))
     return (
         [one.first + one.second for one in found.hidden],
         [one.first + one.second for one in found.watched],
@@ -157,7 +159,7 @@ def test_the_fanuc_matrix_is_the_one_that_it_comes_with(corpus: Path) -> None:
         Verdict.NEVER,
         Verdict.SOMETIMES,
     }
-    expected = {pair: one.get("reason") for pair, one in disabled(srdf.root).items()}
+    expected = {pair: one.get("reason") for pair, one in srdf.disabled.items()}
     assert expected == {
         frozenset((one.first, one.second)): one.verdict.reason
         for one in found.pairs
@@ -178,14 +180,14 @@ def test_the_panda_matrix_differs_in_what_can_be_shown(corpus: Path) -> None:
     assert srdf is not None
     found = collisions(panda, begin=pose(panda, name=f"{path}:ready"))
     mine = {frozenset((one.first, one.second)): one for one in found.pairs}
-    theirs = {pair: one.get("reason") for pair, one in disabled(srdf.root).items()}
+    theirs = {pair: one.get("reason") for pair, one in srdf.disabled.items()}
     differences = {
         pair: (theirs.get(pair, ""), one.verdict.reason)
         for pair, one in mine.items()
         if theirs.get(pair, "") != one.verdict.reason
     }
     assert differences == {frozenset(("panda_link2", "panda_link6")): ("Never", "")}
-    (hidden,) = compare(found, srdf.root).hidden
+    (hidden,) = compare(found, srdf).hidden
     assert hidden.nearest is not None
     assert hidden.nearest.distance < -1e-3
     assert len(theirs) == 34

@@ -60,6 +60,14 @@ class Examiner:
         """The numbers of the links that have bodies."""
         return sorted(self._of_link)
 
+    def bodies(self, link: int) -> list[int]:
+        """The numbers of the bodies of a link."""
+        return self._of_link[link]
+
+    def form(self, body: int) -> Form:
+        """A body by its number."""
+        return self._forms[body]
+
     def look(self, pairs: Sequence[Pair], limits: Sequence[float] | None = None) -> Look:
         """Begin to look at pairs; what is farther apart than the limits, in m, is passed over."""
         return Look(self, pairs, [inf] * len(pairs) if limits is None else limits)

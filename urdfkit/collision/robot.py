@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.collision.matrix import Matrix
-from urdfkit.collision.sampling import collisions
+from urdfkit.collision.sampling import applies_units, collisions
+from urdfkit.collision.still import Still
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -20,6 +22,18 @@ class Collisions:
 
     def __init__(self, robot: Subject) -> None:
         self._robot = robot
+
+    @cached_property
+    def still(self) -> Still:
+        """The robot where it begins, and with each joint at its limits."""
+        robot = self._robot
+        return Still(robot.model, robot.tree, robot.meshes, unit=applies_units(robot))
+
+    @cached_property
+    def in_moveit(self) -> Still:
+        """The same as MoveIt has it, which ignores the units of COLLADA files."""
+        robot = self._robot
+        return Still(robot.model, robot.tree, robot.meshes, unit=False)
 
     def matrix(self, **options: Any) -> Matrix:
         """Which links can collide; the options are those of `sampling.collisions`."""

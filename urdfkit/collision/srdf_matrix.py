@@ -15,11 +15,10 @@ from urdfkit.edits import insert_after, insert_last, remove_elements, replace_va
 from urdfkit.fixer import apply_edits
 from urdfkit.reading import is_xacro, read_xml
 from urdfkit.source import Source
+from urdfkit.srdf import Srdf, pair_of
 
 #: The reasons that the Setup Assistant computes; others were written by hand.
 COMPUTED = frozenset(v.reason.lower() for v in Verdict if v.reason)
-
-Pair = frozenset[str]
 
 
 class Comparison(NamedTuple):
@@ -36,37 +35,11 @@ class Comparison(NamedTuple):
     agreed: int
 
 
-def disabled(root: Element) -> dict[Pair, Element]:
-    """The pairs that an SRDF disables one by one, each with its first element."""
-    found: dict[Pair, Element] = {}
-    for element in root.all("disable_collisions"):
-        found.setdefault(pair_of(element), element)
-    return found
-
-
-def pair_of(element: Element) -> Pair:
-    """The links that an element disables the collisions of."""
-    return frozenset((element.get("link1") or "", element.get("link2") or ""))
-
-
-def passed_over(root: Element) -> frozenset[str]:
-    """The links that an SRDF disables all collisions of, unless it enables them again."""
-    return frozenset(one.get("link") or "" for one in root.all("disable_default_collisions"))
-
-
-def compare(matrix: Matrix, root: Element) -> Comparison:
-    """What a matrix and an SRDF say differently.
-
-    Args:
-        matrix: as sampled.
-        root: the ``<robot>`` of the SRDF.
-    """
-    off, links = disabled(root), passed_over(root)
-    enabled = {pair_of(element) for element in root.all("enable_collisions")}
+def compare(matrix: Matrix, srdf: Srdf) -> Comparison:
+    """What a matrix and an SRDF say differently."""
     hidden, watched, agreed = [], [], 0
     for one in matrix.pairs:
-        pair = frozenset((one.first, one.second))
-        is_off = pair in off or (not links.isdisjoint(pair) and pair not in enabled)
+        is_off = srdf.disables(frozenset((one.first, one.second)))
         if is_off and one.verdict is Verdict.SOMETIMES:
             hidden.append(one)
         elif is_off and one.verdict.reason:

@@ -69,7 +69,7 @@ def command(
     from urdfkit.cli.collisions import shown
     from urdfkit.collision.srdf_matrix import compare as compared
 
-    comparison = compared(matrix, given.root) if given else None
+    comparison = compared(matrix, given) if given else None
     if form == "json":
         text = json.dumps(shown.as_json(matrix, comparison), ensure_ascii=False, indent=2) + "\n"
     else:

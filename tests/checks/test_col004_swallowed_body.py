@@ -1,0 +1,55 @@
+"""COL004: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("coal")
+
+from tests.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
+from tests.told import messages
+
+CHASSIS = link("chassis", box(0.6, 0.4, 0.3))
+
+
+def wheel(shape: str, origin: str, kind: str = "continuous") -> str:
+    return CHASSIS + link("wheel", shape) + joint("chassis", "wheel", kind, origin)
+
+
+@pytest.mark.parametrize("shape", [sphere(0.05), cylinder(0.05, 0.1), box(0.1, 0.1, 0.1)])
+def test_within_and_reaching_out(shape: str) -> None:
+    assert messages("COL004", wheel(shape, "0.2 0.1 0.05")) == [
+        "link 'wheel' is inside the collision geometry of 'chassis': nothing can touch it"
+    ]
+    assert messages("COL004", wheel(shape, "0.2 0.1 0.11")) == []
+
+
+def test_a_sensor_that_is_fixed_inside_is_no_matter() -> None:
+    assert messages("COL004", wheel(sphere(0.05), "0 0 0", "fixed")) == []
+
+
+def test_a_part_that_reaches_out_saves_the_link() -> None:
+    parts = link("wheel", sphere(0.05), f"{sphere(0.05)}@0 0 0.5")
+    assert messages("COL004", CHASSIS + parts + joint("chassis", "wheel", "continuous")) == []
+
+
+def test_meshes(tmp_path: Path) -> None:
+    small = mesh(cube(tmp_path / "small.stl", 0.05))
+    assert len(messages("COL004", wheel(small, "0 0 0"))) == 1
+    assert messages("COL004", wheel(small, "0 0 0.13")) == []
+    hollow = link("chassis", mesh(cube(tmp_path / "hollow.stl", 0.3, 5)))
+    joints = joint("chassis", "wheel", "continuous")
+    assert messages("COL004", hollow + link("wheel", small) + joints) == []
+
+
+def test_links_that_are_no_neighbours_count_too() -> None:
+    arm = link("arm", f"{sphere(0.05)}@0 0 1") + link("tip", sphere(0.05))
+    joints = joint("chassis", "arm", "revolute", more=revolute(-1, 1)) + joint(
+        "arm", "tip", "revolute", more=revolute(-1, 1)
+    )
+    (message,) = messages("COL004", CHASSIS + arm + joints)
+    assert message.startswith("link 'tip' is inside")
+    assert messages("COL001", CHASSIS + arm + joints) == []
+    assert messages("COL002", CHASSIS + arm + joints) == []

@@ -1,0 +1,75 @@
+"""SRD009: see the rule."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("coal")
+
+from tests.collision.robots import joint, link, revolute, sphere
+from urdfkit import Diagnostic, check
+from urdfkit.examples import whole_robot
+
+TURN = revolute(-3, 3, "0 1 0")
+ARM = whole_robot(
+    "\n".join(
+        (
+            link("base", sphere(0.2)),
+            link("upper", f"{sphere(0.05)}@0 0 0.5"),
+            link("hand", f"{sphere(0.1)}@0 0 0.5"),
+            link("frame"),
+            joint("base", "upper", "revolute", more=TURN),
+            joint("upper", "hand", "revolute", "0 0 0.7", TURN),
+            joint("hand", "frame"),
+        )
+    )
+)
+
+
+def told(folder: Path, matrix: str, robot: str = ARM) -> list[Diagnostic]:
+    (folder / "r.urdf").write_text(robot)
+    (folder / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
+    return list(check(folder / "r.urdf", select=["SRD009"]).diagnostics)
+
+
+def pair(first: str, second: str, reason: str = "Never") -> str:
+    return f'<disable_collisions link1="{first}" link2="{second}" reason="{reason}"/>'
+
+
+def test_the_depth_and_the_pose(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, pair("hand", "base"))
+    assert found.message.startswith("'hand' and 'base' overlap by ")
+    assert "upper_hand " in found.message
+    assert found.span.source.path == str(tmp_path / "r.srdf")
+    assert found.span.line == 2
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        pair("hand", "base", "User"),
+        pair("hand", "base", "Default"),
+        pair("hand", "frame"),  # which has no bodies
+        pair("hand", "nothing"),
+        pair("hand", "hand"),
+        "",
+    ],
+)
+def test_what_is_no_matter(tmp_path: Path, matrix: str) -> None:
+    assert told(tmp_path, matrix) == []
+
+
+def test_what_the_limits_rule_out_is_no_matter(tmp_path: Path) -> None:
+    short = ARM.replace('lower="-3" upper="3"', 'lower="-2" upper="2"')
+    assert told(tmp_path, pair("hand", "base"), short) == []
+
+
+def test_the_matrix_of_a_real_arm(corpus: Path) -> None:
+    """Found by hand, too: see docs/commands/collisions.md."""
+    file = corpus / "moveit_resources" / "panda_moveit_config" / "config" / "panda.urdf.xacro"
+    found = check(file, select=["SRD009"]).diagnostics
+    assert {one.message.partition(" overlap")[0] for one in found} <= {
+        "'panda_link2' and 'panda_link6'"
+    }

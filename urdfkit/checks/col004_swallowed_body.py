@@ -1,0 +1,56 @@
+"""All collision geometry of a moving link is inside that of another link.
+
+Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
+bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
+other without end. Make the outer geometry smaller, or move the inner one to where the part is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="chassis">
+  <collision><geometry><box size="0.6 0.4 0.3"/></geometry></collision>
+</link>
+<link name="wheel">
+  <collision>
+    <origin rpy="1.5708 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+</link>
+<joint name="axle" type="continuous">
+  <parent link="chassis"/>
+  <child link="wheel"/>
+  <origin xyz="0.15 0.15 0"/>
+  <axis xyz="0 1 0"/>
+</joint>"""
+GOOD = BAD.replace("0.15 0.15 0", "0.15 0.23 -0.1")
+
+
+@rule(
+    "COL004",
+    "swallowed-body",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.COLLISIONS),
+    help="make the outer geometry smaller, or move the inner one to where the part is",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.is_crowded or subject.is_part:
+        return
+    for one in subject.collisions.still.meetings:
+        if one.is_swallowed and not one.is_rigid:
+            small, large = (subject.model.collision(*body) for body in one.bodies)
+            yield Finding(
+                small,
+                f"link '{one.small.link}' is inside the collision geometry of "
+                f"'{one.large.link}': nothing can touch it",
+                related=(Related(large.span, f"link '{one.large.link}'"),),
+            )

@@ -1,0 +1,99 @@
+"""The collision matrix says "Never" of two links that can collide.
+
+MoveIt does not check the pair, and may drive the one link into the other. A pose in which they
+overlap was found among some thousand samples within the joint limits, with the collision geometry
+as MoveIt reads it. The matrix is of an older robot, or was computed from too few samples. `urdfkit
+collisions --srdf` computes it anew and keeps the rest of the file. Pairs with another reason, such
+as "User", are a decision and not told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base">
+    <collision><geometry><sphere radius="0.2"/></geometry></collision>
+  </link>
+  <link name="arm">
+    <collision>
+      <origin xyz="0 0 0.5"/>
+      <geometry><cylinder radius="0.04" length="0.4"/></geometry>
+    </collision>
+  </link>
+  <link name="hand">
+    <collision>
+      <origin xyz="0 0 0.5"/>
+      <geometry><sphere radius="0.1"/></geometry>
+    </collision>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base"/>
+    <child link="arm"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="arm"/>
+    <child link="hand"/>
+    <origin xyz="0 0 0.7"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-3" upper="3" effort="10" velocity="1"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <disable_collisions link1="base" link2="hand" reason="Never"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <disable_collisions link1="base" link2="hand" reason="User"/>
+</robot>
+""",
+}
+
+#: In m: less may be a matter of rounding.
+_DEEP = 1e-3
+_SAMPLES = 2000
+
+
+@rule(
+    "SRD009",
+    "disables-reachable-collision",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
+    help="compute the matrix anew: urdfkit collisions ROBOT --srdf FILE",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.srdf is None:
+        return
+    said = [
+        (element, element.get("link1") or "", element.get("link2") or "")
+        for element in subject.srdf.root.all("disable_collisions")
+        if (element.get("reason") or "").lower() == "never"
+    ]
+    known = subject.model.links_by_name
+    said = [one for one in said if one[1] in known and one[2] in known and one[1] != one[2]]
+    if not said:
+        return
+    still = subject.collisions.in_moveit
+    said = [one for one in said if still.has_bodies(one[1]) and still.has_bodies(one[2])]
+    found = still.colliding([(one[1], one[2]) for one in said], _SAMPLES)
+    for (element, first, second), collision in zip(said, found, strict=True):
+        if collision and collision.depth > _DEEP:
+            pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
+            yield Finding(
+                element,
+                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.2g} mm at {pose}",
+                weight=collision.depth,
+            )

@@ -1,0 +1,235 @@
+"""The bodies of a robot in a few poses: where it begins, and each joint at its limits.
+
+No process is started: this is what a check can afford.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import combinations
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.adjacency import Adjacency
+from urdfkit.collision.chain import chain
+from urdfkit.collision.examine import Examiner, Pair
+from urdfkit.collision.forms import TOUCH, Form, Gauge, form
+from urdfkit.collision.solids import NO_FACES, NO_VERTICES, THINNEST, Solid, solids
+from urdfkit.crowding import NEAR
+from urdfkit.meshes.geometry import Floats
+from urdfkit.model import RobotModel
+from urdfkit.tree import KinematicTree
+from urdfkit.triangles import Meshes
+
+#: Drawn poses that a pair which always collides must collide in, too.
+_SAMPLES = 50
+
+
+_CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
+_POINT = form(Solid("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
+
+
+class Meeting(NamedTuple):
+    """Two links that overlap, or nearly touch, where the robot begins.
+
+    Attributes:
+        small: the smaller one of the two bodies that overlap most.
+        large: the other one.
+        distance: of these two, signed, in m.
+        part: how deep they overlap, as a part of the thickness of the smaller one.
+        is_solid: both bodies are convex, so that the depth is true.
+        is_swallowed: all bodies of the smaller one's link are in the inside of the large one.
+        is_adjacent: a joint holds the links together, or nothing with bodies lies between.
+        is_rigid: only fixed joints lie between.
+    """
+
+    small: Solid
+    large: Solid
+    distance: float
+    part: float
+    is_solid: bool
+    is_swallowed: bool
+    is_adjacent: bool
+    is_rigid: bool
+
+    @property
+    def bodies(self) -> tuple[tuple[str, int], tuple[str, int]]:
+        """Link and number of the small and of the large body."""
+        return (self.small.link, self.small.number), (self.large.link, self.large.number)
+
+
+class NearMiss(NamedTuple):
+    """Two links that come close: the distance in m, and the joints between them."""
+
+    first: str
+    second: str
+    distance: float
+    pose: dict[str, float]
+
+
+class Collision(NamedTuple):
+    """Two links that overlap: how deep, in m, and the joints between them."""
+
+    depth: float
+    pose: dict[str, float]
+
+
+class Still:
+    """A robot in a few poses.
+
+    Args:
+        model: the robot.
+        tree: of it.
+        meshes: of it.
+        unit: apply the unit that a COLLADA file states.
+    """
+
+    def __init__(
+        self, model: RobotModel, tree: KinematicTree, meshes: Meshes, *, unit: bool
+    ) -> None:
+        bodies, self.omitted = solids(model, meshes, unit=unit)
+        self.chain = chain(tree)
+        self._adjacency = Adjacency(tree)
+        self._examiner = Examiner(self.chain, map(form, bodies))
+        self._number = {name: index for index, name in enumerate(self.chain.links)}
+
+    @cached_property
+    def meetings(self) -> tuple[Meeting, ...]:
+        """The pairs of links that overlap or nearly touch where the robot begins."""
+        return tuple(self._meetings())
+
+    def always(self, meeting: Meeting) -> bool:
+        """True if two links overlap with each joint at its limits, and in some drawn poses."""
+        pair = self._pair(meeting.small.link, meeting.large.link)
+        rows = np.concatenate([self.chain.extremes(), self.chain.samples(_SAMPLES, 0, 0)])
+        (seen,) = self._examiner.look([pair]).at(rows, count=True)
+        return seen.hits == len(rows)
+
+    @cached_property
+    def near_misses(self) -> tuple[NearMiss, ...]:
+        """Links that come within a hair's breadth of one another, and collide in no pose."""
+        rows = self.chain.extremes()
+        pairs = [pair for pair in self._close(rows) if not self._is_held(pair)]
+        look = self._examiner.look(pairs, [NEAR] * len(pairs))
+        return tuple(
+            NearMiss(*self._names(pair), seen.distance, self.chain.pose(rows[seen.row], *pair))
+            for pair, seen in zip(pairs, look.at(rows, count=True), strict=True)
+            if not seen.hits and TOUCH < seen.distance < NEAR
+        )
+
+    def colliding(self, pairs: Sequence[tuple[str, str]], samples: int) -> list[Collision | None]:
+        """For each pair of links, whether it collides in one of some samples."""
+        known = [self._pair(*pair) for pair in pairs]
+        rows = self.chain.samples(samples, 0, 0)
+        seen = self._examiner.look(known).at(rows, count=False)
+        return [
+            Collision(-one.distance, self.chain.pose(rows[one.row], *pair)) if one.hits else None
+            for pair, one in zip(known, seen, strict=True)
+        ]
+
+    def has_bodies(self, link: str) -> bool:
+        """True if a link has bodies that can collide."""
+        return self._number.get(link) in self._examiner.links
+
+    def _pair(self, first: str, second: str) -> Pair:
+        a, b = sorted((self._number[first], self._number[second]))
+        return a, b
+
+    def _names(self, pair: Pair) -> tuple[str, str]:
+        return self.chain.links[pair[0]], self.chain.links[pair[1]]
+
+    def _is_held(self, pair: Pair) -> bool:
+        names = self._names(pair)
+        return self._adjacency.is_adjacent(*names) or self._adjacency.is_rigid(*names)
+
+    def _meetings(self) -> Iterator[Meeting]:
+        row = self.chain.default[None]
+        for pair in self._close(row):
+            frames = self._examiner.frames(row, pair)
+            best = NEAR
+            nearest: tuple[int, int, Gauge] | None = None
+            for gauged in self._examiner.gauges(pair):
+                distance = _distance(gauged, frames, best)
+                if distance < best:
+                    best, nearest = distance, gauged
+            if nearest is not None:
+                yield self._meeting(pair, nearest, frames, best)
+
+    def _meeting(
+        self,
+        pair: Pair,
+        nearest: tuple[int, int, Gauge],
+        frames: dict[int, Floats],
+        distance: float,
+    ) -> Meeting:
+        first, second, gauge = nearest
+        bodies = sorted(
+            ((gauge.second, second), (gauge.first, first)), key=lambda one: one[0].radius
+        )
+        (small, _), (large, at) = bodies
+        own = pair[0] if small is gauge.first else pair[1]
+        names = self._names(pair)
+        inside = [self._examiner.form(body) for body in self._examiner.bodies(own)]
+        return Meeting(
+            small.solid,
+            large.solid,
+            distance,
+            -distance / max(2 * float(small.half.min()), TOUCH),
+            small.is_convex and large.is_convex,
+            all(
+                _is_inside(one, frames[body][0], large, frames[at][0])
+                for one, body in zip(inside, self._examiner.bodies(own), strict=True)
+            ),
+            self._adjacency.is_adjacent(*names),
+            self._adjacency.is_rigid(*names),
+        )
+
+    def _close(self, rows: Floats) -> list[Pair]:
+        """The pairs of links with spheres around them that come near in one of some poses."""
+        links = self._examiner.links
+        frames = self._examiner.frames(rows, links)
+        spheres = [self._sphere(link, frames) for link in links]
+        close = []
+        for (a, (at, reach)), (b, (to, other)) in combinations(zip(links, spheres, strict=True), 2):
+            if (np.linalg.norm(to - at, axis=1) - reach - other).min() < NEAR:
+                close.append((a, b))
+        return close
+
+    def _sphere(self, link: int, frames: dict[int, Floats]) -> tuple[Floats, float]:
+        """Centers (n, 3) and radius of a sphere that holds the bodies of a link."""
+        bodies = self._examiner.bodies(link)
+        forms = [self._examiner.form(body) for body in bodies]
+        centers = [
+            frames[body][:, :3, :3] @ one.center + frames[body][:, :3, 3]
+            for body, one in zip(bodies, forms, strict=True)
+        ]
+        middle = np.mean(centers, axis=0)
+        reach = max(
+            float(np.linalg.norm(center[0] - middle[0])) + one.radius
+            for center, one in zip(centers, forms, strict=True)
+        )
+        return middle, reach
+
+
+def _distance(gauged: tuple[int, int, Gauge], frames: dict[int, Floats], limit: float) -> float:
+    first, second, gauge = gauged
+    way = np.linalg.inv(frames[first][0]) @ frames[second][0]
+    return gauge.distance(way[:3, :3], way[:3, 3], limit)
+
+
+def _is_inside(small: Form, at: Floats, large: Form, frame: Floats) -> bool:
+    """True if a body, or the box around a primitive, is in the inside of a convex body."""
+    if not large.is_convex:
+        return False
+    corners = small.center + _CORNERS * small.half
+    if small.solid.kind == "mesh":
+        corners = small.solid.vertices
+    way = np.linalg.inv(frame) @ at
+    gauge = Gauge(large, _POINT)
+    return all(
+        gauge.distance(np.eye(3), point, inf) < -2 * THINNEST
+        for point in corners @ way[:3, :3].T + way[:3, 3]
+    )
