@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -45,7 +46,7 @@ def test_a_joint_that_cannot_be_at_zero_is_in_the_middle() -> None:
 
 
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
-def test_it_never_misses_what_coal_finds(entry: tuple[Path, dict]) -> None:
+def test_it_never_misses_what_coal_finds(entry: tuple[Path, dict[str, Any]]) -> None:
     pytest.importorskip("coal")
     folder, model = entry
     if "expect" not in model or "/fail_" in model["path"]:

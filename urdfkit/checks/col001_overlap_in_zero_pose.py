@@ -73,7 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 small,
                 f"links '{one.small.link}' and '{one.large.link}' overlap by "
-                f"{-1000 * one.distance:.3g} mm where all joints are at zero",
+                f"{-1000 * one.distance:.3g} mm {still.beginning}",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
             )

@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 small,
                 f"links '{one.small.link}' and '{one.large.link}' overlap in every pose, by "
-                f"{-1000 * one.distance:.3g} mm where all joints are at zero",
+                f"{-1000 * one.distance:.3g} mm {still.beginning}",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
             )

@@ -96,6 +96,14 @@ class Still:
         self._examiner = Examiner(self.chain, map(form, bodies))
         self._number = {name: index for index, name in enumerate(self.chain.links)}
 
+    @property
+    def beginning(self) -> str:
+        """Where the joints begin, in words."""
+        elsewhere = [f"{a.joint} {a.default:.3g}" for a in self.chain.axes if a.default]
+        return "where all joints are at zero" + (
+            f" ({', '.join(elsewhere)}: zero is beyond the limits)" if elsewhere else ""
+        )
+
     @cached_property
     def meetings(self) -> tuple[Meeting, ...]:
         """The pairs of links that overlap or nearly touch where the robot begins."""
