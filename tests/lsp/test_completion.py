@@ -43,6 +43,8 @@ def offers(tmp_path: Path, text: str, name: str = "r.urdf") -> dict[str, Offer]:
         (ARM.format('<joint><parent link="|'), {"base", "arm"}),
         (ARM.format('<joint><parent link="ba|"/></joint>'), {"base", "arm"}),
         (ARM.format('<joint><mimic joint="|"/></joint>'), {"hip"}),
+        (ARM.format('<disable_collisions link1="arm" link2="|"/>'), {"base", "arm"}),
+        (ARM.format('<group name="g"><joint name="|"/></group>'), {"hip"}),
         (ARM.format('<gazebo reference="|"/>'), {"base", "arm", "hip"}),
         (ARM.format('<link><visual><material name="|"/>'), {"red"}),
         (ARM.format('<transmission><joint name="|"/></transmission>'), {"hip"}),

@@ -60,8 +60,11 @@ class Editor:
             position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
         )
         watching = lsp.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
+        item = lsp.ClientCompletionItemOptions(snippet_support=True)
+        completion = lsp.CompletionClientCapabilities(completion_item=item)
         capabilities = lsp.ClientCapabilities(
             general=general,
+            text_document=lsp.TextDocumentClientCapabilities(completion=completion),
             workspace=lsp.WorkspaceClientCapabilities(did_change_watched_files=watching),
         )
         params = lsp.InitializeParams(capabilities=capabilities)
@@ -247,6 +250,36 @@ def test_formatting_and_all_safe_fixes() -> None:
     talk(conversation)
 
 
+def test_an_attribute_comes_with_its_quotes(tmp_path: Path) -> None:
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(tmp_path / "r.urdf", "<robot><joint ty/>\n<joint ty='fixed'>")
+        for line, character, text in ((0, 16, 'type="$1"'), (1, 9, "type")):
+            params = lsp.CompletionParams(file, lsp.Position(line, character))
+            items = await editor.client.text_document_completion_async(params)
+            (item,) = [one for one in items if one.label == "type"]
+            assert item.text_edit.new_text == text
+
+    talk(conversation)
+
+
+def test_a_chain_of_3000_links_has_an_outline(tmp_path: Path) -> None:
+    links = "".join(f'<link name="l{n}"/>' for n in range(3000))
+    joints = "".join(
+        f'<joint name="j{n}" type="fixed"><parent link="l{n}"/><child link="l{n + 1}"/></joint>'
+        for n in range(2999)
+    )
+
+    async def conversation(editor: Editor) -> None:
+        text = f'<robot name="r">{links}{joints}</robot>'
+        file = editor.open(tmp_path / "r.urdf", text)
+        params = lsp.DocumentSymbolParams(file)
+        entries = await editor.client.text_document_document_symbol_async(params)
+        assert entries[0].name == "l0"
+        assert len(entries) > 1
+
+    talk(conversation)
+
+
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-32"])
 def test_positions_count_as_the_client_counts(tmp_path: Path, encoding: str) -> None:
     text = '<robot name="轮🦾"><link name="é🦾a"/><link name="é🦾a"/></robot>'
@@ -344,7 +377,10 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
         change = lsp.FileEvent(to_uri(str(parts)), lsp.FileChangeType.Changed)
         editor.client.workspace_did_change_watched_files(lsp.DidChangeWatchedFilesParams([change]))
         await editor.until(to_uri(str(parts)), lambda found: "NAM001" in codes(found))
+        # Nobody looks at the robot any more: its findings go, those of other files, too.
         editor.client.text_document_did_close(lsp.DidCloseTextDocumentParams(file))
+        await editor.until(file.uri, lambda found: found == [])
+        await editor.until(to_uri(str(parts)), lambda found: found == [])
 
     talk(conversation)
 

@@ -24,10 +24,11 @@ def command(stdio: bool) -> int:
     Exit codes: 0 the editor has gone, 2 the extra is not installed.
     """
     try:
+        from urdfkit.lsp.features import make
         from urdfkit.lsp.server import serve
     except ModuleNotFoundError as error:
         if error.name not in ("lsprotocol", "pygls"):
             raise
         raise NotInstalled("urdfkit lsp needs pygls: pip install 'urdfkit[lsp]'") from error
-    serve()
+    serve(make())
     return 0

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.catalog import extensions, materials, plugins, sensors
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
-from urdfkit.lsp.names import parameters, path_in
+from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
 from urdfkit.lsp.workspace import Robot
 from urdfkit.record import Record
 from urdfkit.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
@@ -200,15 +200,12 @@ def _words(robot: Robot, node: Node, attribute: str) -> Iterator[tuple[str, str]
     grammar = grammar_of(node)
     rule = grammar.attributes.get(attribute) if grammar else None
     key = (node.name, attribute)
-    user = node.within("transmission", "ros2_control", "group", "group_state")
-    if (rule and rule.type == LINK) or (user and key == ("link", "name")):
-        yield from ((name, "link") for name in robot.given("link"))
-    elif (rule and rule.type == JOINT) or (user and key == ("joint", "name")):
-        yield from ((name, "joint") for name in robot.given("joint"))
-    elif key == ("gazebo", "reference"):
-        yield from ((name, "link") for name in robot.given("link"))
-        yield from ((name, "joint") for name in robot.given("joint"))
-    elif key == ("joint", "type"):
+    kind = NAMING.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
+    if key in (("link", "name"), ("joint", "name")) and node.within(*USERS):
+        kind = node.name
+    for one in ("link", "joint") if kind == "frame" else (kind,):
+        yield from ((name, one) for name in robot.given(one))
+    if key == ("joint", "type"):
         yield from ((name, "") for name in JOINT_TYPES)
     elif key == ("material", "name"):
         yield from ((name, "material") for name in robot.given("material"))
@@ -217,8 +214,6 @@ def _words(robot: Robot, node: Node, attribute: str) -> Iterator[tuple[str, str]
     elif key == ("plugin", "filename"):
         for plugin in plugins.all_plugins():
             yield from ((file, plugin.generation) for file in plugin.files)
-    elif node.name.startswith("link") and attribute in ("link1", "link2"):
-        yield from ((name, "link") for name in robot.given("link"))
 
 
 def _in_text(robot: Robot, page: Page, before: bytes, start: int) -> Iterator[Offer]:

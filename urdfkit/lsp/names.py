@@ -29,7 +29,7 @@ _PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
 _OWN_TAGS = XACRO_TAGS | {"call", "element", "attribute"}
 
 #: Attributes that name a link or a joint outside of URDF's grammar: of SRDF and of Gazebo.
-_NAMING = {
+NAMING = {
     ("gazebo", "reference"): "frame",
     ("disable_collisions", "link1"): "link",
     ("disable_collisions", "link2"): "link",
@@ -42,7 +42,7 @@ _NAMING = {
     ("passive_joint", "name"): "joint",
 }
 #: Elements in which ``<link name>`` and ``<joint name>`` are uses.
-_USERS = ("transmission", "ros2_control", "group", "group_state")
+USERS = ("transmission", "ros2_control", "group", "group_state")
 
 
 #: A frame may be a link or a joint.
@@ -230,14 +230,14 @@ class Names:
             yield Name("parameter", written.name, written.name_span, False, node, "", _id(macro))
 
     def _of_robot(self, node: Node) -> Iterator[Name]:
-        user = node.within(*_USERS)
+        user = node.within(*USERS)
         if node.name in ("link", "joint") and node.attribute("name"):
             yield from self._value(node, node.name, "name", is_definition=user is None)
         elif node.name == "material" and node.attribute("name"):
             defined = any(child.name in ("color", "texture") for child in node.children)
             yield from self._value(node, "material", "name", is_definition=defined)
         for written in node.attributes:
-            kind = _NAMING.get((node.name, written.name)) or _by_grammar(node, written)
+            kind = NAMING.get((node.name, written.name)) or _by_grammar(node, written)
             if kind:
                 yield from self._value(node, kind, written.name, is_definition=False)
         yield from self._in_plugin(node)

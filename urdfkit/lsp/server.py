@@ -17,7 +17,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from difflib import SequenceMatcher
 from itertools import accumulate
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
@@ -25,11 +25,10 @@ from pygls.lsp.server import LanguageServer
 from urdfkit import __version__
 from urdfkit.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.errors import UrdfkitError
-from urdfkit.lsp import actions, completion, hover, navigation, outline
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.text import Places, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import Robot, Workspace, slow_rules
-from urdfkit.source import Source, Span
+from urdfkit.lsp.workspace import Robot, Workspace
+from urdfkit.source import Span
 
 Answer = TypeVar("Answer")
 
@@ -47,26 +46,6 @@ _SEVERITIES = {
     Severity.ERROR: lsp.DiagnosticSeverity.Error,
     Severity.WARNING: lsp.DiagnosticSeverity.Warning,
     Severity.INFO: lsp.DiagnosticSeverity.Information,
-}
-_SYMBOLS = {
-    "link": lsp.SymbolKind.Object,
-    "joint": lsp.SymbolKind.Event,
-    "macro": lsp.SymbolKind.Function,
-    "property": lsp.SymbolKind.Variable,
-    "argument": lsp.SymbolKind.Constant,
-    "material": lsp.SymbolKind.EnumMember,
-    "gazebo": lsp.SymbolKind.Module,
-    "transmission": lsp.SymbolKind.Interface,
-    "group": lsp.SymbolKind.Package,
-}
-_ITEMS = {
-    "tag": lsp.CompletionItemKind.Class,
-    "attribute": lsp.CompletionItemKind.Property,
-    "name": lsp.CompletionItemKind.Reference,
-    "word": lsp.CompletionItemKind.Value,
-    "file": lsp.CompletionItemKind.File,
-    "folder": lsp.CompletionItemKind.Folder,
-    "end": lsp.CompletionItemKind.Text,
 }
 _log = logging.getLogger(__name__)
 
@@ -98,6 +77,13 @@ class Server(LanguageServer):
         """The real path of a URI."""
         path = to_path(uri)
         return os.path.realpath(path) if path != uri else uri
+
+    @property
+    def takes_snippets(self) -> bool:
+        """True if what is completed may hold a place for the cursor."""
+        asked = self.client_capabilities.text_document
+        items = asked.completion.completion_item if asked and asked.completion else None
+        return bool(items and items.snippet_support)
 
     def watch(self) -> None:
         """Let the client tell when files change that no editor shows."""
@@ -138,9 +124,10 @@ class Server(LanguageServer):
                 params = lsp.ShowMessageParams(lsp.MessageType.Warning, checked.trouble)
                 self.window_show_message(params)
         for file, found in checked.diagnostics.items():
-            self._publish(file, found)
+            self.publish(file, found)
 
-    def _publish(self, file: str, found: list[Diagnostic]) -> None:
+    def publish(self, file: str, found: list[Diagnostic]) -> None:
+        """Tell the client what is wrong with a file."""
         uri = self.uris.get(file)
         if uri is None:
             if "://" in file or file.startswith("untitled:"):
@@ -210,204 +197,7 @@ class Server(LanguageServer):
         return lsp.WorkspaceEdit(changes)
 
 
-def make() -> Server:
-    """A server with all its features."""
-    server = Server()
-    _add_documents(server)
-    _add_reading(server)
-    _add_writing(server)
-    _add_mending(server)
-    return server
-
-
-def _add_documents(server: Server) -> None:
-    @server.feature(lsp.INITIALIZED)
-    def _(params: lsp.InitializedParams) -> None:
-        server.worker.submit(slow_rules)  # so that the first check is as fast as the others
-        server.places = Places(server.server_capabilities.position_encoding or "utf-16")
-        server.watch()
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
-    def _(params: lsp.DidOpenTextDocumentParams) -> None:
-        server.take(params.text_document.uri)
-        server.check_soon(params.text_document.uri, thorough=True)
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
-    def _(params: lsp.DidChangeTextDocumentParams) -> None:
-        server.take(params.text_document.uri)
-        server.check_soon(params.text_document.uri)
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
-    def _(params: lsp.DidSaveTextDocumentParams) -> None:
-        server.worker.submit(server.robots.look_again)
-        server.check_soon(params.text_document.uri, thorough=True)
-
-    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
-    def _(params: lsp.DidCloseTextDocumentParams) -> None:
-        path = server.path(params.text_document.uri)
-        server.uris.pop(path, None)
-        server.worker.submit(server.robots.close, path)
-
-    @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
-    def _(params: lsp.DidChangeWatchedFilesParams) -> None:
-        server.worker.submit(server.robots.look_again)
-        for uri in list(server.uris.values()):
-            server.check_soon(uri)
-
-
-def _add_reading(server: Server) -> None:
-    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
-    async def _(params: lsp.HoverParams) -> lsp.Hover | None:
-        def answer() -> lsp.Hover | None:
-            robot, page, offset = server.at(params.text_document.uri, params.position)
-            found = server.robots.diagnostics(server.path(params.text_document.uri))
-            text = hover.hover(robot, page, offset, found)
-            return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
-
-        return await server.ask(answer, None)
-
-    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
-    async def _(params: lsp.DefinitionParams) -> list[lsp.Location]:
-        def answer() -> list[lsp.Location]:
-            at = server.at(params.text_document.uri, params.position)
-            return server.locations(navigation.definitions(*at))
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
-    async def _(params: lsp.ReferenceParams) -> list[lsp.Location]:
-        def answer() -> list[lsp.Location]:
-            at = server.at(params.text_document.uri, params.position)
-            wanted = params.context.include_declaration
-            return server.locations(navigation.references(*at, definitions=wanted))
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    async def _(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
-        def answer() -> list[lsp.DocumentSymbol]:
-            robot, page = server.page(params.text_document.uri)
-            return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
-
-        return await server.ask(answer, [])
-
-
-def _add_writing(server: Server) -> None:
-    options = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
-
-    @server.feature(lsp.TEXT_DOCUMENT_COMPLETION, options)
-    async def _(params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
-        def answer() -> list[lsp.CompletionItem]:
-            robot, page, offset = server.at(params.text_document.uri, params.position)
-            offers = completion.complete(robot, page, offset)
-            return [_item(server.places, page.source, offset, offer) for offer in offers]
-
-        return await server.ask(answer, [])
-
-    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
-    async def _(params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
-        def answer() -> lsp.PrepareRenamePlaceholder | None:
-            at = server.at(params.text_document.uri, params.position)
-            name = navigation.renamable(*at)
-            return lsp.PrepareRenamePlaceholder(server.places.range(name.span), name.text)
-
-        return await server.ask(answer, None)
-
-    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
-    async def _(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-        def answer() -> lsp.WorkspaceEdit | None:
-            at = server.at(params.text_document.uri, params.position)
-            try:
-                return server.edit(navigation.rename(*at, params.new_name))
-            except navigation.CannotRename as error:
-                told = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
-                server.window_show_message(told)
-                return None
-
-        return await server.ask(answer, None)
-
-
-def _add_mending(server: Server) -> None:
-    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
-    async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
-        def answer() -> list[lsp.TextEdit]:
-            path = server.path(params.text_document.uri)
-            return server.replaced(path, server.robots.laid_out(path))
-
-        return await server.ask(answer, None)
-
-    kinds = lsp.CodeActionOptions(
-        code_action_kinds=[lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
-    )
-
-    @server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, kinds)
-    async def _(params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
-        def answer() -> list[lsp.CodeAction]:
-            path = server.path(params.text_document.uri)
-            if any(kind.startswith("source") for kind in params.context.only or ()):
-                return _fix_all(server, path)
-            _, page, start = server.at(params.text_document.uri, params.range.start)
-            end = server.places.offset(page.source, params.range.end)
-            return [
-                _action(server, action)
-                for found in server.robots.diagnostics(path)
-                if found.span.start <= end and start <= found.span.end
-                for action in actions.actions(page, found)
-            ]
-
-        return await server.ask(answer, [])
-
-
-def _symbol(places: Places, entry: outline.Entry) -> lsp.DocumentSymbol:
-    range_ = places.range(entry.span)
-    return lsp.DocumentSymbol(
-        entry.name,
-        _SYMBOLS[entry.kind],
-        range_,
-        lsp.Range(range_.start, range_.start),
-        detail=entry.detail,
-        children=[_symbol(places, child) for child in entry.children],
-    )
-
-
-def _item(
-    places: Places, source: Source, offset: int, offer: completion.Offer
-) -> lsp.CompletionItem:
-    at = places.range(Span(source, offer.start, offset))
-    return lsp.CompletionItem(
-        offer.text,
-        kind=_ITEMS[offer.kind],
-        detail=offer.detail or None,
-        sort_text=f"{0 if offer.needed else 1}{offer.text}",
-        filter_text=offer.text,
-        text_edit=lsp.TextEdit(at, offer.text),
-    )
-
-
-def _action(server: Server, action: actions.Action) -> lsp.CodeAction:
-    return lsp.CodeAction(
-        action.title,
-        lsp.CodeActionKind.QuickFix,
-        [server.diagnostic(action.diagnostic)],
-        action.preferred,
-        edit=server.edit(action.edits),
-    )
-
-
-def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
-    """All safe fixes at once; computed only where they are asked for, as on saving."""
-    changes = {
-        server.uris.get(file) or to_uri(file): server.replaced(file, text)
-        for file, text in server.robots.mended(path).items()
-    }
-    if not changes:
-        return []
-    edit = lsp.WorkspaceEdit(changes)
-    title = "Apply all fixes that cannot change what the robot does"
-    return [lsp.CodeAction(title, lsp.CodeActionKind.SourceFixAll, edit=edit)]
-
-
-def serve() -> None:
+def serve(server: Server) -> None:
     """Serve one client over standard input and output, until it goes.
 
     Whatever a library prints goes to standard error: one stray word would break the protocol.
@@ -416,7 +206,4 @@ def serve() -> None:
     with os.fdopen(os.dup(1), "wb", buffering=0) as output:
         os.dup2(2, 1)
         sys.stdout = sys.stderr
-        make().start_io(sys.stdin.buffer, output)
-
-
-__all__: list[Any] = ["Server", "make", "serve"]
+        server.start_io(sys.stdin.buffer, output)

@@ -163,10 +163,18 @@ class Workspace:
             self.texts[path] = text
             self._forget_robots()
 
-    def close(self, path: str) -> None:
-        """A file is closed: what is on disk counts again."""
+    def close(self, path: str) -> dict[str, list[Diagnostic]]:
+        """A file is closed: what is on disk counts again.
+
+        Returns:
+            What is left to tell of the files of robots that no open file is part of any more.
+        """
         self.texts.pop(path, None)
+        open_ = {entry.file for other in self.texts for entry in self.entries(other)}
+        closed = {entry.file for entry in self._entries.get(path, ())} - open_
+        files = {file for root in closed for file in self._found.pop(root, ())}
         self.look_again()
+        return {file: list(self._of_file(file)) for file in files}
 
     def look_again(self) -> None:
         """Files on disk have changed."""

@@ -1,0 +1,245 @@
+"""What the server can do: a handler for every request and notification."""
+
+from __future__ import annotations
+
+import re
+
+from lsprotocol import types as lsp
+
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.lsp import actions, completion, hover, navigation, outline
+from urdfkit.lsp.server import Server
+from urdfkit.lsp.text import Places, to_uri
+from urdfkit.lsp.workspace import slow_rules
+from urdfkit.source import Source, Span
+
+_SYMBOLS = {
+    "link": lsp.SymbolKind.Object,
+    "joint": lsp.SymbolKind.Event,
+    "macro": lsp.SymbolKind.Function,
+    "property": lsp.SymbolKind.Variable,
+    "argument": lsp.SymbolKind.Constant,
+    "material": lsp.SymbolKind.EnumMember,
+    "gazebo": lsp.SymbolKind.Module,
+    "transmission": lsp.SymbolKind.Interface,
+    "group": lsp.SymbolKind.Package,
+}
+_ITEMS = {
+    "tag": lsp.CompletionItemKind.Class,
+    "attribute": lsp.CompletionItemKind.Property,
+    "name": lsp.CompletionItemKind.Reference,
+    "word": lsp.CompletionItemKind.Value,
+    "file": lsp.CompletionItemKind.File,
+    "folder": lsp.CompletionItemKind.Folder,
+    "end": lsp.CompletionItemKind.Text,
+}
+
+
+def make() -> Server:
+    """A server with all its features."""
+    server = Server()
+    _add_documents(server)
+    _add_reading(server)
+    _add_writing(server)
+    _add_mending(server)
+    return server
+
+
+def _add_documents(server: Server) -> None:
+    @server.feature(lsp.INITIALIZED)
+    def _(params: lsp.InitializedParams) -> None:
+        server.worker.submit(slow_rules)  # so that the first check is as fast as the others
+        server.places = Places(server.server_capabilities.position_encoding or "utf-16")
+        server.watch()
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def _(params: lsp.DidOpenTextDocumentParams) -> None:
+        server.take(params.text_document.uri)
+        server.check_soon(params.text_document.uri, thorough=True)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def _(params: lsp.DidChangeTextDocumentParams) -> None:
+        server.take(params.text_document.uri)
+        server.check_soon(params.text_document.uri)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
+    def _(params: lsp.DidSaveTextDocumentParams) -> None:
+        server.worker.submit(server.robots.look_again)
+        server.check_soon(params.text_document.uri, thorough=True)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    async def _(params: lsp.DidCloseTextDocumentParams) -> None:
+        path = server.path(params.text_document.uri)
+        nothing: dict[str, list[Diagnostic]] = {}
+        left = await server.ask(lambda: server.robots.close(path), nothing)
+        for file, found in left.items():
+            server.publish(file, found)
+        server.uris.pop(path, None)
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def _(params: lsp.DidChangeWatchedFilesParams) -> None:
+        server.worker.submit(server.robots.look_again)
+        for uri in list(server.uris.values()):
+            server.check_soon(uri)
+
+
+def _add_reading(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
+    async def _(params: lsp.HoverParams) -> lsp.Hover | None:
+        def answer() -> lsp.Hover | None:
+            robot, page, offset = server.at(params.text_document.uri, params.position)
+            found = server.robots.diagnostics(server.path(params.text_document.uri))
+            text = hover.hover(robot, page, offset, found)
+            return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
+
+        return await server.ask(answer, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
+    async def _(params: lsp.DefinitionParams) -> list[lsp.Location]:
+        def answer() -> list[lsp.Location]:
+            at = server.at(params.text_document.uri, params.position)
+            return server.locations(navigation.definitions(*at))
+
+        return await server.ask(answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
+    async def _(params: lsp.ReferenceParams) -> list[lsp.Location]:
+        def answer() -> list[lsp.Location]:
+            at = server.at(params.text_document.uri, params.position)
+            wanted = params.context.include_declaration
+            return server.locations(navigation.references(*at, definitions=wanted))
+
+        return await server.ask(answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    async def _(params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
+        def answer() -> list[lsp.DocumentSymbol]:
+            robot, page = server.page(params.text_document.uri)
+            return [_symbol(server.places, entry) for entry in outline.outline(robot, page)]
+
+        return await server.ask(answer, [])
+
+
+def _add_writing(server: Server) -> None:
+    options = lsp.CompletionOptions(trigger_characters=["<", '"', "'", "/", "{", "(", " ", ":"])
+
+    @server.feature(lsp.TEXT_DOCUMENT_COMPLETION, options)
+    async def _(params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+        def answer() -> list[lsp.CompletionItem]:
+            robot, page, offset = server.at(params.text_document.uri, params.position)
+            offers = completion.complete(robot, page, offset)
+            places, source, snippets = server.places, page.source, server.takes_snippets
+            return [_item(places, source, offset, one, snippets=snippets) for one in offers]
+
+        return await server.ask(answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
+    async def _(params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
+        def answer() -> lsp.PrepareRenamePlaceholder | None:
+            at = server.at(params.text_document.uri, params.position)
+            name = navigation.renamable(*at)
+            return lsp.PrepareRenamePlaceholder(server.places.range(name.span), name.text)
+
+        return await server.ask(answer, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
+    async def _(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+        def answer() -> lsp.WorkspaceEdit | None:
+            at = server.at(params.text_document.uri, params.position)
+            try:
+                return server.edit(navigation.rename(*at, params.new_name))
+            except navigation.CannotRename as error:
+                told = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
+                server.window_show_message(told)
+                return None
+
+        return await server.ask(answer, None)
+
+
+def _add_mending(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
+    async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
+        def answer() -> list[lsp.TextEdit]:
+            path = server.path(params.text_document.uri)
+            return server.replaced(path, server.robots.laid_out(path))
+
+        return await server.ask(answer, None)
+
+    kinds = lsp.CodeActionOptions(
+        code_action_kinds=[lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]
+    )
+
+    @server.feature(lsp.TEXT_DOCUMENT_CODE_ACTION, kinds)
+    async def _(params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
+        def answer() -> list[lsp.CodeAction]:
+            path = server.path(params.text_document.uri)
+            if any(kind.startswith("source") for kind in params.context.only or ()):
+                return _fix_all(server, path)
+            _, page, start = server.at(params.text_document.uri, params.range.start)
+            end = server.places.offset(page.source, params.range.end)
+            return [
+                _action(server, action)
+                for found in server.robots.diagnostics(path)
+                if found.span.start <= end and start <= found.span.end
+                for action in actions.actions(page, found)
+            ]
+
+        return await server.ask(answer, [])
+
+
+def _symbol(places: Places, entry: outline.Entry) -> lsp.DocumentSymbol:
+    range_ = places.range(entry.span)
+    return lsp.DocumentSymbol(
+        entry.name,
+        _SYMBOLS[entry.kind],
+        range_,
+        lsp.Range(range_.start, range_.start),
+        detail=entry.detail,
+        children=[_symbol(places, child) for child in entry.children],
+    )
+
+
+def _item(
+    places: Places, source: Source, offset: int, offer: completion.Offer, *, snippets: bool
+) -> lsp.CompletionItem:
+    at = places.range(Span(source, offer.start, offset))
+    item = lsp.CompletionItem(
+        offer.text,
+        kind=_ITEMS[offer.kind],
+        detail=offer.detail or None,
+        sort_text=f"{0 if offer.needed else 1}{offer.text}",
+        filter_text=offer.text,
+        text_edit=lsp.TextEdit(at, offer.text),
+    )
+    if snippets and offer.kind == "attribute" and _ends_a_name(source, offset):
+        item.text_edit = lsp.TextEdit(at, f'{offer.text}="$1"')
+        item.insert_text_format = lsp.InsertTextFormat.Snippet
+    return item
+
+
+def _ends_a_name(source: Source, offset: int) -> bool:
+    """True if neither the rest of a name nor its value follows."""
+    return re.match(rb"[\w:-]|\s*=", source.data[offset : offset + 20]) is None
+
+
+def _action(server: Server, action: actions.Action) -> lsp.CodeAction:
+    return lsp.CodeAction(
+        action.title,
+        lsp.CodeActionKind.QuickFix,
+        [server.diagnostic(action.diagnostic)],
+        action.preferred,
+        edit=server.edit(action.edits),
+    )
+
+
+def _fix_all(server: Server, path: str) -> list[lsp.CodeAction]:
+    """All safe fixes at once; computed only where they are asked for, as on saving."""
+    changes = {
+        server.uris.get(file) or to_uri(file): server.replaced(file, text)
+        for file, text in server.robots.mended(path).items()
+    }
+    if not changes:
+        return []
+    edit = lsp.WorkspaceEdit(changes)
+    title = "Apply all fixes that cannot change what the robot does"
+    return [lsp.CodeAction(title, lsp.CodeActionKind.SourceFixAll, edit=edit)]
