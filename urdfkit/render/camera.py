@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.arrays import Floats, Integers
+from urdfkit.render.arrays import Floats, Integers, bounds, turned
 
 Matrix = NDArray[np.float64]
 
@@ -166,10 +166,8 @@ def looking(
         VIEWS[view][0] if azimuth is None else azimuth,
         VIEWS[view][1] if elevation is None else elevation,
     )
-    seen = np.asarray(points, dtype=np.float64) @ axes.T
-    if not len(seen):
-        seen = np.zeros((1, 3))
-    lowest, highest = seen.min(axis=0), seen.max(axis=0)
+    seen = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
+    lowest, highest = (end.astype(np.float64) for end in bounds(seen))
     reach = max(float(np.linalg.norm(highest - lowest)) / 2, 1e-3)
     middle = (lowest + highest) / 2
     aspect = size[0] / size[1]
@@ -193,7 +191,7 @@ def _axes(azimuth: float, elevation: float) -> Matrix:
     return np.array((right, np.cross(backwards, right), backwards))
 
 
-def _eye(seen: Matrix, slope: float, aspect: float) -> Matrix:
+def _eye(seen: Floats, slope: float, aspect: float) -> Matrix:
     """The nearest place from which points (n, 3) fit between the four planes of a frustum.
 
     Each pair of planes, left and right or upper and lower, gives the least depth and the offset
@@ -210,7 +208,7 @@ def _eye(seen: Matrix, slope: float, aspect: float) -> Matrix:
         first, second = np.max(z + along / tangent), np.max(z - along / tangent)
         eye[axis] = tangent * (first - second) / 2
         depths.append((first + second) / 2)
-    eye[2] = max(*depths, np.max(z) + 1e-3)
+    eye[2] = max(*depths, float(np.max(z)) + 1e-3)
     return eye
 
 

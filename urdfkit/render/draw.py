@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bytes, Floats, Integers, Keys, bounds, turned
+from urdfkit.render.arrays import Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground, world_rays
@@ -21,7 +21,7 @@ from urdfkit.render.occlusion import openness
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
-from urdfkit.render.soup import CHUNK, Soup, cut, mentioned, soup
+from urdfkit.render.soup import CHUNK, Soup, cut, extent, rows, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
 from urdfkit.render.work import Workers
 
@@ -121,23 +121,24 @@ class _Drawing:
         )
         kind = self._kind(everything)
         world = self._world(everything)
-        robot = everything.faces[kind != _SIGN]
-        lowest, highest = bounds(world[mentioned(robot, len(world))])
+        lowest, highest = extent(world, rows(everything.faces, kind != _SIGN))
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, kind == _OPAQUE, self.rig, workers)
         self.floor: Ground | None = None
         if floor and (kind == _OPAQUE).any():
-            casts = everything.faces[kind == _OPAQUE]
+            casts = rows(everything.faces, kind == _OPAQUE)
             self.floor = ground(world, casts, self.sun, camera, level)
         everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
         self.screen: Projected
         self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
-        self.soup: Soup = everything._replace(
-            faces=everything.faces[chosen],
-            item=everything.item[chosen],
-            flat=everything.flat[chosen],
-        )
+        self.soup: Soup = everything
+        if len(chosen) < len(everything.faces):
+            self.soup = everything._replace(
+                faces=everything.faces[chosen],
+                item=everything.item[chosen],
+                flat=everything.flat[chosen],
+            )
         self.kind = self._kind(self.soup)
         self.offsets = rooks(quality.samples)
 

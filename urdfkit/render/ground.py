@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Integers, bounds, turned
+from urdfkit.render.arrays import Floats, Integers, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
-from urdfkit.render.soup import mentioned
+from urdfkit.render.soup import extent
 
 #: Cells of the edge of the floor's map.
 CELLS = 320
@@ -73,7 +73,7 @@ def ground(
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.
     """
-    lowest, highest = bounds(points[mentioned(faces, len(points))])
+    lowest, highest = extent(points, faces)
     height = float(lowest[2]) if level is None else level
     size = float((highest - lowest).max())
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size

@@ -55,6 +55,8 @@ def explained(
     Raises:
         NoSuchLayer: there is no layer of that name.
     """
+    if not layers:
+        return scene
     points = scene.points()
     places = np.array([frame.position for frame in scene.frames.values()], dtype=np.float32)
     extent = np.concatenate((points, places.reshape(-1, 3)))

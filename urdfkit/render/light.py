@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, bounds, dot, turned
+from urdfkit.render.arrays import Bools, Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
-from urdfkit.render.soup import Soup, mentioned
+from urdfkit.render.soup import Soup, extent, rows
 from urdfkit.render.work import Workers
 
 #: Texels of the edge of the shadow map.
@@ -77,13 +77,13 @@ def shadow_map(whole: Soup, casts: Bools, rig: Rig, workers: Workers) -> ShadowM
     """
     axes = _axes(rig)
     seen = turned(whole.points, axes)
-    faces = whole.faces[casts]
-    lowest, highest = bounds(seen[mentioned(faces, len(seen))])
-    extent = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
+    faces = rows(whole.faces, casts)
+    lowest, highest = extent(seen, faces)
+    edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
-    origin = np.array((middle[0] - extent / 2, middle[1] - extent / 2, lowest[2]))
+    origin = np.array((middle[0] - edge / 2, middle[1] - edge / 2, lowest[2]))
     origin[2] -= max(float(highest[2] - lowest[2]), 1e-6) * 0.01  # so that heights are above 0
-    scale = TEXELS / extent
+    scale = TEXELS / edge
     result = ShadowMap(
         axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
     )

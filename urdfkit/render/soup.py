@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, cross, turned, unit
+from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.scene import Item, Scene
 from urdfkit.render.work import Workers
@@ -82,11 +82,16 @@ def _place(
         whole.colors[here] = item.colors
 
 
-def mentioned(faces: Integers, count: int) -> Bools:
-    """Which of so many vertices belong to a face."""
-    found = np.zeros(count, dtype=bool)
-    found[faces] = True
-    return found
+def rows(values: Integers, chosen: Bools) -> Integers:
+    """The rows that are chosen; the same array, not a copy, if all of them are."""
+    return values if chosen.all() else values[chosen]
+
+
+def extent(points: Floats, faces: Integers) -> tuple[Floats, Floats]:
+    """The least and the greatest coordinates of the points that belong to faces."""
+    used = np.zeros(len(points), dtype=bool)
+    used[faces] = True
+    return bounds(points if used.all() else points[used])
 
 
 def _valid(item: Item) -> Integers:
