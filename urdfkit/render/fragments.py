@@ -174,11 +174,15 @@ def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> 
         parts.append((x[i] - some.x) * (y[j] - some.y) - (x[j] - some.x) * (y[i] - some.y))
     area = parts[0] + parts[1] + parts[2]
     area = np.where(area == 0, np.float32(1), area)
-    # A fragment may be shaded a little outside of its triangle.
-    weights = [np.clip(part / area, 0, 1) for part in parts]
-    total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-12))
+    # A fragment may be shaded a little outside of its triangle, but on its plane.
+    weights = [np.clip(part / area, -4, 4) for part in parts]
+    total = weights[0] + weights[1] + weights[2]
+    total = np.where(np.abs(total) < 0.5, np.float32(1), total)
     near = [screen.nearness[index] for index in corners]
     nearness = sum(w * n for w, n in zip(weights, near, strict=True)) / total
+    nearness = np.clip(nearness, np.minimum.reduce(near), np.maximum.reduce(near))
+    weights = [np.clip(w, 0, 1) for w in weights]
+    total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-12))
     if not camera.is_orthographic:
         weights = [w * n for w, n in zip(weights, near, strict=True)]
         total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-30))
