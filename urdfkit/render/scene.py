@@ -12,7 +12,7 @@ from urdfkit import kinematics
 from urdfkit.meshes.geometry import Part
 from urdfkit.model import Body, Link, Shape
 from urdfkit.render import arrays, primitives
-from urdfkit.render.arrays import Floats, Integers
+from urdfkit.render.arrays import Bools, Floats, Integers
 from urdfkit.render.looks import PLACEHOLDER, Look, Looks
 from urdfkit.render.normals import smooth
 from urdfkit.spatial import Frame, Vector
@@ -20,6 +20,9 @@ from urdfkit.subject import Subject
 
 #: The least edge of the box that stands for a missing mesh, as a part of the robot.
 PLACEHOLDER_SIZE = 0.045
+
+#: In m; what is further away than this, or larger, is a slip and not drawn.
+LIMIT = 1e6
 
 
 class Item(NamedTuple):
@@ -125,14 +128,19 @@ def build(
     items: list[Item] = []
     absent: list[tuple[Link, str, Body, str]] = []
     for link in subject.model.links_by_name.values():
-        if link.name not in frames:
+        if link.name not in frames or not _is_near(frames[link.name]):
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                found = tuple(_items(subject, looks, link.name, role, body))
+                found = [
+                    kept
+                    for item in _items(subject, looks, link.name, role, body)
+                    if (kept := _sound(item))
+                ]
                 items += found
                 if not found and body.shape and body.shape.kind == "mesh":
-                    absent.append((link, role, body, subject.meshes.reason(body.shape)))
+                    reason = subject.meshes.reason(body.shape) or "its triangles are nowhere"
+                    absent.append((link, role, body, reason))
     scene = Scene(tuple(items), frames)
     if not absent:
         return scene
@@ -151,7 +159,7 @@ def build(
 def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> Iterator[Item]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
-    if shape is None:
+    if shape is None or not _is_near(body.origin):
         return
     if shape.kind == "mesh":
         mesh = subject.meshes.mesh(shape)
@@ -177,11 +185,28 @@ def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> 
         )
 
 
+def _is_near(frame: Frame) -> bool:
+    return all(abs(part) < LIMIT for part in frame.position)
+
+
+def _sound(item: Item) -> Item | None:
+    """An item without the faces that a bad or absurd number in a file has sent far away."""
+    good: Bools = np.abs(item.vertices).max(axis=1) < LIMIT
+    if good.all():
+        return item if len(item.faces) else None
+    faces = item.faces[good[item.faces].all(axis=1)]
+    if not len(faces):
+        return None
+    vertices = np.where(good[:, None], item.vertices, item.vertices[faces[0, 0]])
+    return item._replace(vertices=vertices, faces=faces)
+
+
 def _part(
     link: str, role: str, label: str, look: Look, part: Part, origin: Frame, scale: Floats
 ) -> Item:
     """A part of a mesh, scaled, in the frame of its link; its faces turned if it is mirrored."""
-    vertices = (part.vertices * scale).astype(np.float32)
+    with np.errstate(over="ignore", invalid="ignore"):
+        vertices = (part.vertices * scale).astype(np.float32)
     faces = part.faces.astype(np.int32)
     if np.prod(scale) < 0:
         faces = faces[:, ::-1]

@@ -40,7 +40,7 @@ class Soup(NamedTuple):
 def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
     """The triangles of a scene as a camera sees them."""
     counts = [len(item.vertices) for item in scene.items]
-    faces = [_valid(item) for item in scene.items]
+    faces = [item.faces for item in scene.items]
     total = sum(counts)
     colored = any(item.colors is not None for item in scene.items)
     whole = Soup(
@@ -92,14 +92,6 @@ def extent(points: Floats, faces: Integers) -> tuple[Floats, Floats]:
     used = np.zeros(len(points), dtype=bool)
     used[faces] = True
     return bounds(points if used.all() else points[used])
-
-
-def _valid(item: Item) -> Integers:
-    """The faces whose corners are finite; a bad number in a file hides one triangle only."""
-    if np.isfinite(item.vertices).all():
-        return item.faces
-    finite = np.isfinite(item.vertices[item.faces]).all(axis=(1, 2))
-    return item.faces[finite]
 
 
 def _with_flat(whole: Soup, workers: Workers) -> Soup:

@@ -1,0 +1,181 @@
+"""From a description to triangles: looks, textures, placeholders, places."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.conftest import MODELS
+from tests.render.scenes import alone, colour_at, link, robot
+from urdfkit.loading import read
+from urdfkit.render import build, looking
+from urdfkit.render.looks import PLACEHOLDER, PLAIN
+
+SIZE = (200, 200)
+
+QUAD = """mtllib quad.mtl
+v 0 -1 -1
+v 0 1 -1
+v 0 1 1
+v 0 -1 1
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+usemtl painted
+f 1/1 2/2 3/3 4/4
+"""
+MATERIAL = "newmtl painted\nKd 1 1 1\nmap_Kd quarters.png\n"
+
+
+@pytest.fixture
+def quad(tmp_path: Path) -> Path:
+    """A square that faces +x, with red, green, blue and white in its quarters."""
+    pixels = np.zeros((2, 2, 3), dtype=np.uint8)
+    pixels[0] = (255, 0, 0), (0, 255, 0)  # the upper row
+    pixels[1] = (0, 0, 255), (255, 255, 255)
+    image = Image.fromarray(pixels).resize((64, 64), Image.Resampling.NEAREST)
+    image.save(tmp_path / "quarters.png")
+    (tmp_path / "quad.obj").write_text(QUAD, encoding="utf-8")
+    (tmp_path / "quad.mtl").write_text(MATERIAL, encoding="utf-8")
+    return tmp_path
+
+
+def seen(folder: Path, visual: str, view: str = "front") -> list[str]:
+    """The colours of the quarters of a robot: upper left and right, lower left and right."""
+    file = folder / "robot.urdf"
+    text = f'<robot name="r"><link name="a"><visual>{visual}</visual></link></robot>'
+    file.write_text(text, encoding="utf-8")
+    scene = build(read(file))
+    pixels = alone(scene, looking(scene.points(), view, size=SIZE))
+    return [colour_at(pixels, x, y) for y in (60, 140) for x in (60, 140)]
+
+
+MESH = '<geometry><mesh filename="quad.obj"{}/></geometry>'
+
+
+def test_a_texture_is_the_right_way_up_and_not_mirrored(quad: Path) -> None:
+    upper_left, upper_right, lower_left, _ = seen(quad, MESH.format(""))
+    assert (upper_left, upper_right, lower_left) == ("red", "green", "blue")
+
+
+def test_a_mirrored_mesh_has_a_mirrored_texture(quad: Path) -> None:
+    upper_left, upper_right, _, lower_right = seen(quad, MESH.format(' scale="1 -1 1"'))
+    assert (upper_left, upper_right, lower_right) == ("green", "red", "blue")
+
+
+def test_a_colour_of_the_urdf_replaces_what_the_mesh_brings_along(quad: Path) -> None:
+    paint = '<material name="m"><color rgba="0 0 1 1"/></material>'
+    assert seen(quad, MESH.format("") + paint) == ["blue"] * 4
+
+
+def test_a_texture_of_the_urdf_is_on_every_side_of_a_box(quad: Path) -> None:
+    paint = '<material name="m"><texture filename="quarters.png"/></material>'
+    for view in ("front", "left", "top", "back", "right"):
+        quarters = seen(quad, f'<geometry><box size="1 1 1"/></geometry>{paint}', view)
+        assert {"red", "green", "blue"} <= set(quarters)
+
+
+@pytest.mark.parametrize("content", [b"", b"no image", b"\x89PNG\r\n\x1a\n" + bytes(40)])
+def test_a_broken_texture_leaves_the_surface(quad: Path, content: bytes) -> None:
+    (quad / "quarters.png").write_bytes(content)
+    assert "none" not in seen(quad, MESH.format(""))
+
+
+def test_gazebo_colours_count_where_nothing_else_says_anything() -> None:
+    body = '<link name="{}"><visual><geometry><box size="1 1 1"/></geometry>{}</visual></link>'
+    gazebo = '<gazebo reference="{}"><material>Gazebo/Orange</material></gazebo>'
+    subject = robot(
+        body.format("plain", "") + gazebo.format("plain"),
+        body.format("blue", '<material name="b"><color rgba="0 0 1 1"/></material>')
+        + gazebo.format("blue"),
+        body.format("bare", ""),
+    )
+    looks = {item.link: item.look for item in build(subject).items}
+    assert looks["plain"].rgba[0] > looks["plain"].rgba[1] > looks["plain"].rgba[2]
+    assert looks["blue"].rgba[:3] == (0, 0, 1)
+    assert looks["bare"] == PLAIN
+
+
+@pytest.mark.parametrize("content", [None, b"", b"solid x\nfacet"])
+def test_a_mesh_that_is_not_to_be_had_is_a_marked_box(
+    tmp_path: Path, content: bytes | None
+) -> None:
+    if content is not None:
+        (tmp_path / "gone.stl").write_bytes(content)
+    file = tmp_path / "robot.urdf"
+    mesh = '<geometry><mesh filename="gone.stl"/></geometry>'
+    file.write_text(
+        f'<robot name="r"><link name="a"><visual><origin xyz="0 0 2"/>{mesh}</visual>'
+        '<collision><geometry><box size="1 2 3"/></geometry></collision></link></robot>',
+        encoding="utf-8",
+    )
+    scene = build(read(file))
+    (item,) = scene.items
+    assert item.look == PLACEHOLDER
+    assert np.ptp(item.vertices, axis=0) == pytest.approx((1, 2, 3))
+    assert item.vertices.mean(axis=0) == pytest.approx((0, 0, 2), abs=1e-6)
+    (missing,) = scene.missing
+    assert (missing.link, missing.role, missing.filename) == ("a", "visual", "gone.stl")
+    assert missing.reason
+
+
+def test_a_box_for_a_mesh_of_which_nothing_is_known_reaches_to_the_next_joints() -> None:
+    mesh = '<link name="{}"><visual><geometry><mesh filename="no.stl"/></geometry></visual></link>'
+    joint = (
+        '<joint name="j" type="fixed"><origin xyz="0 0 2"/><parent link="a"/>'
+        '<child link="b"/></joint>'
+    )
+    upper, lower = build(robot(mesh.format("a"), mesh.format("b"), joints=joint)).items[::-1]
+    assert lower.vertices[:, 2].min() == pytest.approx(0)
+    assert lower.vertices[:, 2].max() == pytest.approx(2)
+    assert np.ptp(upper.vertices, axis=0).max() < 0.2
+
+
+def test_every_visual_of_the_models_is_drawn_or_said_to_be_missing() -> None:
+    for file in sorted((MODELS / "good").rglob("*.urdf")):
+        subject = read(file)
+        scene = build(subject, roles=("visual", "collision"))
+        shapes = sum(len(link.visuals) + len(link.collisions) for link in subject.model.links)
+        drawn = {(item.link, item.role) for item in scene.items}
+        assert len(scene.items) >= shapes
+        for one in subject.model.links:
+            assert not one.visuals or (one.name, "visual") in drawn
+
+
+HOSTILE = [
+    '<box size="nan 1 1"/>',
+    '<box size="0 0 0"/>',
+    '<box size="1e30 1 1"/>',
+    '<box size="-1 1 1"/>',
+    '<sphere radius="1e-30"/>',
+    '<cylinder radius="inf" length="1"/>',
+    '<mesh filename=""/>',
+    '<mesh filename="/dev/zero"/>',
+    '<plane normal="0 0 1"/>',
+]
+
+
+@pytest.mark.parametrize("shape", HOSTILE)
+def test_no_shape_stops_a_picture(shape: str) -> None:
+    scene = build(robot(link("a", shape), link("b", '<box size="1 1 1"/>', "1e3 0 0")))
+    assert alone(scene, looking(scene.points(), size=(64, 64))).shape == (64, 64, 4)
+
+
+@pytest.mark.parametrize("xyz", ["1e30 0 0", "1e300 1e300 0", "nan 0 0"])
+def test_no_place_stops_a_picture(xyz: str) -> None:
+    scene = build(robot(link("a", '<box size="1 1 1"/>', xyz), link("b", '<box size="1 1 1"/>')))
+    assert alone(scene, looking(scene.points(), size=(64, 64))).any()
+
+
+def test_links_in_a_loop_and_islands_do_not_stop_a_picture() -> None:
+    box = '<box size="1 1 1"/>'
+    loop = "".join(
+        f'<joint name="{a}{b}" type="fixed"><parent link="{a}"/><child link="{b}"/></joint>'
+        for a, b in ("bc", "cb")
+    )
+    scene = build(robot(link("a", box), link("b", box), link("c", box), joints=loop))
+    assert {item.link for item in scene.items} == {"a"}
