@@ -114,6 +114,19 @@ def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "pip install &#39;urdfkit[report]&#39;" in text
 
 
+@pytest.mark.parametrize(
+    ("limit", "reason"),
+    [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "triangles are more than")],
+)
+def test_a_robot_may_be_too_large_for_a_page(
+    limit: str, reason: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scene, limit, 5)
+    text, document = report(MISSION, quick=True)
+    assert reason in document["missing"]["3D view"]
+    assert reason in text
+
+
 def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None:
     html._environment.cache_clear()
     monkeypatch.setitem(__import__("sys").modules, "jinja2", None)

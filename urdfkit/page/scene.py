@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
 
+#: A page of more is too slow to open, or too large to send.
+MAX_LINKS, MAX_TRIANGLES = 5000, 3_000_000
+
 
 class Scene(Record):
     """What the engine draws.
@@ -36,13 +39,21 @@ def surfaces(subject: Subject) -> Surfaces:
     """The triangles of a robot, for pictures and for the engine.
 
     Raises:
-        Unavailable: a library is not installed.
+        Unavailable: a library is not installed, or the robot is too large for a page.
     """
+    if len(subject.model.links) > MAX_LINKS:
+        raise Unavailable(f"{len(subject.model.links)} links are more than a page can show")
     try:
         from urdfkit.render import build as build_surfaces
     except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
-    return build_surfaces(subject, roles=("visual", "collision"))
+    built = build_surfaces(subject, roles=("visual", "collision"))
+    triangles = sum(len(item.faces) for item in built.items)
+    if triangles > MAX_TRIANGLES:
+        raise Unavailable(
+            f"{triangles} triangles are more than a page can carry: see urdfkit mesh simplify"
+        )
+    return built
 
 
 def build(subject: Subject, built: Surfaces) -> Scene:

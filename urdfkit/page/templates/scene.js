@@ -7,6 +7,7 @@
   const picked = document.getElementById("picked");
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const positions = {}; // of joints that follow none, by name
+  const inputs = new Map(); // slider and field of each of them
   const layers = {};
   for (const box of document.querySelectorAll("[data-layer]")) layers[box.dataset.layer] = box.checked;
 
@@ -74,6 +75,7 @@
   function sliders() {
     const box = document.querySelector(".sliders");
     box.textContent = "";
+    inputs.clear();
     const free = robot.joints.filter((joint) => joint.leader === joint.name).sort((a, b) => a.order - b.order);
     const followers = robot.joints.filter((joint) => joint.leader && joint.leader !== joint.name);
     if (!free.length) return;
@@ -108,7 +110,7 @@
       field.setAttribute("aria-label", `${joint.name} / ${unit}`);
       slide.min = low;
       slide.max = high;
-      slide.dataset.joint = field.dataset.joint = joint.name;
+      slide.dataset.joint = joint.name;
       for (const input of [slide, field]) {
         input.addEventListener("input", () => {
           const value = Number(input.value);
@@ -118,6 +120,7 @@
         });
       }
       box.append(row);
+      inputs.set(joint.name, [slide, field]);
       set(joint.name, positions[joint.name] || 0);
     }
   }
@@ -127,8 +130,8 @@
   }
   function set(name, value, by) {
     positions[name] = value;
-    for (const input of document.querySelectorAll(".sliders input")) {
-      if (input.dataset.joint === name && input !== by) {
+    for (const input of inputs.get(name) || []) {
+      if (input !== by) {
         input.value = input.type === "number" ? String(Number(value.toFixed(5))) : String(value);
       }
     }
@@ -333,9 +336,7 @@
     const joint = robot.joints.find((one) => one.name === name);
     if (!joint) return;
     select([robot.links[joint.child].name]);
-    for (const input of document.querySelectorAll(".sliders input[type=range]")) {
-      if (input.dataset.joint === name) input.scrollIntoView({ block: "nearest" });
-    }
+    if (inputs.has(name)) inputs.get(name)[0].scrollIntoView({ block: "nearest" });
   };
   document.querySelector(".layers").addEventListener("change", (event) => {
     layers[event.target.dataset.layer] = event.target.checked;
