@@ -56,16 +56,8 @@ def render(done: Repair, defect: str) -> Iterator[str]:
     if done.refused:
         yield f"given up: {done.refused}; the mesh stays as it is"
         return
-    rows = [
-        ("", "before", "after"),
-        ("triangles", str(done.before.faces), str(done.after.faces)),
-        ("bodies", str(done.before.bodies), str(done.after.bodies)),
-        ("closed", *(("no", "yes")[health.is_closed] for health in (done.before, done.after))),
-        ("volume", tables.volume(done.before.volume), tables.volume(done.after.volume)),
-    ]
-    yield from tables.columns(rows)
-    yield f"farthest from the new surface, on the old one  {tables.length(done.lost)}"
-    yield f"farthest from the old surface, on the new one  {tables.length(done.gained)}"
+    yield from tables.columns(tables.before_and_after(done.before, done.after))
+    yield from tables.distances(done.lost, done.gained)
     if not done.after.is_solid:
         yield from output.indented(f"left: {tables.surface(done.after)}", first="")
 

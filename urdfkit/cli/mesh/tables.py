@@ -44,6 +44,25 @@ def surface(health: Health) -> str:
     return ", ".join(found) or "closed, and flat: it encloses nothing"
 
 
+def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]]:
+    """A table of two states of a mesh, for `columns`."""
+    return [
+        ("", "before", "after"),
+        ("triangles", str(before.faces), str(after.faces)),
+        ("bodies", str(before.bodies), str(after.bodies)),
+        ("closed", *(("no", "yes")[health.is_closed] for health in (before, after))),
+        ("volume", volume(before.volume), volume(after.volume)),
+    ]
+
+
+def distances(lost: float, gained: float) -> list[str]:
+    """How far the surface has moved, both ways."""
+    return [
+        f"farthest from the new surface, on the old one  {length(lost)}",
+        f"farthest from the old surface, on the new one  {length(gained)}",
+    ]
+
+
 def columns(rows: Sequence[Sequence[str]]) -> list[str]:
     """Rows in columns, the first to the left and the others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]

@@ -1,0 +1,50 @@
+"""``urdfkit mesh decompose``: a mesh cut into convex pieces."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from urdfkit.cli import options, output
+from urdfkit.cli.mesh import tables
+from urdfkit.cli.mesh.saving import destination, save
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.health import examine, examine_mesh
+from urdfkit.meshes.hull import ENGINES, decompose
+from urdfkit.meshes.load import load
+from urdfkit.meshes.transforms import in_metres
+
+
+@click.command("decompose")
+@click.argument("file", metavar="FILE")
+@click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
+@click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")
+@click.option("--most", type=int, default=16, metavar="N", help="Pieces at most. [default: 16]")
+@click.option("--engine", type=click.Choice(ENGINES), default="vhacd", help="What cuts.")
+@click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh.")
+def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
+    """Cut a mesh into convex pieces, which physics engines take as they are.
+
+    Exit codes: 0 done, 2 it cannot be done.
+    """
+    if most < 1:
+        raise options.UsageError("--most must be 1 or more")
+    if split and not out:
+        raise options.UsageError("--split needs --output")
+    path = destination(file, out, False, force)
+    mesh = in_metres(load(file))
+    found = decompose(mesh, most=most, engine=engine)
+    lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(found)))]
+    for number, part in enumerate(found.parts, start=1):
+        health = examine(part.vertices, part.faces)
+        lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")
+    if split and path:
+        stem, suffix = os.path.splitext(path)
+        for number, part in enumerate(found.parts, start=1):
+            one = destination(file, f"{stem}_{number}{suffix}", False, force)
+            lines += save(Mesh((part,)), one)
+    else:
+        lines += save(found, path)
+    output.write("\n".join(lines) + "\n")
+    return 0

@@ -1,0 +1,29 @@
+"""``urdfkit mesh hull``: the convex hull of a mesh."""
+
+from __future__ import annotations
+
+import click
+
+from urdfkit.cli import output
+from urdfkit.cli.mesh import tables
+from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.meshes.health import examine_mesh
+from urdfkit.meshes.hull import hull
+from urdfkit.meshes.load import load
+from urdfkit.meshes.transforms import in_metres
+
+
+@click.command("hull")
+@click.argument("file", metavar="FILE")
+@writes
+def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
+    """Make the convex hull of a mesh.
+
+    Exit codes: 0 done, 2 it cannot be done.
+    """
+    path = destination(file, out, in_place, force)
+    mesh = in_metres(load(file))
+    found = hull(mesh)
+    rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(found))
+    output.write("\n".join([*tables.columns(rows), *save(found, path)]) + "\n")
+    return 0

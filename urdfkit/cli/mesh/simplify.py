@@ -1,0 +1,62 @@
+"""``urdfkit mesh simplify``: fewer triangles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import click
+import numpy as np
+
+from urdfkit.cli import options, output, progress
+from urdfkit.cli.mesh import tables
+from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.meshes.load import load
+from urdfkit.meshes.simplify import Simplified, to_budget, to_error
+from urdfkit.meshes.transforms import in_metres
+
+
+@click.command("simplify")
+@click.argument("file", metavar="FILE")
+@click.option("--triangles", type=int, metavar="N", help="At most so many triangles.")
+@click.option("--error", type=float, metavar="METRES", help="No surface moves farther than this.")
+@writes
+def command(
+    file: str,
+    triangles: int | None,
+    error: float | None,
+    out: str | None,
+    in_place: bool,
+    force: bool,
+) -> int:
+    """Reduce the triangles of a mesh, to a budget or within an error.
+
+    The deviation is measured, both ways. Materials stay; texture coordinates and colours of
+    vertices do not.
+
+    Exit codes: 0 done, 2 it cannot be done.
+    """
+    if (triangles is None) == (error is None):
+        raise options.UsageError("give either --triangles or --error")
+    if (triangles is not None and triangles < 4) or (error is not None and not error > 0):
+        raise options.UsageError("--triangles must be 4 or more, --error more than 0")
+    path = destination(file, out, in_place, force)
+    mesh = in_metres(load(file))
+    if triangles is not None:
+        found = to_budget(mesh, triangles)
+    else:
+        assert error is not None
+        bar = progress.on_terminal()
+        found = to_error(mesh, error, bar)
+        if bar:
+            bar.wipe()
+    diagonal = float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    output.write("\n".join([*render(found, diagonal), *save(found.mesh, path)]) + "\n")
+    return 0
+
+
+def render(found: Simplified, diagonal: float) -> Iterator[str]:
+    """Before, after, and how far the surface has moved."""
+    yield from tables.columns(tables.before_and_after(found.before, found.after))
+    share = 100 * found.deviation / diagonal
+    yield from tables.distances(found.lost, found.gained)
+    yield f"the larger is {share:.2g} % of the diagonal"
