@@ -49,12 +49,25 @@ class Edges:
         """(e,), True where more than two faces are."""
         return np.asarray(self.count > 2)
 
-    @cached_property
+    @property
+    def is_torn(self) -> Flags:
+        """(e,), True where more than two faces are that do not pair up.
+
+        Where bodies touch, an edge has four faces, two for each direction, and all is well.
+        """
+        return np.asarray((self.count > 2) & (self._balance != 0))
+
+    @property
     def is_twisted(self) -> Flags:
         """(e,), True where two faces are that see their edge in the same direction."""
+        return np.asarray((self.count == 2) & (self._balance != 0))
+
+    @cached_property
+    def _balance(self) -> Integers:
+        """(e,), how many more faces see the edge in one direction than in the other."""
         balance = np.zeros(len(self.count), dtype=np.int64)
         np.add.at(balance, self.of_face.reshape(-1), np.where(self.upwards.reshape(-1), 1, -1))
-        return np.asarray((self.count == 2) & (balance != 0))
+        return balance
 
     @cached_property
     def pairs(self) -> Integers:

@@ -16,9 +16,10 @@ class Health(Record):
         faces: number of triangles.
         non_finite: triangles with a corner that is nan or infinite.
         collapsed: triangles with two corners in one place.
-        repeated: triangles that are there already, either way round.
+        repeated: triangles that are there already, the same way round.
         open_edges: edges with one triangle: the rims of holes.
-        crowded_edges: edges with more than two triangles.
+        crowded_edges: edges with more than two triangles that do not pair up. Where bodies touch,
+            they do.
         twisted_edges: edges whose two triangles face opposite ways.
         bodies: connected pieces.
         inverted: closed pieces whose inside is out, though no other piece is around them.
@@ -88,7 +89,6 @@ def examine(vertices: Floats, faces: Integers) -> Health:
     a, b, c = kept.T
     collapsed = (a == b) | (b == c) | (c == a)
     kept = kept[~collapsed]
-    repeated = len(kept) - len(np.unique(np.sort(kept, axis=1), axis=0)) if len(kept) else 0
     if not len(kept):
         return Health(number, number - int(good.sum()), int(collapsed.sum()), 0, 0, 0, 0, 0, 0, 0.0)
     edges = Edges(kept)
@@ -96,14 +96,21 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         number,
         number - int(good.sum()),
         int(collapsed.sum()),
-        repeated,
+        _repeated(kept),
         int(edges.is_open.sum()),
-        int(edges.is_crowded.sum()),
+        int(edges.is_torn.sum()),
         int(edges.is_twisted.sum()),
         int(edges.bodies.max()) + 1,
         int(inside_out(points, kept, edges).sum()),
         float(volumes(points, kept, np.zeros(len(kept), dtype=np.int64))[0]),
     )
+
+
+def _repeated(faces: Integers) -> int:
+    """How many faces are there already, the same way round."""
+    turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
+    rows = np.take_along_axis(faces, turned % 3, axis=1)
+    return len(faces) - len(np.unique(rows, axis=0))
 
 
 def inside_out(points: Floats, faces: Integers, edges: Edges) -> Flags:

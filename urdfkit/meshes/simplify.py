@@ -175,6 +175,8 @@ def _solid_shrinker(soup: Soup, size: float) -> Callable[[float], list[_Piece]]:
             run_original_id=np.arange(first, first + len(numbers), dtype=np.uint32),
         )
     )
+    if whole.is_empty():  # bodies that touch along an edge are no manifold
+        return _quadric_shrinker(soup, size)
 
     def shrink(level: float) -> list[_Piece]:
         tolerance = size * _FINEST * (_COARSEST / _FINEST) ** level

@@ -46,11 +46,12 @@ def surface(health: Health) -> str:
 
 def before_and_after(before: Health, after: Health) -> list[tuple[str, str, str]]:
     """A table of two states of a mesh, for `columns`."""
+    closed = [("no", "yes")[health.is_closed] for health in (before, after)]
     return [
         ("", "before", "after"),
         ("triangles", str(before.faces), str(after.faces)),
         ("bodies", str(before.bodies), str(after.bodies)),
-        ("closed", *(("no", "yes")[health.is_closed] for health in (before, after))),
+        ("closed", closed[0], closed[1]),
         ("volume", volume(before.volume), volume(after.volume)),
     ]
 

@@ -1,0 +1,71 @@
+"""mesh simplify, hull and decompose: what is said, what is written, the exit codes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import trimesh
+
+from tests.meshes.shapes_made import as_mesh
+from urdfkit.cli import main
+from urdfkit.meshes.writers import write
+
+
+@pytest.fixture
+def ring(tmp_path: Path) -> Path:
+    write(as_mesh(trimesh.creation.torus(1.0, 0.3, 24, 12)), tmp_path / "ring.stl")
+    return tmp_path / "ring.stl"
+
+
+def test_simplify(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = ring.with_name("out.dae")
+    assert main(["mesh", "simplify", str(ring), "--triangles", "200", "-o", str(out)]) == 0
+    assert len(trimesh.load_mesh(out).faces) <= 200
+    assert "% of the diagonal" in capsys.readouterr().out
+    assert main(["mesh", "simplify", str(ring), "--error", "0.05"]) == 0
+    assert "nothing is written" in capsys.readouterr().out
+    assert main(["mesh", "simplify", str(ring), "--error", "0.05", "--write"]) == 0
+    assert trimesh.load_mesh(ring).volume == pytest.approx(1.7, rel=0.1)
+
+
+def test_hull(ring: Path) -> None:
+    out = ring.with_name("hull.stl")
+    assert main(["mesh", "hull", str(ring), "-o", str(out)]) == 0
+    assert trimesh.load_mesh(out).is_convex
+    assert main(["mesh", "hull", str(ring), "-o", str(out)]) == 2
+    assert main(["mesh", "hull", str(ring), "-o", str(out), "--force"]) == 0
+
+
+def test_decompose(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = ring.with_name("piece.stl")
+    words = ["mesh", "decompose", str(ring), "--most", "2", "-o", str(out)]
+    assert main([*words, "--split"]) == 0
+    assert "piece 2:" in capsys.readouterr().out
+    assert all(trimesh.load_mesh(ring.with_name(f"piece_{n}.stl")).is_convex for n in (1, 2))
+    assert not out.exists()
+    assert main(words) == 0
+    assert out.exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["simplify", "FILE"],
+        ["simplify", "FILE", "--triangles", "9", "--error", "1"],
+        ["simplify", "FILE", "--triangles", "3"],
+        ["simplify", "FILE", "--error", "0"],
+        ["simplify", "no.stl", "--error", "1"],
+        ["decompose", "FILE", "--most", "0"],
+        ["decompose", "FILE", "--split"],
+        ["hull", "no.stl"],
+        ["hull", "FILE", "-o", "a.step"],
+    ],
+)
+def test_what_makes_no_sense_is_said(
+    words: list[str], ring: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["mesh", *(str(ring) if word == "FILE" else word for word in words)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")

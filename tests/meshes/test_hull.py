@@ -1,0 +1,61 @@
+"""Hulls and convex pieces, against trimesh."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+import trimesh
+
+from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh
+from urdfkit.meshes.geometry import Mesh, Part
+from urdfkit.meshes.hull import ENGINES, NoEngine, NoHull, decompose, hull
+
+RING = trimesh.creation.annulus(0.5, 1.0, 0.5)
+
+
+def test_the_hull_is_that_of_trimesh() -> None:
+    found = as_trimesh(hull(as_mesh(RING)))
+    assert found.is_convex
+    assert found.is_volume
+    assert found.volume == pytest.approx(RING.convex_hull.volume, rel=1e-6)
+
+
+def test_all_parts_have_one_hull() -> None:
+    boxes = [trimesh.creation.box().apply_translation((x, 0, 0)) for x in (0, 3)]
+    found = hull(Mesh(tuple(map(as_part, boxes))))
+    assert len(found.parts) == 1
+    assert as_trimesh(found).volume == pytest.approx(4)
+
+
+@pytest.mark.parametrize("make", [hull, decompose])
+def test_what_is_flat_has_none(make: object) -> None:
+    flat = Part(np.eye(3), np.array([[0, 1, 2]]))
+    with pytest.raises(NoHull, match="in a plane"):
+        make(Mesh((flat,)))  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_pieces_are_convex_and_nearly_the_mesh(engine: str) -> None:
+    if engine == "coacd":
+        pytest.importorskip("coacd")
+    found = decompose(as_mesh(RING), most=8, engine=engine)
+    assert 3 <= len(found.parts) <= 8
+    pieces = [as_trimesh(Mesh((part,))) for part in found.parts]
+    assert all(piece.is_volume and piece.is_convex for piece in pieces)
+    assert all(len(piece.vertices) <= 64 for piece in pieces)
+    together = trimesh.boolean.union(pieces, engine="manifold").volume
+    assert RING.volume * 0.95 < together < 0.5 * (RING.volume + RING.convex_hull.volume)
+
+
+def test_a_convex_mesh_is_one_piece() -> None:
+    found = decompose(as_mesh(trimesh.creation.box()))
+    assert as_trimesh(found).volume == pytest.approx(1, rel=0.05)
+    assert len(found.parts) == 1
+
+
+def test_a_missing_engine_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "coacd", None)
+    with pytest.raises(NoEngine, match=r"pip install 'urdfkit\[decompose\]'"):
+        decompose(as_mesh(RING), engine="coacd")
