@@ -44,6 +44,7 @@ class Simplified(Record):
         before, after: the state of the mesh.
         lost: how far the old surface lies from the new one at most, in the unit of the mesh.
         gained: how far the new surface lies from the old one at most.
+        diagonal: of the bounding box, to compare these with.
     """
 
     mesh: Mesh
@@ -51,6 +52,7 @@ class Simplified(Record):
     after: Health
     lost: float
     gained: float
+    diagonal: float
 
     @property
     def deviation(self) -> float:
@@ -121,12 +123,12 @@ def to_error(
 
 
 def _judged(mesh: Mesh, found: Mesh) -> Simplified:
-    before = examine_mesh(mesh)
+    before, diagonal = examine_mesh(mesh), soup_of(mesh).size
     if found is mesh:
-        return Simplified(mesh, before, before, 0.0, 0.0)
+        return Simplified(mesh, before, before, 0.0, 0.0, diagonal)
     old, new = (mesh.vertices, mesh.faces), (found.vertices, found.faces)
     lost, gained = one_way(*old, *new), one_way(*new, *old)
-    return Simplified(found, before, examine_mesh(found), lost, gained)
+    return Simplified(found, before, examine_mesh(found), lost, gained, diagonal)
 
 
 def _shrinker(mesh: Mesh, way: _Way) -> Callable[[float], Mesh]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import click
-import numpy as np
 
 from urdfkit.cli import options, output, progress
 from urdfkit.cli.mesh import tables
@@ -49,14 +48,13 @@ def command(
         found = to_error(mesh, error, bar)
         if bar:
             bar.wipe()
-    diagonal = float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
-    output.write("\n".join([*render(found, diagonal), *save(found.mesh, path)]) + "\n")
+    output.write("\n".join([*render(found), *save(found.mesh, path)]) + "\n")
     return 0
 
 
-def render(found: Simplified, diagonal: float) -> Iterator[str]:
+def render(found: Simplified) -> Iterator[str]:
     """Before, after, and how far the surface has moved."""
     yield from tables.columns(tables.before_and_after(found.before, found.after))
-    share = 100 * found.deviation / diagonal
+    share = 100 * found.deviation / found.diagonal
     yield from tables.distances(found.lost, found.gained)
     yield f"the larger is {share:.2g} % of the diagonal"
