@@ -105,6 +105,13 @@ def test_odd_robots_have_a_page() -> None:
     assert summarise(of(loop)).structure.roots == ()
 
 
+def test_the_mass_of_a_loop_counts_although_it_is_nowhere() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    loop = link("a", ball) + link("b", ball) + joint("a", "b") + joint("b", "a")
+    weight = summarise(of(loop)).weight
+    assert (weight.total, weight.whole.mass) == (4, 0)
+
+
 def test_turned_primitives_are_measured_exactly() -> None:
     cylinder = shape("visual", '<cylinder radius="0.1" length="2"/>', rpy="1.5707963267948966 0 0")
     box = summarise(of(link("a", cylinder))).shapes.box

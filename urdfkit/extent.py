@@ -22,10 +22,12 @@ class Extent(Record):
 
     Attributes:
         box: around them, along the axes of the root; None without any.
+        measured: how many links have a shape in it.
         left_out: why shapes are not in the box, by link.
     """
 
     box: Box | None
+    measured: int
     left_out: dict[str, str]
 
 
@@ -37,6 +39,7 @@ def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
         placed: where each link is, as `kinematics.frames` tells it.
     """
     boxes: list[Box] = []
+    measured: set[str] = set()
     left_out: dict[str, str] = {}
     for name, link in subject.model.links_by_name.items():
         if name not in placed:
@@ -49,7 +52,8 @@ def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
                 left_out.setdefault(name, found)
             else:
                 boxes.append(found)
-    return Extent(around(boxes), left_out)
+                measured.add(name)
+    return Extent(around(boxes), len(measured), left_out)
 
 
 def around(boxes: list[Box]) -> Box | None:

@@ -66,10 +66,13 @@ class Weight(Record):
 
     Attributes:
         by_link: in kg, of those that weigh something, the heaviest first.
-        whole: as one rigid body at the configuration, in the frame of the root.
+        total: of all of them, in kg.
+        whole: as one rigid body at the configuration, in the frame of the root; without links of
+            closed loops, which no root leads to.
     """
 
     by_link: dict[str, float]
+    total: float
     whole: MassProperties
 
 
@@ -83,7 +86,8 @@ class Shapes(Record):
         missing: references to meshes that lead to no usable file.
         triangles: of all meshes as often as they are used, by role; None if not counted.
         box: around all shapes at the configuration, in the frame of the root; None without any.
-        left_out: why shapes are not in ``box``, by link.
+        measured: how many links have a shape in ``box``.
+        left_out: why shapes are not in it, by link.
     """
 
     visuals: dict[str, int]
@@ -93,6 +97,7 @@ class Shapes(Record):
     missing: tuple[str, ...]
     triangles: dict[str, int] | None
     box: Box | None
+    measured: int
     left_out: dict[str, str]
 
 
@@ -213,7 +218,8 @@ def _weight(model: RobotModel, placed: Mapping[str, Frame]) -> Weight:
         for name, link in model.links_by_name.items()
         if name in placed
     ]
-    return Weight({name: masses[name] for name in heaviest}, combined(bodies))
+    by_link = {name: masses[name] for name in heaviest}
+    return Weight(by_link, model.mass, combined(bodies))
 
 
 def _shapes(subject: Subject, placed: Mapping[str, Frame]) -> tuple[Shapes, tuple[str, ...]]:
@@ -239,6 +245,7 @@ def _shapes(subject: Subject, placed: Mapping[str, Frame]) -> tuple[Shapes, tupl
         tuple(dict.fromkeys(missing)),
         triangles,
         extent.box,
+        extent.measured,
         extent.left_out,
     ), skipped
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -34,6 +35,27 @@ def test_a_pose_beyond_the_limits_is_taken_and_told(capsys: pytest.CaptureFixtur
     captured = capsys.readouterr()
     assert captured.err == "note: joint 'elbow' at 2 rad is outside its limits -1.9 to 1.9 rad\n"
     assert "at the given pose" in captured.out
+
+
+def test_many_sensors_and_plugins_are_counted_by_kind(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sensors = "".join(
+        f'<gazebo reference="a"><sensor name="s{n}" type="contact">'
+        f'<plugin name="p{n}" filename="libx.so"/></sensor></gazebo>'
+        for n in range(12)
+    )
+    loop = (
+        '<link name="b"/><joint name="ab" type="fixed"><parent link="a"/><child link="b"/></joint>'
+        '<joint name="ba" type="fixed"><parent link="b"/><child link="a"/></joint>'
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r"><link name="a"/>{sensors}{loop}</robot>')
+    assert main(["info", str(file)]) == 0
+    page = capsys.readouterr().out
+    assert "sensors     12 contact: s0, s1, s2, s3, s4, s5, s6, s7 and 4 more\n" in page
+    assert "plugin      libx.so: p0, p1, p2, p3, p4, p5, p6, p7 and 4 more\n" in page
+    assert "links       2, 0 roots\n" in page
 
 
 @pytest.mark.parametrize(

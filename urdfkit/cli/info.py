@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import click
@@ -60,7 +60,7 @@ def render(found: Overview) -> Iterator[str]:
     kind = "xacro" if found.is_xacro else "URDF"
     yield f"{found.name or '(no name)'}: {kind}, {os.path.relpath(found.file)}"
     targets = ", ".join(found.targets) or "not known; name it with --target when you check"
-    yield from _entry("for", targets)
+    yield from _entry("target", targets)
     yield ""
     yield from _structure(found.structure)
     yield ""
@@ -71,10 +71,9 @@ def render(found: Overview) -> Iterator[str]:
     yield from _shapes(found.shapes)
     if found.sensors or found.plugins:
         yield ""
-    for sensor in found.sensors:
-        yield from _entry("sensor", _sensor(sensor))
-    for filename, name in found.plugins:
-        yield from _entry("plugin", f"{name or '(no name)'}  {filename}")
+    yield from _sensors(found.sensors)
+    for filename, names in _grouped(found.plugins).items():
+        yield from _entry("plugin", f"{filename or '(no file)'}: {_list(names)}")
     if found.skipped:
         yield ""
     for reason in found.skipped:
@@ -105,9 +104,12 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
         return
     shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
     of_all = f"{len(masses)} of {counted(found.structure.links, 'link')}"
-    yield from _entry("mass", f"{whole.mass:.6g} kg in {of_all}: {_list(shares)}")
-    root = f" in {found.structure.roots[0]}" if found.structure.roots else ""
-    yield from _entry("centre", f"{_vector(whole.center)} m{root}, {where}")
+    yield from _entry("mass", f"{found.weight.total:.6g} kg in {of_all}: {_list(shares)}")
+    if not found.structure.roots:
+        yield from _entry("centre", "not known: no link is a root")
+        return
+    root = found.structure.roots[0]
+    yield from _entry("centre", f"{_vector(whole.center)} m in {root}, {where}")
     tensor = whole.tensor
     moments = f"ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
     products = f"ixy {tensor.ixy:.4g}, ixz {tensor.ixz:.4g}, iyz {tensor.iyz:.4g}"
@@ -116,13 +118,16 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
 
 
 def _size(found: Overview, where: str) -> Iterator[str]:
-    box, reach = found.shapes.box, found.reach
+    box, reach, left_out = found.shapes.box, found.reach, found.shapes.left_out
+    if len(left_out) > found.shapes.measured:
+        box = None  # the rest says nothing of the whole
+        yield from _entry("size", "not known")
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
         yield from _entry("size", f"{edges} m, from {_vector(box.low)} to {_vector(box.high)}")
-    if found.shapes.left_out:
-        reasons = dict.fromkeys(found.shapes.left_out.values())
-        names = _list(found.shapes.left_out)
+    if left_out:
+        reasons = dict.fromkeys(left_out.values())
+        names = _list(left_out)
         yield from _entry("", f"without {names}: {_list(reasons)}")
     if reach and reach.distance > 0:
         way = f"from joint {reach.joint} to the origin of {reach.link}"
@@ -141,6 +146,25 @@ def _shapes(found: Shapes) -> Iterator[str]:
     if found.missing:
         names = _list(map(os.path.basename, found.missing))
         yield from _entry("unusable", names)
+
+
+def _sensors(found: Sequence[Sensor]) -> Iterator[str]:
+    """Each of a few; of many how many there are of each type."""
+    if len(found) <= MOST:
+        for sensor in found:
+            yield from _entry("sensor", _sensor(sensor))
+        return
+    kinds = _grouped((sensor.type or "without type", sensor.name) for sensor in found)
+    for kind, names in kinds.items():
+        yield from _entry("sensors", f"{len(names)} {kind}: {_list(names)}")
+
+
+def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """Names by what they have in common; one without a name is ``(no name)``."""
+    found: dict[str, list[str]] = {}
+    for key, name in pairs:
+        found.setdefault(key, []).append(name or "(no name)")
+    return found
 
 
 def _sensor(sensor: Sensor) -> str:
@@ -169,9 +193,9 @@ def _list(names: Iterable[str]) -> str:
 
 
 def _vector(values: Iterable[float]) -> str:
-    """Three numbers; what is nothing but rounding beside the largest is 0."""
+    """Three numbers; what is nothing beside the largest is 0."""
     every = list(values)
-    noise = 1e-12 * max(map(abs, every))
+    noise = 1e-6 * max(map(abs, every))
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
 
 
@@ -191,7 +215,7 @@ def as_json(found: Overview) -> Mapping[str, Any]:
         "pose": found.pose,
         "structure": structure._asdict(),
         "mass": {
-            "total": whole.mass,
+            "total": found.weight.total,
             "links": found.weight.by_link,
             "center": list(whole.center),
             "inertia": whole.tensor._asdict(),
