@@ -377,7 +377,7 @@ class _Drawing:
         around = [image[rows][:, columns] for image in images]
         own = depth[first:last, start:end]
         count = np.zeros_like(own)
-        near = np.float32(_NEAR * self.size)
+        near = self._near(own)
         for down in range(LATTICE):
             for across in range(LATTICE):
                 window = np.s_[down : down + last - first, across : across + end - start]
@@ -388,6 +388,14 @@ class _Drawing:
         for total in totals:
             total[:, start:end] /= count
         return tuple(total.reshape(-1) for total in totals)
+
+    def _near(self, depth: Floats) -> Floats:
+        """How far apart in depth what belongs to one surface may be, across a lattice square."""
+        pixel = np.float32(1 / self.camera.scale)
+        if not self.camera.is_orthographic:
+            pixel = pixel * np.minimum(depth, FAR)
+        near: Floats = np.float32(_NEAR * self.size) + LATTICE * pixel * np.ones_like(depth)
+        return near
 
     def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Integers:
         """The pixel of a band beside each fragment whose depth is nearest to that; its own first.
@@ -402,7 +410,7 @@ class _Drawing:
         own = -there.position[:, 2]
         place = some.pixel - start
         gap = np.abs(flat[place] - own)
-        off = np.flatnonzero(gap > np.float32(_NEAR * self.size))
+        off = np.flatnonzero(gap > self._near(own))
         width = depth.shape[1]
         for step in (-1, 1, -width, width):
             beside = np.clip(some.pixel[off] - start + step, 0, len(flat) - 1)
