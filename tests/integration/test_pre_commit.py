@@ -63,10 +63,10 @@ class Repository:
         self.run("git", "add", "-A")
         return self.run("git", "commit", "-m", "change")
 
-    def use(self, hooks: Repository, options: str = "") -> None:
-        """Let the hook run at every commit."""
+    def use(self, hooks: Repository, options: str = "", name: str = "urdfkit-check") -> None:
+        """Let a hook run at every commit."""
         head = hooks.run("git", "rev-parse", "HEAD").stdout.strip()
-        hook = f"{{id: urdfkit-check, args: [{options}]}}"
+        hook = f"{{id: {name}, args: [{options}]}}"
         (self.folder / ".pre-commit-config.yaml").write_text(
             f"repos:\n- {{repo: {hooks.folder}, rev: {head}, hooks: [{hook}]}}\n"
         )
@@ -182,3 +182,38 @@ def test_real_robots(tmp_path: Path, hooks: Repository, home: Path) -> None:
     (tmp_path / "urdf_tutorial" / "urdf" / "notes.yaml").write_text("a: 1\n")
     mended = repository.commit()
     assert mended.returncode == 0, mended.stdout + mended.stderr
+
+
+#: A robot with an axis on a fixed joint, which has a safe fix; laid out, but for one tag.
+AXIS = """<robot name="r">
+  <link name="a"/>
+  <link  name="b" />
+  <joint name="j" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("hook", "after"),
+    [
+        ("urdfkit-check-fix", AXIS.replace('    <axis xyz="0 0 1"/>\n', "")),
+        ("urdfkit-format", AXIS.replace('<link  name="b" />', '<link name="b"/>')),
+    ],
+)
+def test_hooks_that_change_files_stop_the_commit_once(
+    tmp_path: Path, hooks: Repository, home: Path, hook: str, after: str
+) -> None:
+    repository = Repository(tmp_path, home)
+    repository.use(hooks, name=hook)
+    robot = tmp_path / "robot.urdf"
+    robot.write_text(AXIS)
+    stopped = repository.commit()
+    assert stopped.returncode == 1
+    assert "files were modified by this hook" in stopped.stderr
+    assert robot.read_text() == after
+    done = repository.commit()
+    assert done.returncode == 0, done.stdout + done.stderr
