@@ -11,6 +11,7 @@ import pytest
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
+from urdfkit.config import ConfigError, load
 from urdfkit.document import Element
 from urdfkit.errors import UnreadableFile
 from urdfkit.formatting import format_files
@@ -43,6 +44,24 @@ def test_files_and_folders(tmp_path: Path) -> None:
     assert [Path(path).name for path, _ in named.failed] == ["broken.urdf"]
     with pytest.raises(UnreadableFile):
         format_files(tmp_path / "none.urdf")
+
+
+def test_the_width_is_that_of_the_configuration_unless_given(tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text(UGLY.replace('"a"', f'"{"a" * 30}" type="{"b" * 30}"'))
+    (tmp_path / "urdfkit.toml").write_text("width = 60\n")
+    config = load(str(tmp_path / "urdfkit.toml"))
+    lines = [
+        formatted.files[0].after.count(b"\n")
+        for formatted in (
+            format_files(tmp_path),
+            format_files(tmp_path, config=config),
+            format_files(tmp_path, config=config, width=100),
+        )
+    ]
+    assert lines == [3, 4, 3]
+    (tmp_path / "urdfkit.toml").write_text("width = 6\n")
+    with pytest.raises(ConfigError, match="from 40 to 400"):
+        load(str(tmp_path / "urdfkit.toml"))
 
 
 def test_what_git_ignores_is_left_alone(tmp_path: Path) -> None:

@@ -68,6 +68,7 @@ class Config(Record):
         exclude: patterns of paths that a folder's check passes over.
         rules: codes of the rules of other packages that run, too.
         trust: True if models may run any expression and read any file.
+        width: columns of a line that is laid out; 0 for the usual.
     """
 
     path: str = ""
@@ -83,6 +84,7 @@ class Config(Record):
     exclude: tuple[str, ...] = ()
     rules: tuple[str, ...] = ()
     trust: bool = False
+    width: int = 0
 
     @property
     def folder(self) -> str:
@@ -189,6 +191,7 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
         exclude=reader.texts("exclude"),
         rules=foreign,
         trust=reader.trust(trusted=trusted),
+        width=reader.width(),
     )
     reader.finish()
     return config
@@ -241,6 +244,12 @@ class _Reader:
         if not isinstance(value, kind):
             raise self.error(f"'{key}' must be of type {kind.__name__}, not {value!r}")
         return value
+
+    def width(self) -> int:
+        value = self.take("width", int, 0)
+        if value and not 40 <= value <= 400:
+            raise self.error(f"'width' must be from 40 to 400, not {value}")
+        return int(value)
 
     def texts(self, key: str) -> tuple[str, ...]:
         values = self.take(key, list, [])

@@ -48,7 +48,7 @@ class Formatted(Record):
 
 def format_files(
     *files: str | os.PathLike[str],
-    width: int = WIDTH,
+    width: int = 0,
     force: bool = False,
     config: Config | None = None,
 ) -> Formatted:
@@ -59,7 +59,7 @@ def format_files(
 
     Args:
         files: descriptions, or folders, of which all descriptions are laid out.
-        width: columns of a line.
+        width: columns of a line; as the configuration says, or 100, if it is 0.
         force: lay out files as well that are generated or that git ignores.
         config: of the project; it may exclude files.
 
@@ -70,7 +70,9 @@ def format_files(
     unchanged: list[str] = []
     skipped: list[tuple[str, str]] = []
     failed: list[tuple[str, str]] = []
-    for path, is_named in _files(files, config or Config()):
+    config = config or Config()
+    width = width or config.width or WIDTH
+    for path, is_named in _files(files, config):
         source = Source.read(path)
         reason = "" if force else Ownership([path], Resolver()).refusal(source)
         if reason:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 import click
@@ -19,10 +20,8 @@ from urdfkit.formatting import Formatted, format_files
 @click.option(
     "--width",
     type=click.IntRange(40, 400),
-    default=WIDTH,
-    show_default=True,
     metavar="COLUMNS",
-    help="Columns of a line.",
+    help=f"Columns of a line. [default: {WIDTH}]",
 )
 @click.option("--force", is_flag=True, help="Also files that are generated or ignored by git.")
 @click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
@@ -31,7 +30,7 @@ def command(
     files: tuple[str, ...],
     check: bool,
     diff: bool,
-    width: int,
+    width: int | None,
     force: bool,
     config: str | None,
     isolated: bool,
@@ -43,12 +42,13 @@ def command(
 
     Exit codes: 0 done, 1 something would change (--check, --diff), 2 a file cannot be read.
     """
-    if files == ("-",):
-        source = stdin.read("<stdin>")
-        output.write(formatted(source, width).decode())
-        return 0
     values = {"config": config, "isolated": isolated, "trust": False}
-    settings = options.config(values, files[0])
+    is_stdin = files == ("-",)
+    settings = options.config(values, os.curdir if is_stdin else files[0])
+    width = width or (settings.width if settings else 0)
+    if is_stdin:
+        output.write(formatted(stdin.read("<stdin>"), width or WIDTH).decode())
+        return 0
     result = format_files(*files, width=width, force=force, config=settings)
     if diff:
         output.write(result.diff())

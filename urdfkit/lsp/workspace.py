@@ -19,7 +19,7 @@ from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.expansion import Xacro, expand
 from urdfkit.fixing import fix
-from urdfkit.formatter import formatted
+from urdfkit.formatter import WIDTH, formatted
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import Names
 from urdfkit.model import RobotModel
@@ -277,7 +277,8 @@ class Workspace:
         Raises:
             UrdfkitError: it is no XML, or no robot.
         """
-        return formatted(self.robot(path).source(path))
+        config, _ = self.config(path)
+        return formatted(self.robot(path).source(path), config.width or WIDTH)
 
     def _files(self) -> Iterator[str]:
         return (file for by_file in self._found.values() for file in by_file)
