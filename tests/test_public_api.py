@@ -16,8 +16,8 @@ from tests.conftest import MODELS, ROOT
 #: CHANGELOG.md, and think twice before adding one.
 NAMES = """
 Call Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Related Report RobotModel Rule
-Severity Source Span Subject UnreadableRobot UrdfkitError Xacro all_rules check expand find_rule
-fix format_files frames load mass_properties pose read stand statics summarise transform
+Severity Source Span Subject UnreadableRobot UrdfkitError Xacro all_rules check collisions expand
+find_rule fix format_files frames load mass_properties pose read stand statics summarise transform
 """.split()
 
 SIGNATURES = {

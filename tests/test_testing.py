@@ -17,6 +17,7 @@ from urdfkit.testing import (
     assert_limits_within,
     assert_mass,
     assert_no_findings,
+    assert_no_self_collision,
     assert_unchanged_since,
     variants,
 )
@@ -285,3 +286,47 @@ def test_without_git_it_is_an_error(repository, monkeypatch):
     monkeypatch.setenv("PATH", str(repository.folder))
     with pytest.raises(UrdfkitError, match=r"^git is not installed$"):
         assert_unchanged_since(repository.robot(), "v1")
+
+
+# --- collisions
+
+BENT = """\
+<robot name="bent">
+  <link name="base"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="arm"><collision><origin xyz="0 0 0.5"/>
+    <geometry><sphere radius="0.1"/></geometry></collision></link>
+  <link name="tip"><collision><origin xyz="0 0 0.5"/>
+    <geometry><sphere radius="0.1"/></geometry></collision></link>
+  <joint name="shoulder" type="continuous"><parent link="base"/><child link="arm"/></joint>
+  <joint name="elbow" type="revolute"><parent link="arm"/><child link="tip"/>
+    <origin xyz="0 0 0.6"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+</robot>
+"""
+
+
+def bent(folder: Path, limit: float = 3) -> Description:
+    """A robot whose tip hits its base when the elbow is bent by more than 2.5 rad."""
+    (folder / "bent.urdf").write_text(
+        BENT.replace('upper="3"', f'upper="{limit}"').replace('lower="-3"', f'lower="-{limit}"')
+    )
+    return Description(str(folder / "bent.urdf"))
+
+
+def test_self_collisions(tmp_path: Path) -> None:
+    pytest.importorskip("coal")
+    with pytest.raises(AssertionError, match=r"'base' and 'tip': .* mm deep at .*elbow -?[23]"):
+        assert_no_self_collision(bent(tmp_path), samples=200)
+    assert_no_self_collision(bent(tmp_path), samples=0)
+    with pytest.raises(AssertionError, match="elbow 3"):
+        assert_no_self_collision(bent(tmp_path), samples=0, begin={"elbow": 3})
+    assert_no_self_collision(bent(tmp_path), samples=200, allowed=[("tip", "base")])
+    assert_no_self_collision(bent(tmp_path, 1.5), samples=200)
+
+
+def test_pairs_that_the_srdf_disables_may_collide(tmp_path: Path) -> None:
+    pytest.importorskip("coal")
+    description = bent(tmp_path)
+    (tmp_path / "bent.srdf").write_text(
+        '<robot name="bent"><disable_collisions link1="base" link2="tip" reason="User"/></robot>'
+    )
+    assert_no_self_collision(description, samples=200)

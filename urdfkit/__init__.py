@@ -37,6 +37,7 @@ __all__ = [
     "Xacro",
     "all_rules",
     "check",
+    "collisions",
     "expand",
     "find_rule",
     "fix",
@@ -55,6 +56,7 @@ __all__ = [
 TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 8 ms
 
 if TYPE_CHECKING:
+    from urdfkit.collision.sampling import collisions
     from urdfkit.diagnostic import (
         Call,
         Confidence,
@@ -84,6 +86,7 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 _HOMES = {
+    "collision.sampling": "collisions",
     "diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
     "dynamics.robot": "Dynamics",
     "dynamics.statics": "statics",

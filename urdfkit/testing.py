@@ -24,7 +24,7 @@ from urdfkit.resolve import Resolver
 from urdfkit.rules import matching
 from urdfkit.source import Source
 from urdfkit.states import as_it_was
-from urdfkit.subject import Subject
+from urdfkit.subject import Subject, Unavailable
 from urdfkit.tree import KinematicTree
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ __all__ = [
     "assert_limits_within",
     "assert_mass",
     "assert_no_findings",
+    "assert_no_self_collision",
     "assert_unchanged_since",
 ]
 
@@ -66,9 +67,18 @@ class Description:
         config = self.config._replace(robots=())
         return check(self.path, arguments=self.arguments, config=config)
 
-    @cached_property
+    @property
     def model(self) -> RobotModel:
         """The robot.
+
+        Raises:
+            AssertionError: it cannot be read; with what is wrong with it.
+        """
+        return self.subject.model
+
+    @cached_property
+    def subject(self) -> Subject:
+        """The robot, with all that can be computed of it.
 
         Raises:
             AssertionError: it cannot be read; with what is wrong with it.
@@ -77,7 +87,7 @@ class Description:
         subject = Subject(Source.read(self.path), resolver, self.arguments, trust=self.config.trust)
         if subject.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
-        return subject.model
+        return subject
 
     @cached_property
     def dynamics(self) -> Dynamics:
@@ -191,6 +201,49 @@ def _limits(joint: Joint, of: str) -> dict[str, float | None]:
     names = ("lower", "upper") if of == "position" else (of,)
     limits = {name: getattr(joint.limit, name) if joint.limit else None for name in names}
     return {name: placed.value if placed else None for name, placed in limits.items()}
+
+
+def assert_no_self_collision(
+    description: Description,
+    *,
+    samples: int = 1000,
+    seed: int = 0,
+    begin: Mapping[str, float] | None = None,
+    allowed: Iterable[tuple[str, str]] = (),
+) -> None:
+    """Fail if two links collide where the robot begins, or in samples within its limits.
+
+    Links that a joint holds together and those that only fixed joints part do not count, nor do
+    pairs that the SRDF beside the robot disables. ``urdfkit.collisions`` says what is measured.
+
+    Args:
+        description: the model, as the fixture ``urdf`` makes it.
+        samples: configurations; 0 for none but the one where the robot begins.
+        seed: of these.
+        begin: positions of joints, in rad or m; the others begin at 0, or in the middle if 0 is
+            beyond their limits.
+        allowed: pairs of links that may collide.
+
+    Raises:
+        AssertionError: some do; with depth and pose.
+        UrdfkitError: coal is not installed.
+    """
+    __tracebackhide__ = True
+    try:
+        matrix = description.subject.collisions.matrix(samples=samples, seed=seed, begin=begin)
+    except Unavailable as reason:
+        raise UrdfkitError(str(reason)) from reason
+    srdf = description.subject.srdf
+    passed = {frozenset(pair) for pair in allowed}
+    found = []
+    for pair in matrix.colliding:
+        links = frozenset((pair.first, pair.second))
+        if links not in passed and not (srdf and srdf.disables(links)) and pair.nearest:
+            pose = ", ".join(f"{name} {at:.3g}" for name, at in pair.nearest.pose.items())
+            depth = -1000 * pair.nearest.distance
+            found.append(f"'{pair.first}' and '{pair.second}': {depth:.1f} mm deep at {pose}")
+    if found:
+        raise AssertionError("links collide:\n" + "\n".join(found))
 
 
 def assert_unchanged_since(

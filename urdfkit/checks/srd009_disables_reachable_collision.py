@@ -94,6 +94,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
             yield Finding(
                 element,
-                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.2g} mm at {pose}",
+                f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}",
                 weight=collision.depth,
             )

@@ -46,6 +46,7 @@ class PairResult(NamedTuple):
     Attributes:
         first, second: their names, in the order of the document.
         verdict: what became of them.
+        moves: False if only fixed joints lie between.
         frequency: of collisions, from 0 to 1, in the samples that all pairs were counted in;
             None for pairs that these samples say nothing new of.
         nearest: None for adjacent pairs, which are not measured.
@@ -54,15 +55,15 @@ class PairResult(NamedTuple):
     first: str
     second: str
     verdict: Verdict
+    moves: bool
     frequency: float | None
     nearest: Nearest | None
 
     @property
     def is_near_miss(self) -> bool:
         """True if they move against one another and do not collide, by a hair's breadth."""
-        if self.verdict is not Verdict.NEVER or self.frequency is None or self.nearest is None:
-            return False
-        return self.nearest.distance < NEAR
+        is_free = self.verdict is Verdict.NEVER and self.moves
+        return is_free and self.nearest is not None and self.nearest.distance < NEAR
 
 
 class Matrix(NamedTuple):
@@ -93,6 +94,12 @@ class Matrix(NamedTuple):
     def of(self, verdict: Verdict) -> list[PairResult]:
         """The pairs with a verdict."""
         return [pair for pair in self.pairs if pair.verdict is verdict]
+
+    @property
+    def colliding(self) -> list[PairResult]:
+        """The pairs that collide somewhere, and that no joint holds together."""
+        verdicts = (Verdict.DEFAULT, Verdict.ALWAYS, Verdict.SOMETIMES)
+        return [pair for pair in self.pairs if pair.moves and pair.verdict in verdicts]
 
     @property
     def near_misses(self) -> list[PairResult]:

@@ -279,6 +279,7 @@ class _Sampling:
             yield PairResult(
                 *self._names(pair),
                 state.verdict,
+                not self._adjacency.is_rigid(*self._names(pair)),
                 state.frequency,
                 nearest,
             )

@@ -118,6 +118,7 @@ def _pair(pair: PairResult) -> dict[str, Any]:
     return {
         "links": [pair.first, pair.second],
         "verdict": pair.verdict.value,
+        "moves": pair.moves,
         "frequency": pair.frequency,
         "distance": pair.nearest.distance if pair.nearest else None,
         "pose": pair.nearest.pose if pair.nearest else None,
