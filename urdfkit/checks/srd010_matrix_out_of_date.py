@@ -75,7 +75,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 srdf.root,
                 f"'{first}' and '{second}' are held together and overlap by "
-                f"{-1000 * one.distance:.2g} mm, but their collisions are not disabled",
+                f"{-1000 * one.distance:.3g} mm, but their collisions are not disabled",
             )
 
 
