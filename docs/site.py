@@ -2,7 +2,7 @@
 
 Pages link to files of the repository that are no pages; on the site such a link is its text.
 Commands that the navigation of ``mkdocs.yml`` does not name follow those that it does, so that a
-new command needs no edit there.
+new command needs no edit there; public names that ``api.md`` does not sort in end its page.
 """
 
 from __future__ import annotations
@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 from typing import Any
+
+import urdfkit
 
 DOCS = Path(__file__).resolve().parent
 
@@ -29,6 +31,8 @@ def on_config(config: Any) -> Any:
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Take out the links that lead out of the documentation."""
+    if page.file.src_uri == "api.md":
+        markdown += _not_described(markdown)
     folder = Path(page.file.abs_src_path).parent
 
     def shown(link: re.Match[str]) -> str:
@@ -36,3 +40,10 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return link[0] if target.is_relative_to(DOCS) and target.is_file() else link[1]
 
     return _LINK.sub(shown, markdown)
+
+
+def _not_described(markdown: str) -> str:
+    """Directives for the public names that a page leaves out."""
+    described = set(re.findall(r"^::: urdfkit\.(\w+)", markdown, re.MULTILINE))
+    rest = [name for name in urdfkit.__all__ if name not in described]
+    return "\n## More\n" * bool(rest) + "".join(f"\n::: urdfkit.{name}\n" for name in rest)

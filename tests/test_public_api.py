@@ -24,7 +24,7 @@ SIGNATURES = {
     "all_rules": [],
     "check": (
         "files arguments packages select ignore targets trust rules config changed jobs progress "
-        "texts cache"
+        "texts cache resolver"
     ).split(),
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],

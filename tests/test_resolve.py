@@ -354,3 +354,14 @@ def test_texts_stand_for_the_bytes_on_disk(tmp_path: Path) -> None:
     assert resolver.read(str(file)).data == b"<robot name='b'/>"
     assert resolver.text(str(tmp_path / "b.urdf")) is None
     assert Resolver(environment={}).read(str(file)).data == b"<robot/>"
+
+
+def test_other_texts_with_what_is_known_of_folders(tmp_path: Path) -> None:
+    (tmp_path / "a.urdf").write_bytes(b"disk")
+    resolver = Resolver(environment={}, texts={str(tmp_path / "a.urdf"): b"one"})
+    other = resolver.with_texts({str(tmp_path / "b.urdf"): b"two"})
+    assert resolver.read(str(tmp_path / "a.urdf")).data == b"one"
+    assert other.read(str(tmp_path / "a.urdf")).data == b"disk"
+    assert other.read(str(tmp_path / "b.urdf")).data == b"two"
+    assert other.packages is resolver.packages
+    assert other.folders is resolver.folders

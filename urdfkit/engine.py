@@ -92,6 +92,7 @@ def check(
     progress: Callable[[int, int], None] | None = None,
     texts: Mapping[str, bytes] | None = None,
     cache: bool = True,
+    resolver: Resolver | None = None,
 ) -> Report:
     """Check descriptions of robots.
 
@@ -120,6 +121,8 @@ def check(
         progress: called with the number of descriptions done and of all.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
         cache: keep what is measured of mesh files for the next run.
+        resolver: what an earlier check with these packages has found of packages and folders;
+            for many checks in a row, while nothing changes on disk.
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
@@ -138,7 +141,10 @@ def check(
         dict(texts or {}),
         cache,
     )
-    resolver = Resolver(settings.packages, texts=settings.texts)
+    if resolver is None:
+        resolver = Resolver(settings.packages, texts=settings.texts)
+    else:
+        resolver = resolver.with_texts(settings.texts)
     plan = _planned(files, resolver, config, arguments, changed=changed)
     verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, verdicts)

@@ -79,7 +79,14 @@ class Resolver:
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], Located] = {}
-        self._texts = {os.path.realpath(path): data for path, data in (texts or {}).items()}
+        self._texts = _by_real_path(texts or {})
+
+    def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
+        """One for other texts, which knows what this one has found of packages and folders."""
+        other = Resolver.__new__(Resolver)
+        vars(other).update(vars(self))
+        other._texts = _by_real_path(texts)
+        return other
 
     def text(self, path: str) -> bytes | None:
         """The bytes that stand for those of a file on disk; None if nothing does."""
@@ -302,6 +309,10 @@ class Resolver:
         paths = [path for path in found if path]
         if len(paths) == 1:
             yield paths[0]
+
+
+def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
+    return {os.path.realpath(path): data for path, data in texts.items()}
 
 
 def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:

@@ -6,6 +6,7 @@ import os
 import shutil
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -141,6 +142,32 @@ def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> N
         assert checked.trouble == ""
         assert checked.diagnostics[file.path]
         assert file.robot.page(file.path).source.data == text[:end].encode()
+
+
+def test_folders_are_listed_once_until_files_on_disk_change(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A package that is nowhere is looked for in the whole workspace."""
+    (tmp_path / "package.xml").write_text("<package><name>own</name></package>")
+    mesh = '<mesh filename="package://{}/x.stl"/>'
+    text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'
+    file = Edited(tmp_path / "r.urdf", text.format(mesh.format("nowhere")))
+    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    listed: list[object] = []
+    scandir = os.scandir
+
+    def noted(path: str) -> Any:
+        listed.append(path)
+        return scandir(path)
+
+    monkeypatch.setattr(os, "scandir", noted)
+    file.type(text.format(mesh.format("nowhere")) + "\n")
+    assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert listed == []
+    (tmp_path / "package.xml").write_text("<package><name>nowhere</name></package>")
+    file.workspace.look_again()
+    assert "MSH005" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
+    assert listed
 
 
 def test_a_key_costs_less_than_100_ms_on_the_missions_model() -> None:

@@ -153,6 +153,7 @@ class Workspace:
         self.texts: dict[str, bytes] = {}
         self._entries: dict[str, tuple[EntryPoint, ...]] = {}
         self._configs: dict[str, tuple[Config, str]] = {}
+        self._resolvers: dict[str, Resolver] = {}
         self._robots: dict[str, Robot] = {}
         self._before: dict[str, Robot] = {}
         self._found: dict[str, dict[str, list[Diagnostic]]] = {}
@@ -180,6 +181,7 @@ class Workspace:
         """Files on disk have changed."""
         self._entries.clear()
         self._configs.clear()
+        self._resolvers.clear()
         self._forget_robots()
 
     def _forget_robots(self) -> None:
@@ -231,7 +233,10 @@ class Workspace:
         return self._robots[entry.file]
 
     def _resolver(self, config: Config) -> Resolver:
-        return Resolver(config.packages, texts=self.texts)
+        """Folders are listed once, until files on disk change: a workspace may have thousands."""
+        if config.path not in self._resolvers:
+            self._resolvers[config.path] = Resolver(config.packages)
+        return self._resolvers[config.path].with_texts(self.texts)
 
     def check(self, path: str, *, thorough: bool = False) -> Checked:
         """Check the robots of a file.
@@ -258,7 +263,10 @@ class Workspace:
 
     def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
         ignore = () if thorough else slow_rules()
-        return check(root, config=config, texts=self.texts, ignore=ignore).diagnostics
+        resolver = self._resolver(config)
+        return check(
+            root, config=config, texts=self.texts, ignore=ignore, resolver=resolver
+        ).diagnostics
 
     def mended(self, path: str) -> dict[str, bytes]:
         """The texts that change when all safe fixes of a file's robots are applied, by path.
