@@ -104,3 +104,28 @@ def test_a_bad_robot_is_loaded_as_far_as_it_can_be_read() -> None:
     )
     assert (model.name, model.mass, model.joints[0].kind) == ("", 0.0, "")
     assert urdfkit.load is load
+
+
+LAUNCH = """<launch>
+  <param name="robot_description" command="xacro $(dirname)/r.xacro side:={}"/>
+</launch>
+"""
+
+
+def test_a_launch_file_is_the_robot_that_it_describes(tmp_path: Path) -> None:
+    (tmp_path / "r.xacro").write_bytes(ARGUED)
+    launch = tmp_path / "r.launch"
+    launch.write_text(LAUNCH.format("right"))
+    assert load(launch).links[0].name == "right_base"
+
+
+def test_a_launch_file_of_no_robot_or_of_several(tmp_path: Path) -> None:
+    (tmp_path / "r.xacro").write_bytes(ARGUED)
+    launch = tmp_path / "r.launch"
+    launch.write_text("<launch/>")
+    with pytest.raises(UnreadableRobot, match=r"r\.launch is a launch file and describes no robot"):
+        load(launch)
+    both = LAUNCH.format("left") + LAUNCH.format("right")
+    launch.write_text(f"<launch>{both.replace('<launch>', '').replace('</launch>', '')}</launch>")
+    with pytest.raises(UnreadableRobot, match=r"describes several robots; name one of .*r\.xacro"):
+        load(launch)

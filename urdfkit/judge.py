@@ -165,6 +165,8 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         told.update(subject.deviations)
         model = subject.model
         waiting |= glance.silent(model, subject.tree)
+        if not (model.gazebo or subject.given_targets):
+            waiting |= {"PKG004"}
         waiting |= _silent_about_packages(subject, reading.document.sources)
         silent |= _silent_families(subject)
         if "pinocchio" not in subject.given_targets:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
+from urdfkit.reading import is_launch
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -41,7 +42,10 @@ def read(
         UnreadableRobot: it is no XML, or does not expand; with every reason.
     """
     source = file if isinstance(file, Source) else Source.read(file)
-    subject = Subject(source, Resolver(packages), arguments, trust=trust)
+    resolver, given = Resolver(packages), dict(arguments or {})
+    if is_launch(source.path):
+        source, given = _described(source, resolver, given)
+    subject = Subject(source, resolver, given, trust=trust)
     if subject.reading.document is None:
         raise _unreadable(source, subject.reading.problems)
     return subject
@@ -111,6 +115,29 @@ def expand(
     if xacro.document is None:
         raise _unreadable(source, xacro.problems)
     return xacro
+
+
+def _described(
+    source: Source, resolver: Resolver, arguments: dict[str, str]
+) -> tuple[Source, dict[str, str]]:
+    """The robot that a launch file describes, and its xacro arguments.
+
+    Raises:
+        UnreadableRobot: it describes none, or more than one.
+    """
+    from urdfkit.launch import read_launch
+
+    found = [(d.path, d.arguments) for d in read_launch(source, resolver, arguments).descriptions]
+    if not found:
+        raise UnreadableRobot(
+            f"{source.path} is a launch file and describes no robot that can be known without "
+            "running it; name the robot's file"
+        )
+    path, given = found[0]
+    if any(other != found[0] for other in found):
+        names = ", ".join(dict.fromkeys(path for path, _ in found))
+        raise UnreadableRobot(f"{source.path} describes several robots; name one of {names}")
+    return resolver.read(path), given
 
 
 def _unreadable(source: Source, problems: Iterable[Problem]) -> UnreadableRobot:
