@@ -51,6 +51,15 @@ def test_the_suffix_is_the_format(new: str, tmp_path: Path) -> None:
     assert (tmp_path / "d.md").read_text().startswith("### urdfkit diff\n")
 
 
+def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
+    inverted = Path(new).read_text().replace('lower="0"', 'lower="9"')
+    Path(new).write_text(inverted)
+    assert main(["diff", OLD, new, "--fail-on", "findings"]) == 1
+    (tmp_path / "urdfkit.toml").write_text('ignore = ["JNT"]\n')
+    assert main(["diff", OLD, new, "--fail-on", "findings"]) == 0
+    assert main(["diff", OLD, new, "--fail-on", "findings", "--isolated"]) == 1
+
+
 @pytest.mark.parametrize(
     ("words", "error"),
     [

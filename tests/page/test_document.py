@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from urdfkit.engine import check
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.page.document import describe
 from urdfkit.page.findings import excerpt
@@ -172,7 +173,7 @@ def test_json_is_the_document() -> None:
 
 def test_every_table_is_a_csv() -> None:
     for table, first, rows in (
-        ("findings", "severity", 42),
+        ("findings", "severity", len(check(MISSION).diagnostics)),
         ("links", "name", 10),
         ("joints", "name", 9),
         ("meshes", "link", 1),
@@ -182,6 +183,17 @@ def test_every_table_is_a_csv() -> None:
         assert header[0] == first
         assert len(lines) == len(document[table]) == rows
         assert {len(line) for line in lines} == {len(header)}
+
+
+def test_what_gravity_asks_is_a_table() -> None:
+    pytest.importorskip("pinocchio")
+    arm = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    text, document = report(arm, "csv", table="statics")
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert {row["joint"] for row in rows} == {"shoulder", "elbow"}
+    assert document["collisions"] is not None or "collisions" in document["missing"]
+    with pytest.raises(UrdfkitError, match="no table 'collisions'"):
+        report(arm, "csv", table="collisions", quick=True)
 
 
 def test_no_cell_is_a_formula(tmp_path: Path) -> None:

@@ -137,12 +137,19 @@ def test_arguments_are_those_of_the_xacro(viewer: Running) -> None:
 def test_an_open_page_follows(viewer: Running) -> None:
     pytest.importorskip("selenium")
     viewer.get("arguments", b'{"prefix": ""}')
+    revision = viewer.state()["revision"]
+    viewer.edit('velocity="20"', 'velocity="0"')
+    viewer.state(revision)
     with browser() as page:
         page.open(viewer.address)
         page.run("urdfkit.move('left_wheel_joint', 0.5)")
+        shown = "return document.querySelectorAll('.finding:not([hidden])').length"
+        assert page.run(shown) > 0
+        page.run("document.querySelector('.filter [name=words]').value = 'no such words'")
         before = page.run("return urdfkit.frame('left_wheel')")
         revision = page.wait("new Promise((done) => setTimeout(() => done(urdfkit.revision), 600))")
         viewer.edit('xyz="0.08 ', 'xyz="0.18 ')
+        viewer.edit('effort="5"', 'effort="0"')
         seen = (
             "new Promise((done) => { const look = () => urdfkit.revision > "
             f"{revision} ? done(urdfkit.frame('left_wheel')) : setTimeout(look, 50); look(); }})"
@@ -150,6 +157,7 @@ def test_an_open_page_follows(viewer: Running) -> None:
         after = page.wait(seen)
         assert after[12] - before[12] == pytest.approx(0.1)  # it moved, and
         assert after[:12] == pytest.approx(before[:12])  # the joint is where it was put
+        assert page.run(shown) == 0  # and the filter stays
         field = page.find("#arguments input[name=prefix]")
         field.send_keys("r_")
         page.find("#arguments button").click()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from importlib import import_module
 
 import click
@@ -34,6 +35,8 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 )
 @click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
+@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
+@click.option("--isolated", is_flag=True, help="Take no configuration.")
 @click.option("--trust", is_flag=True, help="Let the models run any expression, read any file.")
 def command(
     words: tuple[str, ...],
@@ -43,6 +46,8 @@ def command(
     tolerance: tuple[str, ...],
     targets: tuple[str, ...],
     package: tuple[str, ...],
+    config: str | None,
+    isolated: bool,
     trust: bool,
 ) -> int:
     """Tell what became of a robot: its parts, not its text.
@@ -53,8 +58,15 @@ def command(
 
     Exit codes: 0 no differences that count, 1 some, 2 it cannot be done.
     """
-    values = {options.FILES: words, "package": package, "target": targets}
-    files = options.files({**values, options.FILES: words})
+    values = {
+        options.FILES: words,
+        "package": package,
+        "target": targets,
+        "config": config,
+        "isolated": isolated,
+        "trust": trust,
+    }
+    files = options.files(values)
     if len(files) != 2:
         raise options.UsageError("diff takes two files; xacro arguments are written name:=value")
     name = _format(form, target)
@@ -67,6 +79,7 @@ def command(
         tolerances=_tolerances(tolerance),
         targets=options.words(values, "target"),
         trust=trust,
+        config=options.config(values, _near(files)),
         has_pictures=name == "html",
     )
     if target:
@@ -74,6 +87,11 @@ def command(
     else:
         output.write(render(comparison, width=output.width()))
     return int(not counted.isdisjoint(comparison.kinds))
+
+
+def _near(files: list[str]) -> str:
+    """The state that is a file, whose configuration counts for both; else the current folder."""
+    return next((file for file in reversed(files) if os.path.exists(file)), os.curdir)
 
 
 def _format(form: str | None, target: str | None) -> str:

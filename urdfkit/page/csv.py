@@ -16,7 +16,11 @@ COLUMNS = {
     "links": "name mass share center moments visuals collisions path line".split(),
     "joints": "name type parent child axis lower upper effort velocity path line".split(),
     "meshes": "link role name path format size triangles defect".split(),
+    "statics": "joint unit at_zero worst effort used exceeded".split(),
+    "collisions": "first second verdict frequency distance".split(),
 }
+#: Where the rows of a table are, if they are a part of what the document has under its name.
+_ROWS = {"statics": "joints", "collisions": "pairs"}
 #: A cell that begins with one of these is a formula to a spreadsheet.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
@@ -29,7 +33,10 @@ def render(document: Document, table: str = "findings") -> str:
     """
     rows = document[table]
     if rows is None:
-        raise UrdfkitError(f"there is no table '{table}': {document['missing'][table]}")
+        reason = document["missing"].get(table, "it takes a while, and was left out")
+        raise UrdfkitError(f"there is no table '{table}': {reason}")
+    if table in _ROWS:
+        rows = rows[_ROWS[table]]
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(COLUMNS[table])

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.page.document import Document, Told, describe
+from urdfkit.page.document import LONG, Document, Told, describe
 from urdfkit.page.words import Words
 from urdfkit.subject import Unavailable
 
@@ -38,7 +38,7 @@ def report(
         file: a URDF or xacro file.
         form: ``html``, ``markdown``, ``json`` or ``csv``.
         language: of headings and the like: ``en`` or ``zh``.
-        table: of CSV: ``findings``, ``links``, ``joints`` or ``meshes``.
+        table: of CSV, one of `csv.COLUMNS`.
         quick: leave out what takes a while: pictures, statics and collisions.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
@@ -58,7 +58,7 @@ def report(
         targets=targets,
         trust=trust,
         config=config,
-        quick=quick or form in ("csv", "markdown"),  # which do not show it
+        quick=quick or not _shows_all(form, table),
         progress=progress,
     )
     document = told.document
@@ -75,6 +75,11 @@ def report(
 
         return markdown.render(document, Words(language)), document
     return page(told, Words(language), has_pictures=not quick), document
+
+
+def _shows_all(form: str, table: str) -> bool:
+    """True if a form shows what takes a while."""
+    return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
 def page(told: Told, words: Words, *, has_pictures: bool = True) -> str:

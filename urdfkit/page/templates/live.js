@@ -33,7 +33,9 @@
     if (state.revision === page.revision) return;
     const first = page.revision === 0;
     if (!first) {
+      const kept = page.filters();
       content.innerHTML = state.content;
+      page.filters(kept);
       if (state.model && page.show) await page.show(state.robot, state.model, true);
       page.filter();
       if (page.readFindings) page.readFindings();

@@ -47,6 +47,15 @@
     filter();
   };
   page.filter = filter;
+  page.filters = (kept) => { // what is filtered now; or filter as it was
+    const form = document.querySelector(".filter");
+    if (!form) return kept || null;
+    const boxes = [...form.elements.severity];
+    if (!kept) return { off: boxes.filter((box) => !box.checked).map((box) => box.value), words: form.elements.words.value };
+    for (const box of boxes) box.checked = !kept.off.includes(box.value);
+    form.elements.words.value = kept.words;
+    return kept;
+  };
   document.addEventListener("input", (event) => { if (event.target.closest(".filter")) filter(); });
   document.addEventListener("submit", (event) => event.preventDefault());
 
