@@ -149,6 +149,23 @@ def test_each_robot_gets_a_report_and_a_picture(runner: Runner) -> None:
     ]
     assert (reports / "1-gripper.urdf.png").read_bytes().startswith(b"\x89PNG")
     assert b"gripper" in (reports / "1-gripper.urdf.html").read_bytes()
+    summary = runner.summary.read_text()
+    (tree,) = re.findall(r"```mermaid\n(.*?)```", summary, re.DOTALL)
+    assert tree.startswith("flowchart TD\n")
+    assert '"left_finger"' in tree
+
+
+@needs_bash
+def test_no_name_breaks_out_of_the_tree(runner: Runner) -> None:
+    pytest.importorskip("jinja2")
+    name = "a```&#10;```&#10;# x &lt;b>"
+    (runner.workspace / "x.urdf").write_text(f'<robot name="r"><link name="{name}"/></robot>')
+    runner.run("Check", files="x.urdf")
+    before = runner.summary.read_text()
+    assert runner.run("Reports", files="x.urdf").returncode == 0
+    added = runner.summary.read_text()[len(before) :]
+    assert added.count("```") == 2
+    assert "<b" not in added
 
 
 @needs_bash
