@@ -49,6 +49,18 @@ def test_a_mass_that_is_no_number_drops_the_inertial_and_is_told() -> None:
     assert found.complaints[0] == "Inertial: mass [nan] is not a float"
 
 
+def test_a_tensor_without_an_entry_is_dropped_and_its_mass_kept() -> None:
+    """So that the link weighs and does not resist turning; the complaint tells it."""
+    inertia = '<inertia ixx="1" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    text = (
+        f'<robot name="r"><link name="a"><inertial><mass value="2"/>{inertia}</inertial></link>'
+        "</robot>"
+    )
+    found = opinion.opinion(text.encode())
+    assert (found.refusal, found.mass) == ("", 2.0)
+    assert found.complaints[0] == "Inertial: inertia element missing ixy attribute"
+
+
 def test_a_crash_is_contained() -> None:
     """Its parser recurses over the depth of the tree."""
     links = "".join(f'<link name="l{number}"/>' for number in range(30_001))

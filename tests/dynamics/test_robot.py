@@ -132,6 +132,17 @@ def test_followers_in_front_of_their_leader_and_on_another_branch() -> None:
     assert both.mass_matrix({}) == exactly(np.array([[about + 4 * about]]))
 
 
+def test_pinocchio_s_own_reader_ignores_followers_or_refuses_them() -> None:
+    """The trap behind the constant matrix; once it is gone, so may be the matrix."""
+    text = link("base") + link("b") + link("a")
+    text += moving("base", "a", "revolute", "0 1 0", more=mimic("b_joint"))
+    text = f'<robot name="r">{text}{moving("base", "b", "revolute", "0 1 0")}</robot>'
+    assert pin.buildModelFromXML(text).nv == 2
+    with pytest.raises(ValueError, match="mimic"):
+        pin.buildModelFromXML(text, mimic=True)
+    assert Dynamics(read(Source("r.urdf", text.encode())).tree).nv == 1
+
+
 def test_what_follows_nobody_stands_still() -> None:
     text = link("base", inertial(1, (1, 1, 1))) + link("a", inertial(1, (1, 1, 1)))
     still = dynamics(text + moving("base", "a", "revolute", "0 1 0", more=mimic("a_joint")))
