@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from math import pi, sin
 
 import pytest
@@ -84,6 +85,26 @@ def test_a_leader_holds_what_follows_it() -> None:
     text += moving("base", "b", "continuous", "0 1 0", more=mimic("a_joint"))
     (load,) = statics(dynamics(text)).loads
     assert load.worst == pytest.approx(2 * 2 * G * 0.5, rel=1e-2)
+
+
+def test_a_chain_of_a_hundred_joints_is_bounded() -> None:
+    number = 100
+    text = link("l0") + "".join(
+        link(f"l{n + 1}", inertial(1, (1, 1, 1), xyz="0.1 0 0"))
+        + moving(f"l{n}", f"l{n + 1}", "revolute", "0 1 0", xyz="0.1 0 0")
+        for n in range(number)
+    )
+    robot = dynamics(text)
+    assert robot.data is not None  # large, and made once
+    told: list[tuple[int, int]] = []
+    start = time.process_time()
+    found = statics(robot, samples=2000, progress=lambda done, total: told.append((done, total)))
+    assert time.process_time() - start < 30
+    assert len(found.loads) == number
+    # All links in one level row: the sum of 0.1 n for n from 1 to 100.
+    assert found.loads[0].worst == pytest.approx(G * 0.1 * number * (number + 1) / 2, rel=0.05)
+    assert told == sorted(told)
+    assert all(done < total for done, total in told)
 
 
 def test_nothing_to_hold() -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from math import degrees, isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.joints import effort_unit
@@ -18,8 +19,6 @@ from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
 from urdfkit.stability import Stability, stand
 from urdfkit.subject import Subject, Unavailable
-
-TYPE_CHECKING = False
 
 if TYPE_CHECKING:
     from urdfkit.dynamics.statics import Statics
@@ -105,7 +104,12 @@ def _statics(subject: Subject, payload: dict[str, float], samples: int, seed: in
     from urdfkit.dynamics.statics import statics
 
     loaded = Dynamics(subject.tree, payload) if payload else bare
-    return statics(loaded, samples=samples, seed=seed)
+    bar = on_terminal()
+    try:
+        return statics(loaded, samples=samples, seed=seed, progress=bar)
+    finally:
+        if bar:
+            bar.wipe()
 
 
 def _stability(

@@ -8,7 +8,7 @@ the way of a slide, so each step of the climb is a closed form. The root is held
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
@@ -21,6 +21,10 @@ from urdfkit.record import Record
 
 #: Sampled poses, the seed of them, and rounds of a climb at most.
 SAMPLES, SEED, ROUNDS = 1000, 0, 50
+
+#: Torques that all climbs together may compute: a serial arm needs some thousands, and a chain of
+#: a hundred joints is no robot that is worth minutes.
+BUDGET = 200_000
 
 
 class Load(Record):
@@ -78,6 +82,7 @@ def statics(
     samples: int = SAMPLES,
     seed: int = SEED,
     joints: Iterable[str] | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Statics:
     """The loads over the pose set.
 
@@ -86,16 +91,27 @@ def statics(
         samples: how many poses are drawn between the limits.
         seed: of that drawing.
         joints: the names of those that are judged; all that can be set if None.
+        progress: is told how many poses and joints are done, and of how many.
     """
     by_name = robot.tree.model.joints_by_name
     wanted = set(by_name if joints is None else joints)
-    search = _Search(robot)
+    # A coordinate of a planar or floating joint has no name, and nothing drives it.
+    columns = [
+        (column, name)
+        for column, name in enumerate(robot.columns)
+        if name in by_name and name in wanted
+    ]
+    search = _Search(robot, BUDGET // max(1, len(columns)))
     poses = np.array([*search.corners(), *search.drawn(samples, seed)])
-    torques = np.array([robot.gravity_at(robot.expanded(x)) for x in poses])
+    torques = np.zeros((len(poses), robot.nv))
+    for number, x in enumerate(poses):
+        torques[number] = robot.gravity_at(robot.expanded(x))
+        if progress and number % 1000 == 999:
+            progress(number, len(poses) + len(columns))
     found: list[Load] = []
-    for column, name in enumerate(robot.columns):
-        if name not in by_name or name not in wanted:
-            continue  # a coordinate of a planar or floating joint, which nothing drives
+    for column, name in columns:
+        if progress:
+            progress(len(poses) + len(found), len(poses) + len(columns))
         start = poses[int(np.argmax(np.abs(torques[:, column])))]
         worst, x = search.climb(column, start)
         pose = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
@@ -107,10 +123,17 @@ def statics(
 
 
 class _Search:
-    """Poses of a robot, and climbs among them."""
+    """Poses of a robot, and climbs among them.
 
-    def __init__(self, robot: Dynamics) -> None:
+    Args:
+        robot: the robot.
+        budget: torques that one climb may compute.
+    """
+
+    def __init__(self, robot: Dynamics, budget: int) -> None:
         self.robot = robot
+        self.budget = budget
+        self.computed = 0
         by_name = robot.tree.model.joints_by_name
         ranges = [span(by_name.get(name)) for name in robot.columns]
         self.low = np.array([low for low, _ in ranges])
@@ -142,13 +165,15 @@ class _Search:
     def climb(self, column: int, start: Floats) -> tuple[float, Floats]:
         """The largest torque of a coordinate near a pose, without sign, and where it is."""
         x = start.copy()
+        self.computed = 0
         best = self._torque(x, column)
         sign = 1.0 if best >= 0 else -1.0
         for _ in range(ROUNDS):
             before = abs(best)
             for other in range(self.robot.nv):
-                best = self._improve(x, column, other, sign, best)
-            if abs(best) <= before * (1 + 1e-12):
+                if self.computed <= self.budget:
+                    best = self._improve(x, column, other, sign, best)
+            if abs(best) <= before * (1 + 1e-12) or self.computed > self.budget:
                 break
         return abs(best), x
 
@@ -185,6 +210,7 @@ class _Search:
         return [angle for angle in (top - 2 * np.pi, top, top + 2 * np.pi) if low <= angle <= high]
 
     def _torque(self, x: Floats, column: int) -> float:
+        self.computed += 1
         return float(self.robot.gravity_at(self.robot.expanded(x))[column])
 
 
