@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 
 import numpy as np
-from manifold3d import CrossSection, JoinType, Manifold, OpType
+from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
 
 from urdfkit.meshes.geometry import Floats, Material, Mesh, Part
 from urdfkit.meshes.shading import shaded
@@ -60,6 +60,12 @@ def _united(solids: Sequence[Manifold]) -> Manifold:
     """Solids as one, without the slivers that booleans leave."""
     whole = Manifold.batch_boolean(solids, OpType.Add)
     return whole.simplify(_SLIVER)
+
+
+def united(mesh: Mesh) -> Mesh:
+    """The surface around all parts of a mesh, each of which is a solid."""
+    solids = [Manifold(Mesh64(part.vertices, part.faces.astype(np.uint64))) for part in mesh.parts]
+    return as_mesh(Manifold.batch_boolean(solids, OpType.Add))
 
 
 def as_mesh(solid: Manifold, material: Material | None = None) -> Mesh:

@@ -6,7 +6,7 @@ import click
 
 from urdfkit.cli.lazy import LazyGroup
 
-COMMANDS = ("info", "convert", "repair", "simplify", "hull", "decompose", "generate")
+COMMANDS = ("info", "convert", "repair", "simplify", "hull", "decompose", "collision", "generate")
 
 
 @click.group(

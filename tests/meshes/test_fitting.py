@@ -1,0 +1,82 @@
+"""Simple shapes around meshes: primitives are found again, errors are what they say."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+from tests.meshes.shapes_made import as_mesh, as_trimesh
+from urdfkit.meshes.fitting import fit
+from urdfkit.meshes.transforms import moved
+from urdfkit.spatial import Frame, from_rpy, rotate
+
+TURNED = Frame(from_rpy(0.4, -0.7, 1.1), (0.1, -0.2, 0.3))
+
+
+def test_a_box_is_found_wherever_it_lies() -> None:
+    mesh = moved(as_mesh(trimesh.creation.box((0.3, 0.2, 0.1))), TURNED)
+    best = fit(mesh, 0.001).best
+    assert best.kind == "box"
+    assert sorted(best.size) == pytest.approx([0.1, 0.2, 0.3], rel=1e-4)
+    assert best.frame.position == pytest.approx((0.1, -0.2, 0.3), abs=1e-6)
+    assert best.error == pytest.approx(0, abs=1e-6)
+
+
+def test_a_box_along_the_axes_is_not_turned() -> None:
+    best = fit(as_mesh(trimesh.creation.box((0.3, 0.2, 0.1))), 0.001).best
+    assert best.size == pytest.approx((0.3, 0.2, 0.1))
+    assert best.frame.rotation == ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+
+
+def test_a_cylinder() -> None:
+    mesh = as_mesh(trimesh.creation.cylinder(0.1, 0.5, sections=64))
+    best = fit(mesh, 0.002).best
+    assert best.kind == "cylinder"
+    assert best.size[:2] == pytest.approx((0.1, 0.5), rel=1e-3)
+    lying = moved(mesh, Frame(from_rpy(np.pi / 2, 0, 0)))
+    axis = rotate(fit(lying, 0.002).best.frame.rotation, (0.0, 0.0, 1.0))
+    assert np.abs(axis) == pytest.approx([0, 1, 0], abs=1e-3)
+
+
+def test_a_ball() -> None:
+    best = fit(as_mesh(trimesh.creation.icosphere(3, 0.2)), 0.005).best
+    assert best.kind == "sphere"
+    assert best.size[0] == pytest.approx(0.2, rel=1e-2)
+
+
+def test_what_is_convex_and_no_primitive_gets_its_hull() -> None:
+    cone = trimesh.creation.cone(0.2, 0.5)
+    found = fit(as_mesh(cone), 0.005)
+    assert found.within
+    assert found.best.kind == "hull"
+    assert [one.kind for one in found.tried] == ["box", "cylinder", "sphere", "hull"]
+    assert as_trimesh(found.best.mesh).volume == pytest.approx(cone.volume, rel=1e-3)
+
+
+def test_what_is_not_convex_is_cut_and_the_smallest_error_wins() -> None:
+    parts = [trimesh.creation.box((1, 0.2, 0.2)), trimesh.creation.box((0.2, 0.2, 1))]
+    parts[1].apply_translation((-0.4, 0, 0.4))
+    bracket = trimesh.boolean.union(parts, engine="manifold")
+    found = fit(as_mesh(bracket), 0.05, most=4)
+    assert found.best.kind == "pieces"
+    assert found.within
+    strict = fit(as_mesh(bracket), 1e-9, most=1)
+    assert not strict.within
+    assert strict.best.error == min(one.error for one in strict.tried)
+
+
+def test_shapes_contain_the_mesh() -> None:
+    rng = np.random.default_rng(4)
+    cloud = trimesh.convex.convex_hull(rng.normal(size=(40, 3)) * (1, 0.5, 0.2))
+    for one in fit(as_mesh(cloud), 1e-9, most=1).tried:
+        x, y, z = one.size
+        inverse = np.array(one.frame.rotation).T
+        points = (cloud.vertices - one.frame.position) @ inverse.T
+        if one.kind == "box":
+            assert (np.abs(points) <= np.array([x, y, z]) / 2 + 1e-6).all()
+        elif one.kind == "cylinder":
+            assert np.hypot(points[:, 0], points[:, 1]).max() <= x + 1e-6
+            assert np.abs(points[:, 2]).max() <= y / 2 + 1e-6
+        elif one.kind == "sphere":
+            assert np.linalg.norm(points, axis=1).max() <= x + 1e-6

@@ -1,0 +1,75 @@
+"""``urdfkit mesh collision``: simple collisions for links with visual meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import click
+
+from urdfkit.cli import options, output, progress
+from urdfkit.cli.mesh import tables
+from urdfkit.cli.robot import one_robot, robot
+from urdfkit.collision_shapes import Proposal, edited, propose
+
+
+@click.command("collision")
+@click.option("--error", type=float, metavar="METRES", help="How far a shape may stick out.")
+@click.option("--link", "links", multiple=True, metavar="NAME", help="This one, whatever it has.")
+@click.option("--most", type=int, default=8, metavar="N", help="Convex pieces. [default: 8]")
+@click.option("--write", is_flag=True, help="Write the collisions, and the meshes they need.")
+@click.option("--diff", is_flag=True, help="Show what --write would change.")
+@one_robot
+def command(
+    words: tuple[str, ...],
+    error: float | None,
+    links: tuple[str, ...],
+    most: int,
+    write: bool,
+    diff: bool,
+    package: tuple[str, ...],
+    trust: bool,
+) -> int:
+    """Propose a simple collision for every link whose collision is missing or is its visual mesh.
+
+    Tried are a box, a cylinder and a sphere, then the convex hull, then convex pieces; taken is
+    the simplest that sticks out of the mesh by no more than --error, or than 5 % of its diagonal.
+
+    Exit codes: 0 done, 1 a link could not be written, 2 it cannot be done.
+    """
+    if (error is not None and not error > 0) or most < 1:
+        raise options.UsageError("--error must be more than 0, --most 1 or more")
+    subject = robot(words, package, trust)
+    bar = progress.on_terminal()
+    proposals = propose(subject, error=error, links=links, most=most, progress=bar)
+    if bar:
+        bar.wipe()
+    lines = [*render(proposals)]
+    left: dict[str, str] = {}
+    if write or diff:
+        found = edited(subject, proposals)
+        left = found.left
+        if diff:
+            lines = [*"".join(file.diff() for file in found.files).splitlines()]
+            lines += [f"# new file {output.shorter(path)}" for path in found.meshes]
+        else:
+            lines += [f"wrote {output.shorter(path)}" for path in found.write()]
+        lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
+    output.write("\n".join(lines) + "\n")
+    return int(bool(left))
+
+
+def render(proposals: Sequence[Proposal]) -> Iterator[str]:
+    """For each visual, the shapes that were tried and the one that is taken."""
+    if not proposals:
+        yield "every link with a visual mesh has a collision of its own"
+    for proposal in proposals:
+        yield f"link '{proposal.link.name}'"
+        if proposal.reason:
+            yield from output.indented(proposal.reason)
+        for fits, bound in zip(proposal.fits, proposal.bounds, strict=True):
+            tried = ", ".join(f"{one.kind} {tables.length(one.error)}" for one in fits.tried)
+            yield from output.indented(f"sticks out by: {tried}")
+            verdict = "within" if fits.within else "nothing is within"
+            limit = tables.length(bound)
+            taken = f"{len(fits.best.mesh.parts)} pieces" if fits.best.kind == "pieces" else ""
+            yield f"  taken: {taken or fits.best.kind} ({verdict} {limit})"

@@ -1,0 +1,162 @@
+"""Simple shapes around a mesh: sphere, box, cylinder, hull, convex pieces, each with its error.
+
+The shapes contain the mesh, so that nothing collides later than it should; their error is how far
+they stick out: the greatest distance from a point of theirs to the surface of the mesh.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from urdfkit.meshes import solids
+from urdfkit.meshes.distance import one_way
+from urdfkit.meshes.geometry import Floats, Mesh
+from urdfkit.meshes.hull import decompose, hull
+from urdfkit.meshes.transforms import moved
+from urdfkit.record import Record
+from urdfkit.spatial import Frame, Rotation, Vector
+
+#: A box along the axes is taken if it is larger than the smallest one by no more than this.
+_ALONG_AXES = 1.03
+
+
+class Fit(Record):
+    """A shape around a mesh.
+
+    Attributes:
+        kind: ``sphere``, ``box``, ``cylinder``, ``hull`` or ``pieces``.
+        size: of a box its edges; of a sphere its radius, 0, 0; of a cylinder radius, length, 0.
+        frame: of the shape, in that of the mesh.
+        mesh: its surface, in the frame of the mesh; of ``pieces`` each is a part.
+        error: how far it sticks out, in the unit of the mesh.
+    """
+
+    kind: str
+    size: Vector
+    frame: Frame
+    mesh: Mesh
+    error: float
+
+
+class Fits(Record):
+    """The shapes that were tried.
+
+    Attributes:
+        best: the simplest within the bound, else that with the smallest error.
+        tried: all of them.
+        within: True if the best one is within the bound.
+    """
+
+    best: Fit
+    tried: tuple[Fit, ...]
+    within: bool
+
+
+def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
+    """The best simple shape around a mesh.
+
+    Primitives come before the hull and the hull before convex pieces, for that is what they cost
+    a physics engine; of the primitives within the bound that with the smallest error is taken.
+
+    Args:
+        mesh: with at least one triangle.
+        bound: of the error, in the unit of the mesh.
+        most: convex pieces at most.
+
+    Raises:
+        NoHull: all points of the mesh lie in a plane.
+    """
+    shell = hull(mesh)
+    points = shell.vertices
+    tried = [_judged(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))]
+    good = [one for one in tried if one.error <= bound]
+    if not good:
+        for kind, shape in _meshes(mesh, shell, most):
+            tried.append(_judged(mesh, kind, (0.0, 0.0, 0.0), Frame(), shape))
+            good = [one for one in tried if one.error <= bound]
+            if good:
+                break
+    best = min(good or tried, key=lambda one: one.error)
+    return Fits(best, tuple(tried), bool(good))
+
+
+def _meshes(mesh: Mesh, shell: Mesh, most: int) -> Iterator[tuple[str, Mesh]]:
+    yield "hull", shell
+    if most > 1:
+        yield "pieces", decompose(mesh, most=most)
+
+
+def _judged(mesh: Mesh, kind: str, size: Vector, frame: Frame, shape: Mesh) -> Fit:
+    placed = moved(shape, frame)
+    # Where pieces touch, their faces lie deep in the mesh, and stick out of nothing.
+    outside = solids.united(placed) if len(placed.parts) > 1 else placed
+    error = one_way(outside.vertices, outside.faces, mesh.vertices, mesh.faces)
+    return Fit(kind, size, frame, placed, error)
+
+
+_Shape = tuple[str, Vector, Frame, Mesh]
+
+
+def _box(points: Floats) -> _Shape:
+    """The smallest box, or the one along the axes if that is hardly larger."""
+    from trimesh.bounds import oriented_bounds
+
+    low, high = points.min(axis=0), points.max(axis=0)
+    edges, frame = high - low, Frame(position=_vector((low + high) / 2))
+    to_box, extents = oriented_bounds(points)
+    if np.prod(edges) > _ALONG_AXES * np.prod(extents):
+        from_box = np.linalg.inv(to_box)
+        edges, frame = extents, Frame(_rows(from_box[:3, :3]), _vector(from_box[:3, 3]))
+    size = _vector(edges)
+    return "box", size, frame, solids.as_mesh(solids.box(size))
+
+
+def _cylinder(points: Floats) -> _Shape:
+    """The smallest cylinder along an axis of the mesh or of its smallest box."""
+    from trimesh.bounds import oriented_bounds
+    from trimesh.nsphere import minimum_nsphere
+
+    to_box, _ = oriented_bounds(points)
+    best: tuple[float, float, float, Frame] | None = None
+    for axis in (*np.eye(3), *to_box[:3, :3]):
+        rows = _with_z(axis)
+        seen = points @ rows.T
+        center, radius = minimum_nsphere(seen[:, :2])
+        low, high = seen[:, 2].min(), seen[:, 2].max()
+        volume = float(np.pi * radius**2 * (high - low))
+        if best is None or volume < 0.999 * best[0]:
+            middle = rows.T @ np.array([*center, (low + high) / 2])
+            frame = Frame(_rows(rows.T), _vector(middle))
+            best = (volume, float(radius), float(high - low), frame)
+    assert best is not None
+    _, radius, length, frame = best
+    shape = solids.cylinder(radius, -length / 2, length / 2)
+    return "cylinder", (radius, length, 0.0), frame, solids.as_mesh(shape)
+
+
+def _sphere(points: Floats) -> _Shape:
+    from trimesh.nsphere import minimum_nsphere
+
+    center, radius = minimum_nsphere(points)
+    shape = solids.as_mesh(solids.ball(float(radius), (0.0, 0.0, 0.0)))
+    return "sphere", (float(radius), 0.0, 0.0), Frame(position=_vector(center)), shape
+
+
+def _with_z(axis: Floats) -> Floats:
+    """Rows of a rotation whose third is an axis."""
+    helper = np.eye(3)[int(np.argmin(np.abs(axis)))]
+    y = np.cross(axis, helper)
+    y /= np.linalg.norm(y)
+    return np.array([np.cross(y, axis), y, axis])
+
+
+def _vector(values: Floats) -> Vector:
+    x, y, z = (float(value) for value in values)
+    return (x, y, z)
+
+
+def _rows(matrix: Floats) -> Rotation:
+    a, b, c = (_vector(row) for row in matrix)
+    return (a, b, c)
