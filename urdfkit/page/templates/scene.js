@@ -168,8 +168,8 @@
       if (number === undefined) continue;
       node.traverse((one) => {
         if (!one.isMesh) return;
-        widen(one.geometry);
-        one.material = one.material.clone();
+        one.geometry = shaded(widen(one.geometry));
+        one.material = plain(one.material);
         one.userData = { ...node.userData, number, color: one.material.color.clone(), opacity: one.material.opacity };
         if (one.userData.role === "collision") { Object.assign(one.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }); one.renderOrder = 1; }
         surfaces.push(one);
@@ -186,14 +186,25 @@
     select([...chosen].map((number) => robot.links[number] && robot.links[number].name).filter(Boolean), true);
     pose();
   }
+  // Without the model of metals and roughness: a machine without a graphics card draws it, too.
+  function plain({ color, map, opacity, transparent, vertexColors }) {
+    return new THREE.MeshLambertMaterial({ color, map, opacity, transparent, vertexColors, side: THREE.DoubleSide });
+  }
+  function shaded(geometry) { // without normals every face is flat
+    if (geometry.attributes.normal) return geometry;
+    const flat = geometry.toNonIndexed();
+    flat.computeVertexNormals();
+    return flat;
+  }
   // This three.js finds what is under the pointer only where positions are plain numbers.
   function widen(geometry) {
     const { array, normalized, isInterleavedBufferAttribute, count } = geometry.attributes.position;
-    if (!normalized) return;
+    if (!normalized) return geometry;
     const stride = isInterleavedBufferAttribute ? geometry.attributes.position.data.stride : 3;
     const plain = new Float32Array(3 * count);
     for (let i = 0; i < 3 * count; i++) plain[i] = array[Math.floor(i / 3) * stride + (i % 3)] / 65535;
     geometry.setAttribute("position", new THREE.BufferAttribute(plain, 3));
+    return geometry;
   }
   function measure() {
     const box = new THREE.Box3();
