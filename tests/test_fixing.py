@@ -284,3 +284,24 @@ def test_bytes_that_are_no_text_are_not_touched(tmp_path: Path) -> None:
     file = write(tmp_path, "r.urdf", FIXED_JOINT)
     file.write_bytes(file.read_bytes().replace(b"stays", b"st\xffys"))
     assert fix(file, force=True).files == ()
+
+
+def test_a_read_only_file_is_not_replaced(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", FIXED_JOINT)
+    file.chmod(0o444)
+    assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
+        "the file is read-only"
+    }
+    assert len(fix(file, force=True).files) == 1
+
+
+def test_a_launch_file_leads_to_its_robot(tmp_path: Path) -> None:
+    package = tmp_path / "pkg"
+    robot = write(package, "r.urdf", FIXED_JOINT)
+    (package / "package.xml").write_text("<package><name>pkg</name></package>")
+    launch = package / "show.launch"
+    launch.write_text(
+        '<launch><param name="robot_description" textfile="$(find pkg)/r.urdf"/></launch>'
+    )
+    fixes = fix(launch)
+    assert [os.path.realpath(file.path) for file in fixes.files] == [os.path.realpath(robot)]

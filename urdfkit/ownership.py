@@ -71,4 +71,14 @@ class Ownership:
             return "the file is generated: mend what it is made from"
         if is_ignored(path):
             return "git ignores the file, as it does what programs make"
+        if not _may_be_written(path):
+            return "the file is read-only"
         return ""
+
+
+def _may_be_written(path: str) -> bool:
+    """False for a file that nobody may write to; that its folder allows it is not enough."""
+    try:
+        return bool(os.stat(path).st_mode & 0o222)
+    except OSError:
+        return True  # it is not there; writing it will tell
