@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from urdfkit.config import Config, Robot
 from urdfkit.diagnostic import Severity
 from urdfkit.engine import check
 from urdfkit.errors import UnwritableFile
@@ -164,7 +165,7 @@ def test_what_another_robot_needs_is_kept(tmp_path: Path) -> None:
     for files in ((one,), (tmp_path,), (one, tmp_path / "two.urdf.xacro")):
         fixes = fix(*files, unsafe=True)
         assert fixes.files == ()
-        assert ("REF001", "dropped: it would add REF001") in {
+        assert ("REF001", "dropped: another robot uses the text, and is right as it is") in {
             (left.diagnostic.code, left.reason) for left in fixes.left
         }
 
@@ -305,3 +306,38 @@ def test_a_launch_file_leads_to_its_robot(tmp_path: Path) -> None:
     )
     fixes = fix(launch)
     assert [os.path.realpath(file.path) for file in fixes.files] == [os.path.realpath(robot)]
+
+
+TYPED = """\
+  <xacro:arg name="type" default="fixed"/>
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="$(arg type)">
+    <parent link="a"/><child link="b"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+"""
+
+
+@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
+def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agree: bool) -> None:
+    file = str(write(tmp_path, "r.xacro", TYPED, XACRO))
+    robots = (Robot(file, "one", {}), Robot(file, "two", {"type": other}))
+    fixes = fix(file, config=Config(robots=robots))
+    assert [one.code for one in fixes.applied] == ["JNT020"] * agree
+    reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}
+    text = "dropped: another robot uses the text, and is right as it is"
+    assert reasons == (set() if agree else {text})
+
+
+@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
+def test_robots_that_were_not_named_must_agree_as_well(
+    tmp_path: Path, other: str, agree: bool
+) -> None:
+    write(tmp_path, "part.xacro", TYPED, XACRO)
+    include = '  <xacro:include filename="part.xacro"/>\n'
+    one = write(tmp_path, "one.urdf.xacro", include, XACRO)
+    argument = f'  <xacro:arg name="type" default="{other}"/>\n'
+    write(tmp_path, "two.urdf.xacro", argument + include, XACRO)
+    assert [found.code for found in fix(one).applied] == ["JNT020"] * agree
+    assert [found.code for found in fix(tmp_path).applied] == ["JNT020"] * agree

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,15 @@ class Edit(Record):
 
     span: Span
     text: str
+
+    @property
+    def place(self) -> Place:
+        """What tells it from other edits, whatever its file is called."""
+        return (os.path.realpath(self.span.source.path), *self.span[1:], self.text)
+
+
+#: An edit, known in every robot that includes its file: real path, first and last byte, new text.
+Place = tuple[str, int, int, str]
 
 
 class Fix(Record):
@@ -143,6 +153,7 @@ class Report(Record):
         suppressed: how many findings ignore comments or the configuration leave out.
         errors: the codes of the errors of each description, in the order of the check; what
             several have in common is one diagnostic, but an error of each.
+        proposals: the edits that the fixes of each description ask for.
     """
 
     files: tuple[str, ...]
@@ -154,6 +165,7 @@ class Report(Record):
     suppressed: int = 0
     tolerated: int = 0
     errors: tuple[tuple[str, ...], ...] = ()
+    proposals: tuple[frozenset[Place], ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

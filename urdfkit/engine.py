@@ -158,15 +158,18 @@ def subjects(
     config: Config | None = None,
     changed: bool = False,
     texts: Mapping[str, bytes] | None = None,
-) -> Iterator[Subject]:
-    """The robots that ``check`` checks with the same arguments, as far as they can be read."""
+) -> Iterator[Subject | None]:
+    """The descriptions that ``check`` checks with the same arguments, in the same order.
+
+    None stands for a launch file, and for what cannot be read.
+    """
     known = {**(config.packages if config else {}), **(packages or {})}
     resolver = Resolver(known, texts=texts)
     is_trusted = trust or (config is not None and config.trust)
     for job in _planned(files, resolver, config, arguments, changed=changed).jobs:
         subject = Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
-        if not is_launch(job.source.path) and subject.reading.document is not None:
-            yield subject
+        is_robot = not is_launch(job.source.path) and subject.reading.document is not None
+        yield subject if is_robot else None
 
 
 def _planned(
@@ -405,6 +408,10 @@ def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
         sum(verdict.suppressed for verdict in verdicts),
         errors=tuple(
             tuple(d.code for d in verdict.diagnostics if d.severity is Severity.ERROR)
+            for verdict in verdicts
+        ),
+        proposals=tuple(
+            frozenset(edit.place for d in verdict.diagnostics if d.fix for edit in d.fix.edits)
             for verdict in verdicts
         ),
     )

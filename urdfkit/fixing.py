@@ -7,7 +7,7 @@ at the end, or not at all.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit import rewriting
@@ -27,12 +27,16 @@ if TYPE_CHECKING:
 
     from urdfkit.engine import Options
     from urdfkit.stand_ins import StandIn, Undone
+    from urdfkit.subject import Subject
 
 MAX_ROUNDS = 10
 
 #: Fixes that compute from other values of the robot wait until those are settled: a tensor comes
 #: from the shapes of its link, which other fixes turn, move and scale.
 _LAST = ("INE", "XAC014")
+
+#: Robots, or variants of one, share the text and not the finding.
+_DISPUTED = "dropped: another robot uses the text, and is right as it is"
 
 #: Rules about files of meshes, which a mesh made anew answers.
 _OF_FILES = ("MSH001", "MSH008", "MSH009", "MSH010", "MSH011")
@@ -123,9 +127,13 @@ def fix(
         now: Options = {**every, "texts": {**given, **texts}}
         return check(*files, *others, **now)
 
+    def robots(texts: Mapping[str, bytes], others: Iterable[str]) -> Iterator[Subject | None]:
+        now: Options = {**options, "texts": {**given, **texts}}
+        return _subjects((*files, *others), now)
+
     resolver = Resolver(options.get("packages"), texts=given)
     is_partial = bool(options.get("select") or options.get("ignore"))
-    watch = Watch(watched, resolver, options.get("config"), is_partial)
+    watch = Watch(watched, robots, resolver, options.get("config"), is_partial)
     fixes = _Session(checked, watch, resolver, unsafe=unsafe, force=force).run()
     if not generate_meshes:
         return fixes
@@ -146,17 +154,8 @@ def _with_meshes(
     except ImportError as error:
         text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
-    robots = subjects(
-        *files,
-        arguments=options.get("arguments"),
-        packages=options.get("packages"),
-        trust=options.get("trust", False),
-        config=options.get("config"),
-        changed=options.get("changed", False),
-        texts=options.get("texts"),
-    )
     found: dict[str, StandIn | Undone] = {}
-    for robot in robots:
+    for robot in filter(None, _subjects(files, options)):
         ours = Ownership([robot.source.path], robot.resolver)
         stand_ins = generate_missing(robot)
         for undone in stand_ins.undone:
@@ -176,6 +175,21 @@ def _with_meshes(
     )
     unmade = tuple(one for one in found.values() if isinstance(one, Undone))
     return fixes._replace(left=left, meshes=meshes, unmade=unmade)
+
+
+def _subjects(
+    files: Iterable[str | os.PathLike[str]], options: Options
+) -> Iterator[Subject | None]:
+    """The descriptions that a check with some options looks at, in its order."""
+    return subjects(
+        *files,
+        arguments=options.get("arguments"),
+        packages=options.get("packages"),
+        trust=options.get("trust", False),
+        config=options.get("config"),
+        changed=options.get("changed", False),
+        texts=options.get("texts"),
+    )
 
 
 class _Session:
@@ -268,9 +282,12 @@ class _Session:
 
     def _round(self, report: Report, chosen: list[Diagnostic]) -> Report:
         """Apply as many fixes as do no harm; the report on the texts after them."""
+        disputed = self._watch.disputes(chosen, self._texts, report)
+        self._dropped.update(dict.fromkeys(disputed, _DISPUTED))
+        chosen = [one for one in chosen if key_of(one) not in disputed]
         kept: list[Diagnostic] = []
         texts, latest = self._texts, report
-        batches = [chosen]
+        batches = [chosen] if chosen else []
         while batches:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from itertools import zip_longest
 
 from urdfkit.config import Config
-from urdfkit.diagnostic import Diagnostic, Report
+from urdfkit.diagnostic import Diagnostic, Place, Report
 from urdfkit.discovery import affected
 from urdfkit.errors import UnreadableFile
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.subject import Subject
 
 #: A finding in any round: its code, its file and its message, since places move.
 Key = tuple[str, str, str]
@@ -54,6 +56,7 @@ class Watch:
 
     Args:
         check: all rules over the robots and some others.
+        subjects: the same descriptions, in the same order.
         resolver, config: of the check.
         is_partial: True if the findings to fix are those of some rules only.
     """
@@ -61,14 +64,41 @@ class Watch:
     def __init__(
         self,
         check: Callable[[Mapping[str, bytes], Iterable[str]], Report],
+        subjects: Callable[[Mapping[str, bytes], Iterable[str]], Iterable[Subject | None]],
         resolver: Resolver,
         config: Config | None,
         is_partial: bool,
     ) -> None:
         self._check = check
+        self._subjects = subjects
         self._resolver = resolver
         self._config = config or Config()
         self._is_partial = is_partial
+
+    def disputes(
+        self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
+    ) -> set[Key]:
+        """The findings whose fix edits what another robot uses without asking for the edit.
+
+        Args:
+            chosen: findings with fixes.
+            texts: in the place of those on disk.
+            report: that they are from.
+        """
+        edits = {key_of(one): [e.place for e in one.fix.edits] for one in chosen if one.fix}
+        files = {place[0] for places in edits.values() for place in places}
+        others = self._others(files, report.files)
+        if others:
+            report = self._check(texts, others)
+        if len(report.proposals) < 2:
+            return set()
+        found: set[Key] = set()
+        for subject, proposed in zip(self._subjects(texts, others), report.proposals, strict=True):
+            tags = _tags(subject, files) if subject is not None else {}
+            for key, places in edits.items():
+                if any(one not in proposed and _is_used(one, tags) for one in places):
+                    found.add(key)
+        return found
 
     def harm(
         self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
@@ -95,6 +125,28 @@ class Watch:
         asked = set(map(os.path.realpath, known))
         others = dict.fromkeys(os.path.relpath(robot.file) for robot in found.robots)
         return [file for file in others if os.path.realpath(file) not in asked]
+
+
+def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]:
+    """First and last byte of the start tags that a robot uses of some files, in their order."""
+    real = {source.path: os.path.realpath(source.path) for source in subject.document.sources}
+    found: dict[str, set[tuple[int, int]]] = {}
+    for element in subject.document.root.walk():
+        path = real.get(element.tag_at.source.path, "")
+        if path in files:
+            found.setdefault(path, set()).add(element.span[1:])
+    return {path: sorted(tags) for path, tags in found.items()}
+
+
+def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
+    """True if an edit changes a start tag; one between tags concerns nobody."""
+    path, start, end, _ = place
+    here = tags.get(path, [])
+    first = max(0, bisect_left(here, (start, 0)) - 1)
+    return any(
+        tag_start < end and start < tag_end
+        for tag_start, tag_end in here[first : bisect_left(here, (end, 0))]
+    )
 
 
 def key_of(diagnostic: Diagnostic) -> Key:
