@@ -1,11 +1,15 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.conftest import MODELS
 from tests.massive import MESH, inertial, joint, link, shape
 from tests.told import messages, told
 from urdfkit import engine
+from urdfkit.examples import whole_robot
+from urdfkit.source import Source
 
 BALL = shape("collision", '<sphere radius="0.05"/>')
 
@@ -49,8 +53,35 @@ def test_what_is_fixed_to_the_world_does_not_fall() -> None:
     assert messages("DYN004", text) == []
 
 
-def test_a_mesh_may_reach_as_low() -> None:
+def test_a_mesh_that_is_not_there_may_reach_as_low() -> None:
     assert messages("DYN004", on_wheels("0.5 0 0", more=shape("collision", MESH))) == []
+
+
+@pytest.mark.parametrize(("z", "found"), [("0.5", 1), ("-0.18", 0)])
+def test_a_mesh_on_the_ground_or_above_it(z: str, found: int, tmp_path: Path) -> None:
+    """The forearm of our arm, 0.25 m long, lies along x from 0 to the centre of mass."""
+    pytest.importorskip("numpy")
+    arm = MODELS / "good" / "two_link_arm" / "meshes" / "forearm.stl"
+    (tmp_path / "forearm.stl").write_bytes(arm.read_bytes())
+    mesh = shape("collision", '<mesh filename="forearm.stl"/>', xyz=f"0.05 0 {z}")
+    robot = on_wheels("0.06 0 0", more=mesh)
+    assert len(messages("DYN004", robot, str(tmp_path / "robot.urdf"))) == found
+
+
+def test_without_the_readers_of_meshes_it_is_skipped_where_it_matters(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def lean(*_: object) -> None:
+        raise ImportError("numpy")
+
+    monkeypatch.setattr("urdfkit.triangles.Meshes.mesh", lean)
+    sources = [
+        Source("r.urdf", whole_robot(on_wheels(at, more=shape("collision", MESH))).encode())
+        for at in ("-0.05 0 0", "0.5 0 0")
+    ]
+    reports = [engine.check(source, select=["DYN004"]) for source in sources]
+    assert [len(report.skipped) for report in reports] == [0, 1]
+    assert "pip install 'urdfkit[meshes]'" in reports[1].skipped[0].reason
 
 
 def test_models_of_our_own_stand() -> None:

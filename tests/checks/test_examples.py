@@ -23,7 +23,7 @@ PARTS = {
     Need.XACRO: ("xacro",),
     Need.MODEL: ("document", "deviations", "model", "tree"),
     Need.FILES: ("files",),
-    Need.MESHES: ("files", "measured"),
+    Need.MESHES: ("files", "measured", "meshes"),
     Need.GAZEBO: {"gazebo", "plugins"},
     Need.LAUNCH: {"launch", "beside"},
     Need.SRDF: {"srdf"},

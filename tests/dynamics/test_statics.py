@@ -48,6 +48,16 @@ def test_a_payload_exceeds_the_effort_and_what_would_suffice_is_told() -> None:
     assert found.payload == {"forearm": 5.0}
 
 
+def test_a_pose_that_is_asked_for() -> None:
+    """The arm at 0.5 rad, with the forearm upright."""
+    loads = {
+        one.joint: one for one in statics(ARM.dynamics, {"shoulder": 0.5, "elbow": -0.5}).loads
+    }
+    shoulder, elbow = loads["shoulder"], loads["elbow"]
+    assert shoulder.at_pose == pytest.approx(-G * (1.5 * 0.15 + 0.7 * 0.36) * sin(0.5), rel=1e-10)
+    assert [elbow.at_pose, shoulder.at_zero] == pytest.approx([0, 0], abs=1e-12)
+
+
 def test_the_search_finds_what_no_sample_does() -> None:
     found = statics(ARM.dynamics, samples=0)
     assert found.loads[0].worst == pytest.approx(statics(ARM.dynamics).loads[0].worst, rel=1e-10)

@@ -12,11 +12,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
+from urdfkit.extent import WITHOUT_MESHES
 from urdfkit.rigid import rigid_bodies
-from urdfkit.rules import Finding, rule
+from urdfkit.rules import Finding, Need, rule
 from urdfkit.stability import Stability, stand
+from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
+    from urdfkit.model import RobotModel, Shape
     from urdfkit.subject import Subject
 
 _WHEEL = """
@@ -60,13 +63,24 @@ _TOLERANCE = 1e-3
     "DYN004",
     "tips-over",
     Severity.WARNING,
+    needs=(Need.MODEL, Need.MESHES),
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part or not subject.tree.is_sound:
         return
     standing = stand(subject, meshes=False)
-    if standing is None or standing.margin > -_TOLERANCE or not _is_on_wheels(subject, standing):
+    if not _falls(subject, standing):
+        return
+    meshes = list(_meshes(subject.model))
+    if meshes:  # one of them may reach as low
+        try:
+            if any(subject.meshes.mesh(shape) is None for shape in meshes):
+                return
+            standing = stand(subject)
+        except ImportError as error:
+            raise Unavailable(WITHOUT_MESHES) from error
+    if standing is None or not _falls(subject, standing):
         return
     links = subject.model.links_by_name
     heaviest = max(subject.model.links, key=lambda link: link.mass)
@@ -78,18 +92,19 @@ def check(subject: Subject) -> Iterator[Finding]:
     )
 
 
-def _is_on_wheels(subject: Subject, standing: Stability) -> bool:
-    """True if it stands on several links and a joint moves one of them; not on what is bolted.
-
-    Meshes are not measured here: with one that may reach as low there is nothing to say.
-    """
-    root = rigid_bodies(subject.tree)[0]
-    if root.is_ground or len(standing.links) < 2:
+def _falls(subject: Subject, standing: Stability | None) -> bool:
+    """True if it falls, off several links of which a joint moves one; not what is bolted down."""
+    if standing is None or standing.margin > -_TOLERANCE or len(standing.links) < 2:
         return False
-    fixed = {link.name for link, _ in root.links}
-    touching = subject.model.links_by_name
-    return not fixed.issuperset(standing.links) and not any(
-        body.shape and body.shape.filename
-        for link in touching.values()
-        for body in link.collisions or link.visuals
+    root = rigid_bodies(subject.tree)[0]
+    return not root.is_ground and not {link.name for link, _ in root.links}.issuperset(
+        standing.links
     )
+
+
+def _meshes(model: RobotModel) -> Iterator[Shape]:
+    """The meshes that may touch the ground."""
+    for link in model.links:
+        for body in link.collisions or link.visuals:
+            if body.shape and body.shape.filename:
+                yield body.shape

@@ -65,13 +65,13 @@ def command(
     subject = robot(words, package, trust)
     given = positions(subject, joint, pose)
     carried = _payload(subject, payload)
-    loads = _statics(subject, carried, samples, seed)
+    loads = _statics(subject, given, carried, samples, seed)
     stands = _stability(subject, given, contact, carried)
     if form == "json":
         text = json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2)
     else:
         roots = {root.name for root in subject.tree.roots}
-        lines = (*render(loads, subject.model), "", *standing(stands, roots))
+        lines = (*render(loads, subject.model, posed=bool(given)), "", *standing(stands, roots))
         text = "\n".join(lines)
     output.write(text + "\n")
     return 0
@@ -95,7 +95,13 @@ def _known(subject: Subject, link: str) -> str:
     return link
 
 
-def _statics(subject: Subject, payload: dict[str, float], samples: int, seed: int) -> Statics:
+def _statics(
+    subject: Subject,
+    given: dict[str, float],
+    payload: dict[str, float],
+    samples: int,
+    seed: int,
+) -> Statics:
     try:
         bare = subject.dynamics
     except Unavailable as reason:
@@ -106,7 +112,7 @@ def _statics(subject: Subject, payload: dict[str, float], samples: int, seed: in
     loaded = Dynamics(subject.tree, payload) if payload else bare
     bar = on_terminal()
     try:
-        return statics(loaded, samples=samples, seed=seed, progress=bar)
+        return statics(loaded, given, samples=samples, seed=seed, progress=bar)
     finally:
         if bar:
             bar.wipe()
@@ -125,7 +131,7 @@ def _stability(
         return stand(subject, given, contacts, payload=payload, meshes=False)
 
 
-def render(found: Statics, model: RobotModel) -> Iterator[str]:
+def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
     """A table of the joints, the weakest first, and what is to be said of it."""
     carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
     yield f"gravity on {found.mass:.6g} kg{carried}, {found.poses} poses and a search for the worst"
@@ -134,13 +140,14 @@ def render(found: Statics, model: RobotModel) -> Iterator[str]:
         return
     yield ""
     width = max(5, *(len(load.joint) for load in found.loads))
-    yield f"{'joint':<{width}}  {'at zero':>9}  {'worst':>9}  {'effort':>9}  {'used':>6}"
+    first = "at pose" if posed else "at zero"
+    yield f"{'joint':<{width}}  {first:>9}  {'worst':>9}  {'effort':>9}  {'used':>6}"
     for load in found.loads:
         unit = effort_unit(model.joints_by_name[load.joint])
         limit = "not given" if load.effort is None else f"{load.effort:.4g}"
         used = "" if load.used is None else f"{load.used:.0%}"
         yield (
-            f"{load.joint:<{width}}  {_small(load.at_zero):>9}  {_small(load.worst):>9}"
+            f"{load.joint:<{width}}  {_small(load.at_pose):>9}  {_small(load.worst):>9}"
             f"  {limit:>9}  {used:>6}  {unit}"
         )
     weakest = found.weakest

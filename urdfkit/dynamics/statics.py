@@ -8,7 +8,7 @@ the way of a slide, so each step of the climb is a closed form. The root is held
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
 
@@ -34,6 +34,7 @@ class Load(Record):
         joint: its name.
         effort: what it can exert, in N m or N; None where the model does not say.
         at_zero: what it holds with all joints at zero; the sign is that of its axis.
+        at_pose: what it holds at the pose that was asked for; that at zero if none was.
         worst: the largest that any pose asks of it, without sign: what effort would suffice.
         pose: in which it does, in rad or m.
     """
@@ -41,6 +42,7 @@ class Load(Record):
     joint: str
     effort: float | None
     at_zero: float
+    at_pose: float
     worst: float
     pose: dict[str, float]
 
@@ -78,6 +80,7 @@ class Statics(Record):
 
 def statics(
     robot: Dynamics,
+    pose: Mapping[str, float] | None = None,
     *,
     samples: int = SAMPLES,
     seed: int = SEED,
@@ -88,6 +91,7 @@ def statics(
 
     Args:
         robot: with its payload.
+        pose: one that is looked at besides: positions of joints in rad or m.
         samples: how many poses are drawn between the limits.
         seed: of that drawing.
         joints: the names of those that are judged; all that can be set if None.
@@ -104,6 +108,7 @@ def statics(
     search = _Search(robot, BUDGET // max(1, len(columns)))
     poses = np.array([*search.corners(), *search.drawn(samples, seed)])
     torques = np.zeros((len(poses), robot.nv))
+    asked = robot.gravity(pose or {})
     for number, x in enumerate(poses):
         torques[number] = robot.gravity_at(robot.expanded(x))
         if progress and number % 1000 == 999:
@@ -114,9 +119,9 @@ def statics(
             progress(len(poses) + len(found), len(poses) + len(columns))
         start = poses[int(np.argmax(np.abs(torques[:, column])))]
         worst, x = search.climb(column, start)
-        pose = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
-        at_zero = float(torques[0, column])
-        found.append(Load(name, effort(by_name[name]), at_zero, worst, pose))
+        where = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
+        held = float(torques[0, column]), float(asked[column])
+        found.append(Load(name, effort(by_name[name]), *held, worst, where))
     found.sort(key=lambda load: (-(load.used or 0.0), -load.worst))
     mass = robot.mass_properties().mass
     return Statics(tuple(found), len(poses), mass, dict(robot.payload))
