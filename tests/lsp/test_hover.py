@@ -103,12 +103,24 @@ def test_a_mesh_that_is_there_and_one_that_is_not() -> None:
 
 
 def test_a_finding_is_explained_where_it_is() -> None:
-    text = told(
-        Edited(MISSION, mission('<property name="P'.replace("<", "<xacro:"), 'I"')), checked=True
-    )
+    text = told(Edited(MISSION, mission('<xacro:property name="P', 'I"')), checked=True)
     assert f"**XAC007** own-pi\n\n{rules.get('XAC007').explanation}" in text
     elsewhere = told(Edited(MISSION, mission("<robot n", "ame")), checked=True)
     assert "XAC007" not in elsewhere
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "shown"),
+    [
+        ("<comm", "andTopic>", "**commandTopic** (classic-ros1): topic"),
+        ("libgazebo_ros_pla", "nar", "**plugin** of gazebo_plugins, classic-ros1"),
+        ("<turnGrav", "ityOff>", "**turnGravityOff** for a link: bool"),
+        ('<limit eff', 'ort="100"', "**effort**: number"),
+        ("<joint na", 'me="imu_joint"', "**name**: name, needed"),
+    ],
+)  # fmt: skip
+def test_what_tags_and_attributes_hold(before: str, after: str, shown: str) -> None:
+    assert told(Edited(MISSION, mission(before, after))).startswith(shown)
 
 
 def test_an_ignore_comment_is_explained(tmp_path: Path) -> None:

@@ -6,13 +6,15 @@ import os
 from collections.abc import Iterable, Iterator
 
 from urdfkit import rules
+from urdfkit.catalog import extensions, plugins
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.document import Attribute
 from urdfkit.errors import UnknownRule
 from urdfkit.expansion.trace import Origin
 from urdfkit.inertia import principal_moments
+from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
-from urdfkit.lsp.names import Name
+from urdfkit.lsp.names import Name, path_in
 from urdfkit.lsp.workspace import Robot
 from urdfkit.meshes.sniff import sniff_file
 from urdfkit.model import Joint, Link
@@ -31,6 +33,7 @@ def hover(robot: Robot, page: Page, offset: int, diagnostics: Iterable[Diagnosti
     """Markdown for a place; empty if there is nothing to say."""
     here = cursor(page, offset)
     parts = [*_values(robot, here), *_name(robot, page, offset), *_mesh(robot, here)]
+    parts += [*_plugin(here), *_grammar(here)]
     parts += _rules(page, offset, diagnostics)
     return "\n\n---\n\n".join(parts)
 
@@ -198,6 +201,47 @@ def _measures(path: str) -> Iterator[str]:
     size = " x ".join(f"{high - low:.4g}" for low, high in zip(mesh.low, mesh.high, strict=True))
     yield f"- {mesh.health.faces} triangles, {size} m"
     yield f"- {'a closed solid' if mesh.health.is_solid else 'not a closed solid'}"
+
+
+# --------------------------------------------------------- tags and attributes
+
+
+def _plugin(here: Cursor) -> Iterator[str]:
+    """What a plugin of Gazebo is, and what it reads a tag as."""
+    node = here.node
+    if node is None:
+        return
+    if here.place == "value" and here.attribute and node.name == "plugin":
+        if here.attribute.name == "filename":
+            for known in plugins.find(here.attribute.value.strip()):
+                told = f"**plugin** of {known.package}, {known.generation}"
+                after = f"; in the next generation `{known.successor}`" if known.successor else ""
+                yield told + after
+        return
+    plugin = node.within("plugin")
+    if here.place != "tag" or plugin is None:
+        return
+    for known in plugins.find(plugin.get("filename").strip()):
+        if parameter := known.parameters.get(path_in(node, plugin)):
+            words = [parameter.type] + ["needed"] * parameter.required
+            if parameter.default:
+                words.append(f"`{_code(parameter.default)}` unless given")
+            yield f"**{node.name}** ({known.generation}): {', '.join(words)}"
+
+
+def _grammar(here: Cursor) -> Iterator[str]:
+    """What an attribute of URDF holds, and what unit a tag of Gazebo has."""
+    node = here.node
+    if here.place == "attribute" and node is not None and here.attribute is not None:
+        grammar = grammar_of(node)
+        rule = grammar.attributes.get(here.attribute.name) if grammar else None
+        if rule is not None:
+            yield f"**{here.attribute.name}**: {rule.type}" + ", needed" * rule.required
+    elif here.place == "tag" and node is not None and node.within("gazebo"):
+        extension = extensions.extensions().get(node.name)
+        if extension is not None and not node.within("plugin", "sensor"):
+            unit = f" in {extension.unit}" if extension.unit else ""
+            yield f"**{node.name}** for a {extension.on}: {extension.type}{unit}"
 
 
 # ---------------------------------------------------------------------- rules
