@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.conftest import MODELS
@@ -21,3 +23,24 @@ def test_every_format_names_every_link(form: str, capsys: pytest.CaptureFixture[
 def test_it_cannot_draw_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["tree", "no.urdf"]) == 2
     assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize("command", ["tree", "info", "mass", "kinematics", "statics"])
+def test_no_name_steers_the_terminal(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """U+009B begins a control sequence, U+202E turns the direction of writing."""
+    if command == "statics":
+        pytest.importorskip("pinocchio")
+    body = (
+        '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+        "</inertial>"
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        f'<robot name="r&#x9b;2J"><link name="a&#x202e;b">{body}</link></robot>', encoding="utf-8"
+    )
+    assert main([command, str(file)]) == 0
+    drawn = capsys.readouterr().out
+    assert "\x9b" not in drawn
+    assert "\u202e" not in drawn

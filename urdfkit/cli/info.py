@@ -48,10 +48,9 @@ def command(
     subject = robot(words, package, trust)
     found = summarise(subject, positions(subject, joint, pose))
     if form == "json":
-        text = json.dumps(as_json(found), ensure_ascii=False, indent=2)
+        output.write(json.dumps(as_json(found), ensure_ascii=False, indent=2) + "\n")
     else:
-        text = "\n".join(render(found))
-    output.write(text + "\n")
+        output.page(render(found))
     return 0
 
 

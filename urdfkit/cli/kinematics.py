@@ -56,10 +56,9 @@ def command(
     if jacobian or mass_matrix:
         found |= _dynamics(subject, given, jacobian, mass_matrix)
     if form == "json":
-        text = json.dumps(as_json(found), ensure_ascii=False, indent=2)
+        output.write(json.dumps(as_json(found), ensure_ascii=False, indent=2) + "\n")
     else:
-        text = "\n".join(render(found, subject.tree.roots[0].name if subject.tree.roots else ""))
-    output.write(text + "\n")
+        output.page(render(found, subject.tree.roots[0].name if subject.tree.roots else ""))
     return 0
 
 

@@ -42,16 +42,20 @@ def command(
     """
     subject = robot(words, package, trust)
     found = mass_properties(subject, positions(subject, joint, pose))
-    write = {"text": as_text, "json": as_json, "csv": as_csv, "markdown": as_markdown}
-    output.write(write[form](found))
+    if form == "text":
+        output.page(render(found))
+    else:
+        write = {"json": as_json, "csv": as_csv, "markdown": as_markdown}[form]
+        output.write(write(found))
     return 0
 
 
-def as_text(found: MassTable) -> str:
+def render(found: MassTable) -> Iterator[str]:
     """Two tables: masses and places, then moments and axes."""
-    return "".join(
-        f"{line}\n" for line in (*_masses(found), "", *_moments(found), *_unknown(found))
-    )
+    yield from _masses(found)
+    yield ""
+    yield from _moments(found)
+    yield from _unknown(found)
 
 
 def _masses(found: MassTable) -> Iterator[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterable
 
 from urdfkit.errors import UnwritableFile
+from urdfkit.formats._layout import printable
 
 
 def has_color(when: str) -> bool:
@@ -89,6 +91,15 @@ def indented(text: str, first: str = "  ", rest: str = "    ") -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
+
+
+def page(lines: Iterable[str]) -> None:
+    """Write lines for people; nothing in a name steers the terminal.
+
+    Raises:
+        UnwritableFile: standard output is closed, or its disk is full.
+    """
+    write("".join(f"{printable(line)}\n" for line in lines))
 
 
 def encode(text: str) -> bytes:

@@ -68,12 +68,11 @@ def command(
     loads = _statics(subject, given, carried, samples, seed)
     stands = _stability(subject, given, contact, carried)
     if form == "json":
-        text = json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2)
+        output.write(json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2) + "\n")
     else:
         roots = {root.name for root in subject.tree.roots}
-        lines = (*render(loads, subject.model, posed=bool(given)), "", *standing(stands, roots))
-        text = "\n".join(lines)
-    output.write(text + "\n")
+        lines = render(loads, subject.model, posed=bool(given))
+        output.page((*lines, "", *standing(stands, roots)))
     return 0
 
 

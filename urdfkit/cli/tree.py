@@ -23,5 +23,9 @@ def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: 
     Exit codes: 0 done, 2 the file cannot be read.
     """
     subject = robot(words, package, trust)
-    output.write(import_module(f"urdfkit.diagrams.{form}").render(subject.tree))
+    drawn: str = import_module(f"urdfkit.diagrams.{form}").render(subject.tree)
+    if form == "text":
+        output.page(drawn.removesuffix("\n").split("\n"))
+    else:
+        output.write(drawn)
     return 0
