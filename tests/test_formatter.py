@@ -145,8 +145,11 @@ def test_what_cannot_be_laid_out(text: str, reason: str) -> None:
 
 
 def test_it_is_deep_or_wide() -> None:
-    deep = f"{'<a>' * 3000}{'</a>' * 3000}"
-    assert laid_out(f'<robot name="r">{deep}</robot>').count("\n") == 6001
+    deep = f"{'<a>' * 20_000}{'</a>' * 20_000}"
+    with pytest.raises(UnreadableRobot, match="nested too deeply"):
+        laid_out(f'<robot name="r">{deep}</robot>')
+    deep = f"{'<a>' * 900}{'</a>' * 900}"
+    assert laid_out(f'<robot name="r">{deep}</robot>').count("\n") == 1801
     wide = "<a/>" * 20_000
     assert laid_out(f'<robot name="r">{wide}</robot>').count("\n") == 20_002
 

@@ -22,6 +22,8 @@ from urdfkit.source import Source
 
 #: Columns of a line; only what cannot be broken is longer.
 WIDTH = 100
+#: Levels of elements; indentation grows with the square of them, and robots have 20.
+MAX_DEPTH = 1000
 #: What a tab in front of a comment's line stands for.
 _TAB = 4
 
@@ -56,7 +58,9 @@ def formatted(source: Source, width: int = WIDTH) -> bytes:
     """
     _require_robot(source)
     text = source.data.decode().replace("\r\n", "\n")
-    layout = "\n".join(_Writer(list(tokens(text)), text, width).lines()) + "\n"
+    found = list(tokens(text))
+    outline = _outline(found, source.path)
+    layout = "\n".join(_Writer(found, text, outline, width).lines()) + "\n"
     if list(_meaning(layout)) != list(_meaning(text)):
         raise AssertionError(f"{source.path}: the layout would change the meaning")
     newline = "\r\n" if b"\r\n" in source.data else "\n"
@@ -82,6 +86,19 @@ def _require_robot(source: Source) -> None:
         raise UnreadableRobot(f"{source.path}: no robot, its root is <{root.name}>")
 
 
+class _Outline(Record):
+    """Which tokens of a document belong together.
+
+    Attributes:
+        ends: the number of the end tag by that of the start tag.
+        verbatim: start tags of elements that stay as they are, because they hold text: white
+            space may mean something there.
+    """
+
+    ends: dict[int, int]
+    verbatim: set[int]
+
+
 class _Open(Record):
     """An element whose end tag has not come.
 
@@ -97,11 +114,11 @@ class _Open(Record):
 class _Writer:
     """Makes lines of tokens."""
 
-    def __init__(self, found: list[Token], text: str, width: int) -> None:
+    def __init__(self, found: list[Token], text: str, outline: _Outline, width: int) -> None:
         self._tokens = found
         self._text = text
         self._width = width
-        self._ends, self._verbatim = _outline(found)
+        self._ends, self._verbatim = outline
         self._lines: list[str] = []
         self._open: list[_Open] = []
         #: Line ends since the last token that is no white space.
@@ -134,7 +151,7 @@ class _Writer:
             inner = self._text[token.at + len(token.text) : self._tokens[end].at]
             self._line(f"{self._start_tag(token, '>')}{inner}</{token.name}>")
             return end
-        if token.is_empty or all(_is_blank(one) for one in self._tokens[number + 1 : end]):
+        if token.is_empty or all(_is_blank(self._tokens[i]) for i in range(number + 1, end)):
             self._line(self._start_tag(token, "/>"))
             return end
         self._line(self._start_tag(token, ">"))
@@ -232,31 +249,38 @@ def _rows(attributes: list[str], first: int, hang: int, width: int) -> list[list
     return even if all(max(first, hang) + len(" ".join(row)) <= width for row in even) else rows
 
 
-def _outline(found: list[Token]) -> tuple[dict[int, int], set[int]]:
-    """The number of the end tag of every element, and the elements that stay as they are.
+def _outline(found: list[Token], path: str) -> _Outline:
+    """Which tokens are elements.
 
-    Those are the ones that hold text: white space may mean something there.
+    Raises:
+        UnreadableRobot: they are nested too deeply.
     """
     ends: dict[int, int] = {}
     verbatim: set[int] = set()
     stack: list[int] = []
     for number, token in enumerate(found):
         if token.kind is Kind.START:
-            if dict(token.attributes).get("xml:space", "")[1:-1] == "preserve":
+            if "xml:space" in token.text and ("xml:space", "preserve") in _values(token):
                 verbatim.add(number)
             if not token.is_empty:
                 stack.append(number)
+                if len(stack) > MAX_DEPTH:
+                    raise UnreadableRobot(f"{path}: elements are nested too deeply to be laid out")
         elif token.kind is Kind.END:
             start = stack.pop()
             ends[start] = number
-            between = found[start + 1 : number]
-            if len(between) == 1 and between[0].kind is Kind.TEXT and "\n" not in between[0].text:
+            inner = found[start + 1]
+            if number == start + 2 and inner.kind is Kind.TEXT and "\n" not in inner.text:
                 verbatim.add(start)  # one space can be a value
         elif stack and (
             token.kind is Kind.CDATA or (token.kind is Kind.TEXT and token.text.strip())
         ):
             verbatim.add(stack[-1])
-    return ends, verbatim & ends.keys()
+    return _Outline(ends, verbatim & ends.keys())
+
+
+def _values(token: Token) -> list[tuple[str, str]]:
+    return [(name, quoted[1:-1]) for name, quoted in token.attributes]
 
 
 def _is_blank(token: Token) -> bool:

@@ -87,7 +87,7 @@ CHECK = (
     Option("--fix", "Mend what has a safe fix, in place, and report what is left."),
     Option("--unsafe-fixes", "Also apply fixes that may change what the robot does."),
     Option("--diff", "Show what would be fixed, as a diff; write nothing."),
-    Option("--force", "Also fix files that are generated, ignored by git, or outside."),
+    Option("--force", "Also fix files that are generated, ignored, read-only, or outside."),
     Option("--statistics", "Instead of the findings, count them by rule."),
     Option("--package", "Where a ROS package is; before every search.", "NAME=FOLDER", many=True),
     Option("--trust", "Let the model run any expression and read any file."),
