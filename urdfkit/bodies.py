@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.model import Body
-from urdfkit.shapes import Primitive, solid
+from urdfkit.shapes import Primitive, primitive
 
 if TYPE_CHECKING:
     from urdfkit.meshes.geometry import Mesh
@@ -25,9 +25,9 @@ def body_mesh(subject: Subject, body: Body, *, unit: bool = True) -> Mesh | None
     """
     if body.shape is None:
         return None
-    whole = solid((body,))
-    if whole is not None:
-        return _primitive(whole.parts[0])
+    part = primitive(body)
+    if part is not None:
+        return _primitive(part)
     mesh = subject.meshes.mesh(body.shape)
     if mesh is None or not all(body.shape.scale):
         return None

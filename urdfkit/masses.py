@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 
 from urdfkit.document import Element, Tag
 from urdfkit.inertia import principal_moments
-from urdfkit.model import Link, RobotModel, Tensor, number
+from urdfkit.model import Body, Link, RobotModel, Tensor, number
 from urdfkit.rigid import RigidBody, mass_of, rigid_bodies
+from urdfkit.shapes import Lump
 from urdfkit.tree import KinematicTree
 from urdfkit.twins import numbered_pairs, pairs
 from urdfkit.weighed import Weighed
@@ -44,13 +45,23 @@ KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
 class Masses:
     """What a model says about masses.
 
+    Args:
+        model, tree: of the robot.
+        lump: measures visuals and collisions that are meshes; without it they are left out.
+
     Attributes:
         model, tree: of the robot.
         bodies: the rigid bodies, each before those that hang on it.
         total: the mass of all links in kg.
     """
 
-    def __init__(self, model: RobotModel, tree: KinematicTree) -> None:
+    def __init__(
+        self,
+        model: RobotModel,
+        tree: KinematicTree,
+        lump: Callable[[Body], Lump | None] | None = None,
+    ) -> None:
+        self._lump = lump
         self.model = model
         self.tree = tree
         self.bodies = rigid_bodies(tree)
@@ -69,7 +80,8 @@ class Masses:
         for link in self.model.links:
             inertial, body = link.inertial, self.body_of.get(link.name)
             if inertial and inertial.tensor and body and mass_of(link) > 0:
-                found.append(Weighed(link, inertial, inertial.tensor.value, body))
+                weighed = Weighed(link, inertial, inertial.tensor.value, body, self._lump)
+                found.append(weighed)
         return tuple(found)
 
     @cached_property

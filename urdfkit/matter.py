@@ -101,15 +101,15 @@ def _of_mesh(subject: Subject, body: Body, *, hull: bool) -> tuple[MassPropertie
     uniform = measures.hull if is_hull else measures.solid
     if uniform is None:
         return "all of the mesh lies in a plane"
-    stretched = _stretched(uniform, body.shape, measures.unit)
-    if stretched is None:
+    whole = stretched(uniform, body.shape, measures.unit)
+    if whole is None:
         return "the scale of the mesh is zero"
-    mass, center, tensor = stretched
+    mass, center, tensor = whole
     frame = body.origin
     return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation)), is_hull
 
 
-def _stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:
+def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:
     """A solid after the scale of its shape, which may differ along x, y and z.
 
     The moments of the matter are ``C = tr(I) / 2 - I``; stretched by ``D = diag(x, y, z)`` they

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from urdfkit.document import Attribute
+from urdfkit.inertia import MassProperties, rotated
 from urdfkit.meshes.facts import READ
 from urdfkit.meshes.measures import Measures
 from urdfkit.meshes.sniff import MAX_BYTES
 from urdfkit.model import Body, Link, Placed, Shape
 from urdfkit.record import Record
-from urdfkit.shapes import Box
+from urdfkit.shapes import Box, Lump
 from urdfkit.spatial import Vector
 
 if TYPE_CHECKING:
@@ -79,6 +81,25 @@ class Use(Record):
         return Box((a, b, c), (d, e, f))
 
     @property
+    def lump(self) -> Lump | None:
+        """The mesh as a solid in the frame of the link; None if it is flat."""
+        from urdfkit.matter import stretched
+
+        measures = self.measures
+        uniform, hull = measures.solid or measures.hull, measures.hull
+        if uniform is None or hull is None:
+            return None
+        whole = stretched(uniform, self.shape, measures.unit)
+        around = stretched(hull, self.shape, measures.unit)
+        if whole is None or around is None:
+            return None
+        mass, center, tensor = whole
+        origin = self.body.origin
+        matter = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
+        name = os.path.basename(self.path)
+        return Lump(name, matter, around.mass, measures.solid is not None, self.points)
+
+    @property
     def scale_at(self) -> Attribute | None:
         """The attribute ``scale``, if there is one."""
         return self.shape.at.attributes.get("scale")
@@ -132,8 +153,13 @@ class Measured:
             first.setdefault(use.path, use)
         return list(first.values())
 
+    def lump(self, body: Body) -> Lump | None:
+        """A visual or collision as a solid; None if it is no mesh, or not measured, or flat."""
+        use = self._by_body.get(id(body))
+        return use.lump if use else None
+
     @cached_property
-    def by_body(self) -> dict[int, Use]:
+    def _by_body(self) -> dict[int, Use]:
         """The uses by the identity of their visual or collision."""
         return {id(use.body): use for use in self.uses}
 

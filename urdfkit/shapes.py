@@ -1,20 +1,20 @@
 """Primitive shapes of a link as solids in its frame: extent, volume, mass properties.
 
-Lengths in m. A mesh is no primitive: what has one is not measured here.
+Lengths in m. A mesh counts as far as somebody has measured it: as a `Lump`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
-from math import hypot, pi, sqrt
+from math import dist, hypot, pi, sqrt
 
 from urdfkit import inertia
 from urdfkit.document import Attribute
 from urdfkit.inertia import MassProperties
 from urdfkit.model import Body, Link, RobotModel, Shape, Tensor, numbers
 from urdfkit.record import Record
-from urdfkit.spatial import Frame, Vector, rotate, transposed
+from urdfkit.spatial import Frame, Vector, dot, rotate, transposed
 
 #: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.
 SMALLEST, LARGEST = 1e-7, 1e5
@@ -145,10 +145,62 @@ class Primitive(Record):
         return f"{self.kind} of radius {self.radius:g} m{length}"
 
 
-class Solid:
-    """The primitives of a link that are taken for its matter."""
+class Lump(Record):
+    """A mesh as a solid in the frame of a link.
 
-    def __init__(self, parts: tuple[Primitive, ...]) -> None:
+    Attributes:
+        name: of the file.
+        matter: what it encloses at a density of 1 kg/m^3, or its convex hull.
+        hull: volume of the convex hull in m^3.
+        is_closed: True if it encloses a solid; it is taken for its hull otherwise.
+        points: extreme vertices; the mesh reaches hardly farther in any direction than they.
+    """
+
+    name: str
+    matter: MassProperties
+    hull: float
+    is_closed: bool
+    points: tuple[Vector, ...]
+
+    @property
+    def volume(self) -> float:
+        """In m^3."""
+        return self.matter.mass
+
+    @property
+    def origin(self) -> Frame:
+        """The centre of its matter, with the axes of the link."""
+        return Frame(position=self.matter.center)
+
+    @property
+    def longest(self) -> float:
+        """The longest edge of its bounding box, in m."""
+        edges: list[float] = [max(x) - min(x) for x in zip(*self.points, strict=True)]
+        return max(edges)
+
+    def properties(self, mass: float) -> MassProperties:
+        """Of the solid with uniform density, in the frame of the link."""
+        tensor = inertia.scaled(self.matter.tensor, mass / self.volume)
+        return self.matter._replace(mass=mass, tensor=tensor)
+
+    def farthest(self, point: Vector) -> float:
+        """Distance from a point to the farthest point of the mesh."""
+        return max(dist(point, one) for one in self.points)
+
+    def reach(self, direction: Vector) -> float:
+        """How far the mesh reaches from the origin of the link along a unit vector."""
+        return max(dot(direction, point) for point in self.points)
+
+    def __str__(self) -> str:
+        """Such as ``mesh 'arm.stl' of 0.0012 m^3``."""
+        what = "mesh" if self.is_closed else "convex hull of the mesh"
+        return f"{what} '{self.name}' of {self.volume:.3g} m^3"
+
+
+class Solid:
+    """The shapes of a link that are taken for its matter."""
+
+    def __init__(self, parts: tuple[Primitive | Lump, ...]) -> None:
         self.parts = parts
 
     @cached_property
@@ -160,6 +212,19 @@ class Solid:
         """Of the solid with uniform density; where parts overlap, it is twice as dense."""
         density = mass / self.volume
         return inertia.combined(part.properties(density * part.volume) for part in self.parts)
+
+    @property
+    def least_volume(self) -> float:
+        """In m^3, of what is surely enclosed: nothing of a mesh that is not closed."""
+        return sum(
+            0.0 if isinstance(part, Lump) and not part.is_closed else part.volume
+            for part in self.parts
+        )
+
+    @property
+    def most_volume(self) -> float:
+        """In m^3, if every mesh is filled to its convex hull."""
+        return sum(part.hull if isinstance(part, Lump) else part.volume for part in self.parts)
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the solid."""
@@ -179,25 +244,33 @@ class Solid:
     def __str__(self) -> str:
         if len(self.parts) == 1:
             return str(self.parts[0])
-        return f"union of {len(self.parts)} primitives"
+        kind = "shapes" if any(isinstance(part, Lump) for part in self.parts) else "primitives"
+        return f"union of {len(self.parts)} {kind}"
 
 
-def solid(bodies: Iterable[Body]) -> Solid | None:
+def solid(
+    bodies: Iterable[Body], lump: Callable[[Body], Lump | None] | None = None
+) -> Solid | None:
     """The solid that some visuals or collisions make.
 
-    None if there are none, or one is no primitive, or has a size that is not positive or beyond
-    all robots.
+    None if there are none, or one has a size that is not positive or beyond all robots, or one is
+    no primitive.
+
+    Args:
+        bodies: the visuals or collisions.
+        lump: measures those that are meshes.
     """
-    parts: list[Primitive] = []
+    parts: list[Primitive | Lump] = []
     for body in bodies:
-        part = _primitive(body)
+        part = primitive(body) or (lump(body) if lump else None)
         if part is None:
             return None
         parts.append(part)
     return Solid(tuple(parts)) if parts else None
 
 
-def _primitive(body: Body) -> Primitive | None:
+def primitive(body: Body) -> Primitive | None:
+    """The primitive of a visual or collision; None if it is none, or of no size of robots."""
     shape = body.shape
     extents = shape.half_extents if shape else None
     if shape is None or extents is None:

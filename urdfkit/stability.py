@@ -14,7 +14,7 @@ from urdfkit.kinematics import frames
 from urdfkit.model import Body
 from urdfkit.record import Record
 from urdfkit.rigid import properties_of
-from urdfkit.shapes import Primitive, solid
+from urdfkit.shapes import Primitive, primitive
 from urdfkit.spatial import Frame, Vector
 
 if TYPE_CHECKING:
@@ -162,9 +162,9 @@ def _points(subject: Subject, name: str, frame: Frame, meshes: bool) -> list[Vec
         if body.shape is None:
             continue
         if body.shape.filename is None:
-            whole = solid([body])
-            found += [frame.apply(point) for point in _of(whole.parts[0])] if whole else []
-            found += _lowest(whole.parts[0], frame) if whole else []
+            part = primitive(body)
+            found += [frame.apply(point) for point in _of(part)] if part else []
+            found += _lowest(part, frame) if part else []
         elif meshes:
             found += _of_mesh(subject, body, frame)
     return found

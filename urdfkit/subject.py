@@ -23,10 +23,11 @@ if TYPE_CHECKING:
     from urdfkit.launch import FileUse, Launch
     from urdfkit.masses import Masses
     from urdfkit.measured import Measured
-    from urdfkit.model import RobotModel
+    from urdfkit.model import Body, RobotModel
     from urdfkit.parameters import Unread
     from urdfkit.plugins import Use
     from urdfkit.resolve import Resolver
+    from urdfkit.shapes import Lump
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
@@ -288,7 +289,16 @@ class Subject:
         """The masses and inertias of the model, and what is doubtful about them."""
         from urdfkit.masses import Masses
 
-        return Masses(self.model, self.tree)
+        return Masses(self.model, self.tree, self.lump)
+
+    def lump(self, body: Body) -> Lump | None:
+        """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
+        if body.shape is None or body.shape.filename is None:
+            return None
+        try:
+            return self.measured.lump(body)
+        except Unavailable:
+            return None
 
     @cached_property
     def dynamics(self) -> Dynamics:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from math import inf
 
 from urdfkit import inertia
-from urdfkit.model import Inertial, Link, Tensor
+from urdfkit.model import Body, Inertial, Link, Tensor
 from urdfkit.rigid import RigidBody, mass_of
-from urdfkit.shapes import Box, Solid, solid
+from urdfkit.shapes import Box, Lump, Primitive, Solid, solid
 from urdfkit.spatial import Vector, transposed
 
 #: Moments up to this, in kg m^2, are noise; a ball of 1 mg with a radius of 1 mm has 4e-13.
@@ -43,7 +44,14 @@ class Weighed:
         body: the rigid body that the link is a part of.
     """
 
-    def __init__(self, link: Link, inertial: Inertial, tensor: Tensor, body: RigidBody) -> None:
+    def __init__(
+        self,
+        link: Link,
+        inertial: Inertial,
+        tensor: Tensor,
+        body: RigidBody,
+        lump: Callable[[Body], Lump | None] | None = None,
+    ) -> None:
         at = inertial.at.child("inertia")
         assert at is not None
         self.link = link
@@ -52,6 +60,7 @@ class Weighed:
         self.tensor = tensor
         self.at = at
         self.body = body
+        self._lump = lump
 
     @cached_property
     def moments(self) -> Vector:
@@ -102,14 +111,14 @@ class Weighed:
 
     @cached_property
     def solid(self) -> Solid | None:
-        """Its collisions, else its visuals; None unless all of them are primitives."""
+        """Its collisions, else its visuals; None unless all of them are measured."""
         if self.link.collisions and self.link.visuals:
-            return solid(self.link.collisions)
+            return solid(self.link.collisions, self._lump)
         return self.solids[0] if self.solids else None
 
     @cached_property
     def is_measured(self) -> bool:
-        """True if it has shapes and all of them are primitives."""
+        """True if it has shapes and all of them are primitives, or meshes that are measured."""
         kinds = bool(self.link.collisions) + bool(self.link.visuals)
         return 0 < kinds == len(self.solids)
 
@@ -127,6 +136,8 @@ class Weighed:
         if self.solid is None or len(self.solid.parts) > 1:
             return None
         (part,) = self.solid.parts
+        if not isinstance(part, Primitive):
+            return None
         x, y, z = part.size
         larger = part._replace(size=(2 * x, 2 * y, 2 * z), radius=2 * part.radius)
         tensor = larger.properties(self.mass).tensor
@@ -134,8 +145,8 @@ class Weighed:
 
     @cached_property
     def solids(self) -> tuple[Solid, ...]:
-        """Its collisions and its visuals, as far as all of them are primitives."""
-        found = (solid(self.link.collisions), solid(self.link.visuals))
+        """Its collisions and its visuals, as far as all of them are measured."""
+        found = (solid(self.link.collisions, self._lump), solid(self.link.visuals, self._lump))
         return tuple(one for one in found if one)
 
     @cached_property
@@ -191,11 +202,13 @@ class Weighed:
     def densities(self) -> tuple[float, float] | None:
         """The mass by the larger and by the smaller volume of collision and visual, in kg/m^3.
 
-        None without a collision, and where a shape is a mesh or only marks a place.
+        None without a collision, and where a shape is not measured or only marks a place. Of a
+        mesh the larger volume is that of its hull, for a hollow one may hold motors.
         """
         if not self.is_measured or not self.link.collisions:
             return None
         if any(all(part.longest <= MARKER for part in one.parts) for one in self.solids):
             return None
-        volumes = [one.volume for one in self.solids]
-        return self.mass / max(volumes), self.mass / min(volumes)
+        least = min(one.least_volume for one in self.solids)
+        most = max(one.most_volume for one in self.solids)
+        return self.mass / most, self.mass / least if least else inf

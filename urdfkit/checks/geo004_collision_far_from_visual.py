@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
 from urdfkit.edits import insert_first, remove_element
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import Box, Solid, solid
+from urdfkit.shapes import Box, solid
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link
+    from urdfkit.model import Link, Shape
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -55,7 +55,9 @@ MARKER = 0.005
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for link in subject.model.links:
-        touched, seen = solid(link.collisions), solid(link.visuals)
+        if not (link.visuals and link.collisions):
+            continue
+        touched, seen = (solid(bodies, subject.lump) for bodies in (link.collisions, link.visuals))
         if touched is None or seen is None or touched.parts == seen.parts:
             continue
         overlap = _overlap(touched.bounds, seen.bounds)
@@ -64,8 +66,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                 link.collisions[0].at,
                 f"link '{link.name}': the bounding boxes of collision and visual have only "
                 f"{overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}"
-                f"{_why(touched, seen)}",
-                fix=_fix(link) if _why(touched, seen) else None,
+                f"{_why(link)}",
+                fix=_fix(link) if _why(link) else None,
                 related=(Related(link.visuals[0].at.span, "the visual"),),
                 confidence=Confidence.INFERRED,
                 weight=1 - overlap,
@@ -96,12 +98,12 @@ def _overlap(touched: Box, seen: Box) -> float | None:
     return None if nested or overlap >= LEAST_OVERLAP else overlap
 
 
-def _why(touched: Solid, seen: Solid) -> str:
+def _why(link: Link) -> str:
     """In what the origins of two equal shapes differ."""
-    if len(touched.parts) != 1 or len(seen.parts) != 1:
+    if len(link.collisions) != 1 or len(link.visuals) != 1:
         return ""
-    (one,), (other,) = touched.parts, seen.parts
-    if one._replace(origin=other.origin) != other:
+    (one,), (other,) = link.collisions, link.visuals
+    if one.shape is None or other.shape is None or _form(one.shape) != _form(other.shape):
         return ""
     shift = [b - a for a, b in zip(one.origin.position, other.origin.position, strict=True)]
     parts = []
@@ -110,3 +112,9 @@ def _why(touched: Solid, seen: Solid) -> str:
     if any(shift):
         parts.append("moved by {:.3g} {:.3g} {:.3g} m".format(*shift))
     return f"; the visual is the same shape, {' and '.join(parts)}"
+
+
+def _form(shape: Shape) -> tuple[object, ...]:
+    """What a shape is, wherever it is."""
+    name = shape.filename.value if shape.filename else ""
+    return (shape.kind, shape.size, shape.radius, shape.length, name, shape.scale)
