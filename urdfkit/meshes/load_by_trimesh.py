@@ -33,15 +33,21 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
     """
     if form != facts.PLY:
         _check_sizes(data, form)
+    try:
+        return _read(data, form, folder)
+    except NoTriangles:
+        raise
+    except Exception as error:  # readers of foreign bytes raise anything, and some of it late
+        raise NoTriangles(f"cannot be read: {type(error).__name__}: {error}") from error
+
+
+def _read(data: bytes, form: str, folder: str) -> Mesh:
     import trimesh
 
     trimesh.util.log.setLevel(logging.CRITICAL)  # it logs tracebacks of what is told here
-    try:
-        resolver = trimesh.resolvers.FilePathResolver(folder)
-        file = BytesIO(data)
-        scene = trimesh.load_scene(file, file_type=_TYPES[form], resolver=resolver, process=False)
-    except Exception as error:  # readers of foreign bytes raise anything
-        raise NoTriangles(f"cannot be read: {type(error).__name__}: {error}") from error
+    resolver = trimesh.resolvers.FilePathResolver(folder)
+    file = BytesIO(data)
+    scene = trimesh.load_scene(file, file_type=_TYPES[form], resolver=resolver, process=False)
     losses = Losses()
     parts: list[Part] = []
     others = 0

@@ -58,7 +58,7 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
         return unreadable(f"has the format '{encoding}', which PLY does not know"), ""
     for element in elements:
         for property in element.properties:
-            if property.type not in _CODES or _CODES.get(property.length, "B") in "fd":
+            if property.type not in _CODES or not _counts(property.length):
                 words = " ".join(property).strip()
                 return unreadable(f"has the property '{words}', which PLY does not know"), ""
     counts = {element.name: element.number for element in elements}
@@ -68,6 +68,11 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     if encoding == "ascii":
         return _judge_ascii(body, elements)
     return _judge_binary(body, elements, _ORDERS[encoding])
+
+
+def _counts(length: str) -> bool:
+    """True if a type can hold the length of a list; a single number has none."""
+    return not length or _CODES.get(length, "f") not in "fd"
 
 
 def _header(text: str) -> tuple[str, list[_Element]]:
