@@ -51,7 +51,7 @@ def claims(measured: Measured) -> dict[str, list[Use]]:
     for use in measured.uses:
         if looks_like_millimetres(use, span):
             found.setdefault("MSH012", []).append(use)
-        elif distance(use) > max(FAR, FAR_RATIO * use.longest):
+        elif _is_far(use) and not _has_near_twin(use, measured):
             found.setdefault("MSH032", []).append(use)
         if id(use) in shared:
             found.setdefault("MSH031", []).append(use)
@@ -83,6 +83,18 @@ def distance(use: Use) -> float:
     """How far the mesh is from the origin of its link, in m."""
     box = use.box
     return hypot(*(max(low, 0.0, -high) for low, high in zip(box.low, box.high, strict=True)))
+
+
+def _is_far(use: Use) -> bool:
+    return distance(use) > max(FAR, FAR_RATIO * use.longest)
+
+
+def _has_near_twin(use: Use, measured: Measured) -> bool:
+    """True if the link has the same mesh elsewhere, too, nearby; GEO004 tells that."""
+    return any(
+        other.link is use.link and other.path == use.path and not _is_far(other)
+        for other in measured.uses
+    )
 
 
 def rest_of_robot(measured: Measured) -> float:

@@ -1,9 +1,11 @@
 from __future__ import annotations
 
 from math import pi
+from pathlib import Path
 
 import pytest
 
+from tests import meshed
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, link, shape
 from tests.told import messages, told
@@ -60,7 +62,47 @@ def test_a_marker_may_be_anywhere() -> None:
     assert messages("GEO004", pair(CUBE, '<box size="0.005 0.005 0.005"/>', "9 0 0")) == []
 
 
-def test_a_mesh_is_not_measured() -> None:
+class TestMeshes:
+    @pytest.fixture(autouse=True)
+    def _measured(self) -> None:
+        for library in ("numpy", "lxml", "manifold3d"):
+            pytest.importorskip(library)
+
+    def told(self, folder: Path, seen: str, touched: str) -> list[str]:
+        robot = meshed.link(seen, touched)
+        return meshed.messages(folder, "GEO004", robot, {"a.stl": meshed.SOUND})
+
+    @pytest.mark.parametrize(
+        ("origin", "why"),
+        [
+            ('<origin xyz="0 -1.57 0"/>', "0%; moved by 0 1.57 0 m"),
+            ('<origin rpy="1.5707963267948966 0 0"/>', "0%; turned"),
+            ('<origin xyz="0.04 0 0"/>', None),
+            ("", None),
+        ],
+    )
+    def test_the_same_mesh_elsewhere(self, tmp_path: Path, origin: str, why: str | None) -> None:
+        touched = meshed.mesh("a.stl", origin=origin)
+        found = self.told(tmp_path, meshed.mesh("a.stl", "visual"), touched)
+        if why is None:
+            assert found == []
+        else:
+            common, _, how = why.partition("; ")
+            (message,) = found
+            assert (
+                message == f"link 'arm': {HEAD} {common}{TAIL}; the visual is the same shape, {how}"
+            )
+
+    @pytest.mark.parametrize(("x", "is_told"), [(0.44, False), (0.46, True)])
+    def test_a_primitive_may_stand_for_a_part_of_a_mesh(
+        self, tmp_path: Path, x: float, is_told: bool
+    ) -> None:
+        """The mesh is 0.3 m long and reaches to 0.1 m, the cube begins 0.05 m before its middle."""
+        touched = shape("collision", '<box size="0.1 0.1 0.1"/>', f"{x} 0 0.1")
+        assert bool(self.told(tmp_path, meshed.mesh("a.stl", "visual"), touched)) is is_told
+
+
+def test_a_mesh_that_is_missing_is_not_measured() -> None:
     assert messages("GEO004", pair(MESH, CUBE, "9 0 0")) == []
     assert messages("GEO004", pair(CUBE, MESH, "9 0 0")) == []
 

@@ -38,3 +38,12 @@ def test_the_origin_counts(tmp_path: Path) -> None:
     back = '<origin xyz="0 0 -2" rpy="0 -1.5707963267948966 0"/>'
     robot = link(mesh("a.stl", origin=back))
     assert messages(tmp_path, "MSH032", robot, {"a.stl": at(2)}) == []
+
+
+def test_a_collision_that_is_away_from_the_same_visual_is_told_by_geo004(tmp_path: Path) -> None:
+    away = '<origin xyz="0 3 0"/>'
+    robot = link(mesh("a.stl", "visual"), mesh("a.stl", origin=away))
+    assert messages(tmp_path, "MSH032", robot, {"a.stl": at(0)}) == []
+    assert (
+        len(messages(tmp_path, "MSH032", link(mesh("a.stl", origin=away)), {"a.stl": at(0)})) == 1
+    )

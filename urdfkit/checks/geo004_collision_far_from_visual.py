@@ -4,7 +4,7 @@ The bounding boxes of its collisions and of its visuals have less than a third o
 common. Wheels sink into the floor or hover, grippers close on nothing, and MoveIt avoids a place
 that is free while it drives into what is there. Usually the `<origin>` was written for the visual
 and forgotten for the collision; the two do not share it. A collision that is deliberately larger or
-smaller about the same place is not meant.
+smaller about the same place is not meant, nor is a primitive that stands for a part of a mesh.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
 from urdfkit.edits import insert_first, remove_element
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import Box, solid
+from urdfkit.shapes import Box, Lump, Solid, solid
 
 if TYPE_CHECKING:
     from urdfkit.model import Link, Shape
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if touched is None or seen is None or touched.parts == seen.parts:
             continue
         overlap = _overlap(touched.bounds, seen.bounds)
-        if overlap is not None:
+        if overlap is not None and not _is_likeness(link, touched, seen):
             yield Finding(
                 link.collisions[0].at,
                 f"link '{link.name}': the bounding boxes of collision and visual have only "
@@ -96,6 +96,19 @@ def _overlap(touched: Box, seen: Box) -> float | None:
     overlap = common / (touched.volume + seen.volume - common)
     nested = common >= NESTED * min(touched.volume, seen.volume)
     return None if nested or overlap >= LEAST_OVERLAP else overlap
+
+
+def _is_likeness(link: Link, touched: Solid, seen: Solid) -> bool:
+    """True if primitives may stand for a mesh, or for a part of it, though not well.
+
+    Makers of legs give a hip the cylinder of the motor beside it: that is no slip. The same mesh at
+    another place is one, and so are shapes that are farther apart than they are long.
+    """
+    if not any(isinstance(part, Lump) for part in (*touched.parts, *seen.parts)) or _why(link):
+        return False
+    one, other = touched.bounds, seen.bounds
+    gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
+    return gap <= max(*one.edges, *other.edges)
 
 
 def _why(link: Link) -> str:
