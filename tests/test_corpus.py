@@ -88,6 +88,12 @@ def test_the_findings_are_those_that_were_read(entry: tuple[Path, dict[str, Any]
     before = corpus_findings.read().get(str(model_id(entry)), {})
     for skipped in report.skipped:  # what it needs is not installed
         before.pop(skipped.code, None)
+    if any(skipped.code == "MSH015" for skipped in report.skipped):
+        # These rules look at meshes where they can be measured, and else at primitives alone.
+        now, before = (
+            {c: n for c, n in counts.items() if not c.startswith("INE") and c != "GEO004"}
+            for counts in (now, before)
+        )
     changes = [
         f"{code}: {before.get(code, 0)} -> {now.get(code, 0)}"
         for code in sorted({*before, *now})
