@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from urdfkit import glance, rules
@@ -140,7 +140,7 @@ class _Run:
         return config is not None and config.ignores(diagnostic.code, diagnostic.span.source.path)
 
 
-def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
+def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
     """The rules that may have something to say; the others need not even be imported."""
     if is_launch(subject.source.path):
         return [rules.get(code) for code in chosen if code.startswith("LAU")]
@@ -165,7 +165,7 @@ def applicable(subject: Subject, chosen: Iterable[str]) -> list[Rule]:
         told.update(subject.deviations)
         model = subject.model
         waiting |= glance.silent(model, subject.tree)
-        if not (model.gazebo or subject.given_targets):
+        if "PKG004" in chosen and not _may_lose_meshes(subject):
             waiting |= {"PKG004"}
         waiting |= _silent_about_packages(subject, reading.document.sources)
         silent |= _silent_families(subject)
@@ -238,6 +238,14 @@ def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
         for code in chosen
         if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
+
+
+def _may_lose_meshes(subject: Subject) -> bool:
+    """True if the robot may be for Gazebo and has meshes that it names by a package."""
+    if not (subject.model.gazebo or subject.given_targets):
+        return False
+    places = (mesh.located for mesh in subject.files.meshes)
+    return any(located.path and located.scheme == "package" for located in places)
 
 
 def unmeasured(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
