@@ -57,5 +57,5 @@ class PackageNotFound(UrdfkitError):
         self.searched = searched
 
 
-class MissingLibrary(UrdfkitError):
+class MissingLibrary(UrdfkitError, ImportError):
     """A library that this needs is not installed; the message says how to install it."""

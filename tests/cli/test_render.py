@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from tests.conftest import MODELS
+from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
 
 MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
@@ -89,6 +91,47 @@ def test_a_name_that_is_no_picture_is_refused(
 ) -> None:
     assert main(["render", ARM, "-o", str(tmp_path / "robot.txt"), *SMALL]) == 2
     assert "write .png" in capsys.readouterr().err
+
+
+def test_without_numpy_it_says_what_to_install(tmp_path: Path) -> None:
+    program = (
+        "import sys; sys.modules['numpy'] = None\n"
+        "from urdfkit.cli import main\n"
+        "sys.exit(main(sys.argv[1:]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, "render", ARM, "-o", str(tmp_path / "robot.png")],
+        check=False,
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+    )
+    assert done.returncode == 2
+    assert "pip install 'urdfkit[render]'" in done.stderr
+
+
+def test_no_library_for_graphics_is_loaded(tmp_path: Path) -> None:
+    """Neither a GPU's nor a display's; and no mesh library that takes a second to import."""
+    program = (
+        "import sys\n"
+        "from urdfkit.cli import main\n"
+        "code = main(sys.argv[1:])\n"
+        "maps = open('/proc/self/maps').read() if sys.platform == 'linux' else ''\n"
+        "print(*sys.modules, *{line.split('/')[-1] for line in maps.splitlines() if '/' in line})\n"
+        "sys.exit(code)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, "render", ARM, "-o", str(tmp_path / "robot.png"), *SMALL],
+        check=True,
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+    )
+    loaded = done.stdout.split()
+    assert "numpy" in loaded
+    assert {"trimesh", "scipy", "pinocchio", "coal"}.isdisjoint(loaded)
+    graphics = ("libGL", "libEGL", "libOSMesa", "libX11", "libxcb.so", "libvulkan", "libgbm")
+    assert [name for name in loaded if name.startswith(graphics)] == []
 
 
 def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,8 +16,9 @@ from urdfkit.joints import bounds
 from urdfkit.nearest import did_you_mean
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, looking
-from urdfkit.render.draw import STUDIO, Background, draw
+from urdfkit.render.draw import draw
 from urdfkit.render.labels import write
+from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 from urdfkit.subject import Subject
 

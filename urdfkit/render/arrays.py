@@ -13,6 +13,9 @@ Keys = NDArray[np.uint64]
 Bools = NDArray[np.bool_]
 Bytes = NDArray[np.uint8]
 
+#: The depth of nothing, in m.
+FAR = np.float32(1e9)
+
 
 def unit(vectors: Floats) -> Floats:
     """Vectors (n, 3) at length 1; those without a direction stay 0."""

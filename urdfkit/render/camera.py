@@ -118,16 +118,6 @@ class Camera(NamedTuple):
         down -= np.float32(height / 2 - 0.5)
         return across * factor, -down * factor, -depth
 
-    def rays(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Origins and directions (n, 3) of what is seen at pixels, in the camera's frame."""
-        ahead = np.full_like(x, -1)
-        across = (x - np.float32(self.size[0] / 2)) / np.float32(self.scale)
-        upwards = (np.float32(self.size[1] / 2) - y) / np.float32(self.scale)
-        zero = np.zeros_like(x)
-        if self.is_orthographic:
-            return np.stack((across, upwards, zero), 1), np.stack((zero, zero, ahead), 1)
-        return np.zeros((len(x), 3), np.float32), np.stack((across, upwards, ahead), 1)
-
 
 def _far(camera: Camera) -> float:
     """A depth that everything in an orthographic picture is before; its nearness is 0."""

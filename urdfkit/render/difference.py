@@ -7,8 +7,9 @@ from PIL import Image
 
 from urdfkit.render.arrays import Bytes
 from urdfkit.render.camera import looking
-from urdfkit.render.draw import STUDIO, Background, draw
+from urdfkit.render.draw import draw
 from urdfkit.render.labels import caption
+from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 
 GONE, NEW, CHANGED = (214, 48, 49), (22, 150, 76), (240, 160, 20)

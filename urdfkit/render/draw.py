@@ -11,13 +11,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bytes, Floats, Integers, Keys, turned
+from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
-from urdfkit.render.ground import Ground, ground, world_rays
+from urdfkit.render.ground import Ground, ground
 from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunlight
 from urdfkit.render.looks import Look
 from urdfkit.render.occlusion import openness
+from urdfkit.render.pixels import (
+    STUDIO,
+    Background,
+    encoded,
+    gradient,
+    matching,
+    means,
+    summed,
+)
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
@@ -31,14 +40,12 @@ BAND = 60
 PEELS = 4
 #: How much is seen of a sign that something hides.
 HIDDEN = 0.45
-#: The depth of nothing, in m.
-FAR = np.float32(1e9)
 #: What is less transparent than this hides what is behind it.
 SOLID = 0.98
 #: How far around them surfaces hide the sky from one another, as a part of the robot's size.
 REACH = 0.12
 #: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
-_NEAR = 0.012
+NEAR = 0.012
 
 
 class Quality(NamedTuple):
@@ -56,11 +63,6 @@ class Quality(NamedTuple):
 
 QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 16, 10), "high": Quality(16, 40, 32)}
 
-#: Two colours, above and below, sRGB from 0 to 1.
-Background = tuple[tuple[float, float, float], tuple[float, float, float]]
-STUDIO: Background = ((0.965, 0.97, 0.978), (0.862, 0.878, 0.9))
-
-
 _OPAQUE, _CLEAR, _SIGN = range(3)
 
 
@@ -70,6 +72,7 @@ class _Band(NamedTuple):
     opaque: tuple[Fragments, Surface]
     clear: tuple[tuple[Fragments, Surface], ...]
     signs: tuple[tuple[Fragments, Surface], ...]
+    dark: Floats
 
 
 def draw(
@@ -195,10 +198,13 @@ class _Drawing:
         grid = Grid(self.camera.size[0], first, last, self.offsets)
         opaque = nearest(self.screen, np.flatnonzero(self.kind == _OPAQUE), grid)
         found = self._surfaces(fragments(opaque, grid, self.soup, self.camera))
-        self._fill_depth(*found, first, last, depth)
+        dark = np.zeros((0,), dtype=np.float32)
+        if self.floor is not None:
+            depth[first:last], dark = self.floor.seen(self.camera, first, last)
+        self._fill(*found, depth)
         clear = self._peeled(np.flatnonzero(self.kind == _CLEAR), grid, opaque)
         signs = self._peeled(np.flatnonzero(self.kind == _SIGN), grid, np.zeros_like(opaque))
-        return _Band(found, clear, signs)
+        return _Band(found, clear, signs, dark.reshape(-1))
 
     def _peeled(
         self, numbers: Integers, grid: Grid, above: Keys
@@ -216,23 +222,10 @@ class _Drawing:
     def _surfaces(self, some: Fragments) -> tuple[Fragments, Surface]:
         return some, surface(some, self.soup, self.screen, self.camera)
 
-    def _fill_depth(
-        self, some: Fragments, there: Surface, first: int, last: int, depth: Floats
-    ) -> None:
-        """The depth of the largest fragment of each pixel, else that of the floor."""
-        width = self.camera.size[0]
-        flat = depth.reshape(-1)
+    def _fill(self, some: Fragments, there: Surface, depth: Floats) -> None:
+        """Give pixels the depth of their largest fragments."""
         order = np.argsort(some.weight, kind="stable")
-        flat[some.pixel[order]] = -there.position[order, 2]
-        if self.floor is None:
-            return
-        empty = np.flatnonzero(flat[first * width : last * width] == FAR) + first * width
-        row, column = np.divmod(empty, width)
-        x, y = column + np.float32(0.5), row + np.float32(0.5)
-        position, ahead = world_rays(self.camera, x.astype(np.float32), y.astype(np.float32))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            way = (np.float32(self.floor.height) - position[:, 2]) / ahead[:, 2]
-        flat[empty] = np.where((way > 0) & (way < FAR), way, FAR)
+        depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
 
     # -- the second pass: how much light there is --
 
@@ -273,35 +266,28 @@ class _Drawing:
     ) -> Bytes:
         """The pixels of a band."""
         width, height = self.camera.size
-        pixels = np.arange(first * width, last * width)
         some, there = band.opaque
-        place = self._matching(some, there, depth[first:last], first * width)
-        smooth_sky, smooth_sun = self._means((sky, sun), depth, first, last)
-        lit = Lit(sun=smooth_sun[place], sky=smooth_sky[place])
-        light, cover = self._sum(some, self._shade(some, there, lit), first, last)
-        row, column = np.divmod(pixels, width)
-        dark = np.zeros(len(pixels), dtype=np.float32)
-        if self.floor is not None:
-            open_ = np.flatnonzero(cover < 1)
-            dark[open_] = self.floor.darkness(
-                self.camera,
-                column[open_].astype(np.float32) + np.float32(0.5),
-                row[open_].astype(np.float32) + np.float32(0.5),
-            )
+        start, count = first * width, (last - first) * width
+        near = self._near(depth[first:last])
+        place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], near)
+        lit = Lit(*(means(image, depth, first, last, near)[place] for image in (sun, sky)))
+        light, cover = summed(some, self._shade(some, there, lit), start, count)
         free = 1 - cover
+        dark = band.dark if len(band.dark) else np.zeros_like(free)
         if background is None:
             alpha = cover + free * dark
         else:
             alpha = np.ones_like(cover)
-            light += (free * (1 - dark))[:, None] * _gradient(background, row, height)
+            behind = gradient(background, first, last, height)
+            light.reshape(-1, width, 3)[:] += (free * (1 - dark)).reshape(-1, width, 1) * behind
         for few, on in (*reversed(band.clear), *reversed(band.signs)):
             opacity = self._opacity(few, on, depth)
             ones = np.ones(len(few.pixel), dtype=np.float32)
             colours = self._shade(few, on, Lit(ones, ones))
-            over, part = self._sum(few._replace(weight=few.weight * opacity), colours, first, last)
+            over, part = summed(few._replace(weight=few.weight * opacity), colours, start, count)
             light = over + light * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
-        return _encoded(light, alpha).reshape(last - first, width, 4)
+        return encoded(light, alpha).reshape(last - first, width, 4)
 
     def _opacity(self, some: Fragments, there: Surface, depth: Floats) -> Floats:
         """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
@@ -348,107 +334,14 @@ class _Drawing:
         ratio = _area(*uv) / np.maximum(_area(*xy), np.float32(1e-6))
         return sample(image, there.uv[of_it], np.sqrt(ratio))
 
-    def _sum(self, some: Fragments, light: Floats, first: int, last: int) -> tuple[Floats, Floats]:
-        """Fragments in their pixels: light (p, 3), times coverage, and the coverage (p,)."""
-        width = self.camera.size[0]
-        count = (last - first) * width
-        place = some.pixel - first * width
-        result = np.empty((count, 3), dtype=np.float32)
-        for channel in range(3):
-            result[:, channel] = np.bincount(place, light[:, channel] * some.weight, count)
-        return result, np.bincount(place, some.weight, count).astype(np.float32)
-
-    def _means(
-        self, images: tuple[Floats, ...], depth: Floats, first: int, last: int
-    ) -> tuple[Floats, ...]:
-        """The means of light over the lattice square around each pixel of a band, (p,).
-
-        What is further in depth belongs to another surface and is left out.
-        """
-        height, width = depth.shape
-        rows = np.clip(np.arange(first - LATTICE // 2, last + LATTICE // 2), 0, height - 1)
-        shown = np.flatnonzero((depth[rows] < FAR).any(axis=0))
-        totals = [np.zeros((last - first, width), dtype=np.float32) for _ in images]
-        if not len(shown):
-            return tuple(total.reshape(-1) for total in totals)
-        start, end = int(shown[0]), int(shown[-1]) + 1
-        columns = np.clip(np.arange(start - LATTICE // 2, end + LATTICE // 2), 0, width - 1)
-        distances = depth[rows][:, columns]
-        around = [image[rows][:, columns] for image in images]
-        own = depth[first:last, start:end]
-        count = np.zeros_like(own)
-        near = self._near(own)
-        for down in range(LATTICE):
-            for across in range(LATTICE):
-                window = np.s_[down : down + last - first, across : across + end - start]
-                alike = np.abs(distances[window] - own) < near
-                count += alike
-                for total, values in zip(totals, around, strict=True):
-                    total[:, start:end] += values[window] * alike
-        for total in totals:
-            total[:, start:end] /= count
-        return tuple(total.reshape(-1) for total in totals)
-
     def _near(self, depth: Floats) -> Floats:
         """How far apart in depth what belongs to one surface may be, across a lattice square."""
         pixel = np.float32(1 / self.camera.scale)
-        if not self.camera.is_orthographic:
-            pixel = pixel * np.minimum(depth, FAR)
-        near: Floats = np.float32(_NEAR * self.size) + LATTICE * pixel * np.ones_like(depth)
+        step = pixel * depth if not self.camera.is_orthographic else np.full_like(depth, pixel)
+        near: Floats = np.float32(NEAR * self.size) + np.float32(LATTICE) * step
         return near
-
-    def _matching(self, some: Fragments, there: Surface, depth: Floats, start: int) -> Integers:
-        """The pixel of a band beside each fragment whose depth is nearest to that; its own first.
-
-        Args:
-            some: the fragments.
-            there: their surfaces.
-            depth: of the pixels of the band.
-            start: the number of the first of them.
-        """
-        flat = depth.reshape(-1)
-        own = -there.position[:, 2]
-        place = some.pixel - start
-        gap = np.abs(flat[place] - own)
-        off = np.flatnonzero(gap > self._near(own))
-        width = depth.shape[1]
-        for step in (-1, 1, -width, width):
-            beside = np.clip(some.pixel[off] - start + step, 0, len(flat) - 1)
-            distance = np.abs(flat[beside] - own[off])
-            better = distance < gap[off]
-            place[off[better]] = beside[better]
-            gap[off[better]] = distance[better]
-        return place
 
 
 def _area(a: Floats, b: Floats, c: Floats) -> Floats:
     u, v = b - a, c - a
     return np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
-
-
-def _gradient(background: Background, row: Integers, height: int) -> Floats:
-    above, below = srgb_to_linear(np.array(background, dtype=np.float32))
-    part = ((row + np.float32(0.5)) / np.float32(height)).astype(np.float32)[:, None]
-    mixed: Floats = above + (below - above) * part
-    return mixed
-
-
-def _encoded(light: Floats, alpha: Floats) -> Bytes:
-    """sRGB with alpha, of light that is multiplied with its alpha."""
-    plain = light / np.maximum(alpha, np.float32(1e-6))[:, None]
-    steps = np.float32(len(_TABLE) - 1)
-    index = (np.clip(plain, 0, 1) * steps + np.float32(0.5)).astype(np.int32)
-    result = np.empty((len(light), 4), dtype=np.uint8)
-    result[:, :3] = _TABLE[index]
-    result[:, 3] = np.rint(np.clip(alpha, 0, 1) * 255)
-    return result
-
-
-def _table() -> Bytes:
-    light = np.arange(1 << 14) / ((1 << 14) - 1)
-    value = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-    table: Bytes = np.rint(value * 255).astype(np.uint8)
-    return table
-
-
-_TABLE = _table()

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Integers, turned
+from urdfkit.render.arrays import FAR, Floats, Integers, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
@@ -40,25 +40,43 @@ class Ground(NamedTuple):
     cell: float
     shade: Floats
 
-    def darkness(self, camera: Camera, x: Floats, y: Floats) -> Floats:
-        """How dark the floor is where pixels see it, (k,), from 0 to 1; 0 where they do not."""
-        position, ahead = world_rays(camera, x, y)
-        dark = np.zeros(len(x), dtype=np.float32)
-        down = np.flatnonzero(ahead[:, 2] < -1e-4)
-        if position[0, 2] <= self.height or not len(down):
-            return dark
-        way = (np.float32(self.height) - position[down, 2]) / ahead[down, 2]
-        column = (position[down, 0] + way * ahead[down, 0] - np.float32(self.origin[0])) / self.cell
-        row = (position[down, 1] + way * ahead[down, 1] - np.float32(self.origin[1])) / self.cell
-        dark[down] = _bilinear(self.shade, column - np.float32(0.5), row - np.float32(0.5))
-        return dark
+    def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
+        """The floor in a band of a picture: its depth in m, and how dark it is, (rows, w) each.
+
+        The depth is `FAR` where the floor is not seen.
+        """
+        (x, y, z), (ahead_x, ahead_y, ahead_z) = _rays(camera, first, last)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            way = (np.float32(self.height) - z) / ahead_z
+        shape = (last - first, camera.size[0])
+        depth = np.where((ahead_z < -1e-4) & (way > 0) & (way < FAR), way, FAR)
+        depth = np.broadcast_to(depth, shape).astype(np.float32)
+        dark = np.zeros(shape, dtype=np.float32)
+        if not (depth < FAR).any():
+            return depth, dark
+        column = (x + depth * ahead_x - np.float32(self.origin[0])) / np.float32(self.cell)
+        row = (y + depth * ahead_y - np.float32(self.origin[1])) / np.float32(self.cell)
+        near = (column > 0) & (column < CELLS) & (row > 0) & (row < CELLS)
+        half = np.float32(0.5)
+        dark[near] = _bilinear(self.shade, column[near] - half, row[near] - half)
+        return depth, dark
 
 
-def world_rays(camera: Camera, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    """Origins and directions (k, 3) in the world of what is seen at pixels."""
-    axes = np.asarray(camera.axes, dtype=np.float32)
-    origins, ahead = camera.rays(x, y)
-    return turned(origins, axes.T) + np.asarray(camera.eye, dtype=np.float32), turned(ahead, axes.T)
+def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Floats]]:
+    """Of the pixels of a band, origins and directions in the world, by axis.
+
+    Each is of a shape that fits (rows, width); the directions are as long as depths count.
+    """
+    width, height = camera.size
+    half, scale = np.float32(0.5), np.float32(camera.scale)
+    across = (np.arange(width, dtype=np.float32) + half - np.float32(width / 2)) / scale
+    upwards = (np.float32(height / 2) - half - np.arange(first, last, dtype=np.float32)) / scale
+    right, up, back = np.asarray(camera.axes, dtype=np.float32)
+    eye = np.asarray(camera.eye, dtype=np.float32)
+    plane = [across * right[axis] + (upwards * up[axis])[:, None] for axis in range(3)]
+    if camera.is_orthographic:
+        return [eye[axis] + plane[axis] for axis in range(3)], [-part for part in back[:, None]]
+    return list(eye[:, None]), [plane[axis] - back[axis] for axis in range(3)]
 
 
 def ground(

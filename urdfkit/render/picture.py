@@ -11,8 +11,9 @@ from PIL import Image, ImageColor
 from urdfkit import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.camera import looking
-from urdfkit.render.draw import STUDIO, Background, draw
+from urdfkit.render.draw import draw
 from urdfkit.render.labels import caption, write
+from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 
 #: Pixels of a picture at most; a sheet of paper at 600 dpi has as many.
