@@ -39,12 +39,6 @@ def apply_edits(data: bytes, edits: Iterable[Edit]) -> bytes:
     return b"".join([*pieces, data[done:]])
 
 
-def overlap(one: Edit, other: Edit) -> bool:
-    """True if two edits of one source change the same text, or insert at the same place."""
-    (_, a, b), (_, c, d) = one.span, other.span
-    return a == c or (a < d and c < b)
-
-
 def encoded(text: bytes, encoding: str, original: bytes) -> bytes:
     """The text of a source as the file holds it, in its encoding and with its byte-order mark.
 

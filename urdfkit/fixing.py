@@ -7,6 +7,7 @@ at the end, or not at all.
 from __future__ import annotations
 
 import os
+from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from urdfkit import rewriting
 from urdfkit.diagnostic import Diagnostic, Edit, Report
 from urdfkit.engine import check, subjects
 from urdfkit.errors import UrdfkitError
-from urdfkit.fixer import apply_edits, encoded, overlap
+from urdfkit.fixer import apply_edits, encoded
 from urdfkit.harm import Key, Watch, harm, key_of, real_path, useless
 from urdfkit.ownership import OUTSIDE, Ownership
 from urdfkit.record import Record
@@ -37,6 +38,9 @@ _LAST = ("INE", "XAC014")
 
 #: Robots, or variants of one, share the text and not the finding.
 _DISPUTED = "dropped: another robot uses the text, and is right as it is"
+
+#: First and last byte of an edit, and its text.
+_Piece = tuple[int, int, str]
 
 #: Rules about files of meshes, which a mesh made anew answers.
 _OF_FILES = ("MSH001", "MSH008", "MSH009", "MSH010", "MSH011")
@@ -217,6 +221,7 @@ class _Session:
         self._force = force
         self._resolver = resolver
         self._ownership = Ownership((), resolver)
+        self._refusals: dict[Source, str] = {}
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[Key, str] = {}
@@ -244,13 +249,13 @@ class _Session:
         ready = [one for one in report.diagnostics if one.fix and not self._reason(one)]
         settled = [one for one in ready if not one.code.startswith(_LAST)]
         chosen: list[Diagnostic] = []
-        taken: dict[str, list[Edit]] = {}
+        taken: dict[str, list[_Piece]] = {}
         for diagnostic in settled or ready:
-            edits = _edits(diagnostic)
-            if all(_fits(edit, taken.get(real_path(edit.span.source), ())) for edit in edits):
+            edits = [(real_path(e.span.source), _piece(e)) for e in _edits(diagnostic)]
+            if all(_fits(piece, taken.get(path, [])) for path, piece in edits):
                 chosen.append(diagnostic)
-                for edit in edits:
-                    taken.setdefault(real_path(edit.span.source), []).append(edit)
+                for path, piece in edits:
+                    insort(taken.setdefault(path, []), piece)
         return chosen
 
     def _reason(self, diagnostic: Diagnostic) -> str:
@@ -266,9 +271,15 @@ class _Session:
 
     def _refusal(self, source: Source) -> str:
         """Why a file is not edited; empty if it may be."""
+        if source not in self._refusals:
+            self._refusals[source] = self._judge(source)
+        return self._refusals[source]
+
+    def _judge(self, source: Source) -> str:
         real = real_path(source)
         if real not in self._originals:
-            before = self._resolver.text(source.path) or on_disk(source.path)
+            before = self._resolver.text(source.path)
+            before = on_disk(source.path) if before is None else before
             if before is None:
                 return "there is no such file"
             self._originals[real] = Rewrite(shown(source.path), before, before)
@@ -311,12 +322,11 @@ class _Session:
 
     def _edited(self, diagnostics: Iterable[Diagnostic]) -> dict[str, bytes]:
         """The bytes of the files that some fixes edit, after them."""
-        edits: dict[str, dict[tuple[int, int, str], Edit]] = {}
+        edits: dict[str, dict[_Piece, Edit]] = {}
         for diagnostic in diagnostics:
             for edit in _edits(diagnostic):
                 # Two robots may tell the same of a file that both include.
-                identity = (edit.span.start, edit.span.end, edit.text)
-                edits.setdefault(real_path(edit.span.source), {})[identity] = edit
+                edits.setdefault(real_path(edit.span.source), {})[_piece(edit)] = edit
         texts = {}
         for real, parts in edits.items():
             source = next(iter(parts.values())).span.source
@@ -325,11 +335,19 @@ class _Session:
         return texts
 
 
-def _fits(edit: Edit, others: Iterable[Edit]) -> bool:
-    """True if an edit and others of the same file can be made at once; the same one is one."""
-    return not any(
-        overlap(edit, one) and edit[0][1:] + edit[1:] != one[0][1:] + one[1:] for one in others
-    )
+def _fits(piece: _Piece, others: list[_Piece]) -> bool:
+    """True if an edit can be made beside others, which are sorted; the same one is one."""
+    start, end, _ = piece
+    after = bisect_left(others, (start, -1, ""))
+    for other in others[max(0, after - 1) : after + 2]:
+        overlaps = start == other[0] or (start < other[1] and other[0] < end)
+        if overlaps and piece != other:
+            return False
+    return True
+
+
+def _piece(edit: Edit) -> _Piece:
+    return (edit.span.start, edit.span.end, edit.text)
 
 
 def _edits(diagnostic: Diagnostic) -> tuple[Edit, ...]:
