@@ -44,7 +44,7 @@ def read(
     source = file if isinstance(file, Source) else Source.read(file)
     resolver, given = Resolver(packages), dict(arguments or {})
     if is_launch(source.path):
-        source, given = _described(source, resolver, given)
+        source, given = described(source, resolver, given)
     subject = Subject(source, resolver, given, trust=trust)
     if subject.reading.document is None:
         raise _unreadable(source, subject.reading.problems)
@@ -117,7 +117,7 @@ def expand(
     return xacro
 
 
-def _described(
+def described(
     source: Source, resolver: Resolver, arguments: dict[str, str]
 ) -> tuple[Source, dict[str, str]]:
     """The robot that a launch file describes, and its xacro arguments.

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from urdfkit.comparison import KINDS, Comparison, compare
+from urdfkit.comparison import KINDS, Comparison, compare, surfaces
 from urdfkit.comparison import html as as_html
 from urdfkit.comparison import json as as_json
 from urdfkit.comparison import markdown as as_markdown
@@ -141,7 +141,10 @@ def test_the_same_surface_in_other_bytes_does_not_differ(pair: Path) -> None:
 def test_without_trimesh_the_bytes_are_compared(
     pair: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "urdfkit.meshes.load", None)
+    def missing(*_: object) -> None:
+        raise ImportError
+
+    monkeypatch.setattr(surfaces, "_distance", missing)
     (pair / "b" / "base.obj").write_text(TRIANGLE + "\n")
     found = compare("a/arm.urdf", "b/arm.urdf")
     assert [str(one) for one in found.differences] == [

@@ -11,7 +11,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.engine import check
-from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.page.document import describe
 from urdfkit.page.findings import excerpt
 from urdfkit.page.writing import form_of, report
@@ -161,8 +161,21 @@ def test_what_is_no_robot_is_said(tmp_path: Path) -> None:
         describe("none.urdf")
     launch = tmp_path / "robot.launch"
     launch.write_text("<launch/>")
-    with pytest.raises(UrdfkitError, match="a launch file is no robot"):
+    with pytest.raises(UnreadableRobot, match="is a launch file and describes no robot"):
         describe(str(launch))
+
+
+def test_a_launch_file_stands_for_its_robot(tmp_path: Path) -> None:
+    (tmp_path / "a.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="n" default="a"/>'
+        '<link name="$(arg n)"/></robot>'
+    )
+    command = f"$(find xacro)/xacro {tmp_path}/a.xacro n:=hand"
+    launch = tmp_path / "robot.launch"
+    launch.write_text(f'<launch><param name="robot_description" command="{command}"/></launch>')
+    document = describe(str(launch)).document
+    assert [link["name"] for link in document["links"]] == ["hand"]
+    assert document["arguments"] == {"n": "hand"}
 
 
 def test_json_is_the_document() -> None:

@@ -114,6 +114,28 @@ def test_a_page_without_numpy_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "pip install &#39;urdfkit[report]&#39;" in text
 
 
+@pytest.mark.parametrize("size", ["1e308", "1e-308", "-1", "0"])
+def test_absurd_sizes_give_a_page(size: str, tmp_path: Path) -> None:
+    robot = tmp_path / "robot.urdf"
+    shapes = "".join(
+        f"<visual><geometry>{shape}</geometry></visual>"
+        for shape in (
+            f'<cylinder radius="{size}" length="{size}"/>',
+            f'<box size="{size} 1 {size}"/>',
+            f'<sphere radius="{size}"/>',
+        )
+    )
+    robot.write_text(
+        f'<robot name="r"><link name="a">{shapes}</link><link name="b">{shapes}</link>'
+        f'<joint name="j" type="prismatic"><origin xyz="{size} 0 0"/><parent link="a"/>'
+        f'<child link="b"/><limit lower="-{size}" upper="{size}"/></joint></robot>'
+    )
+    text, document = report(str(robot), quick=True)
+    assert document["robot"]["links"] == 2
+    assert "<canvas" not in text
+    assert 'id="robot"' in text
+
+
 @pytest.mark.parametrize(
     ("limit", "reason"),
     [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "triangles are more than")],

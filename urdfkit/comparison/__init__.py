@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.comparison.frames import Moved, moved_frames
 from urdfkit.comparison.states import State, read
-from urdfkit.comparison.surfaces import surfaces
+from urdfkit.comparison.surfaces import changed_surfaces
 from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.differences import KINDS as OF_MODELS
 from urdfkit.differences import Difference, Tolerances, differences
@@ -140,7 +140,7 @@ def compare(
 def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
     old, new = before.subject, after.subject
     found = differences(old.model, new.model, allowed)
-    changed, notes = surfaces(old, new, allowed)
+    changed, notes = changed_surfaces(old, new, allowed)
     came, went = _findings(before, after)
     return Comparison(
         before.word,

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Report
 from urdfkit.engine import check
 from urdfkit.errors import UnreadableRobot
+from urdfkit.loading import described
+from urdfkit.reading import is_launch
 from urdfkit.resolve import Resolver
 from urdfkit.revisions import locate
 from urdfkit.source import Source
@@ -47,8 +49,10 @@ class State:
         self._packages = old.packages if old else dict(packages)
         self._arguments, self._targets = dict(arguments), tuple(targets)
         self._trust, self._config = trust, config
-        source = Source.read(old.path if old else word)
-        self.subject = Subject(source, Resolver(self._packages), arguments, trust=trust)
+        source, resolver = Source.read(old.path if old else word), Resolver(self._packages)
+        if is_launch(source.path):
+            source, self._arguments = described(source, resolver, self._arguments)
+        self.subject = Subject(source, resolver, self._arguments, trust=trust)
         if self.subject.reading.document is None:
             reasons = dict.fromkeys(problem.message for problem in self.subject.reading.problems)
             raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")

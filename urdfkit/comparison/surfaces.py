@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.differences import Difference, Tolerances
+from urdfkit.errors import MissingLibrary
 from urdfkit.model import Shape
 from urdfkit.subject import Unavailable
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
 
 
-def surfaces(
+def changed_surfaces(
     before: Subject, after: Subject, allowed: Tolerances
 ) -> tuple[list[Difference], list[str]]:
     """The meshes whose surface differs by more than the tolerance of positions.
@@ -43,7 +44,7 @@ def surfaces(
         if key not in measured:
             try:
                 measured[key] = _distance(before, old, after, new)
-            except (ImportError, Unavailable):
+            except (ImportError, MissingLibrary, Unavailable):
                 notes[INSTALL] = None
                 measured[key] = None
         apart = measured[key]

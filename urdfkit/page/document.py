@@ -16,8 +16,8 @@ from urdfkit import __version__, rules
 from urdfkit.addresses import Places
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
-from urdfkit.errors import UrdfkitError
 from urdfkit.formats import json as as_json
+from urdfkit.loading import described
 from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
@@ -77,7 +77,7 @@ def describe(
     A robot that cannot be read has its findings told, and nothing else.
 
     Args:
-        file: a URDF or xacro file.
+        file: a URDF or xacro file, or a launch file that describes one robot.
         arguments: for xacro.
         packages: folders of ROS packages by name; they win over every search.
         targets: consumers that findings are weighed for; inferred if empty.
@@ -88,13 +88,13 @@ def describe(
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
-        UrdfkitError: it is a launch file.
+        UnreadableRobot: a launch file describes none, or several.
     """
-    if is_launch(file):
-        raise UrdfkitError(f"{file}: a launch file is no robot; name the robot that it starts")
-    source = Source.read(file)
     every = {**(config.packages if config else {}), **(packages or {})}
     values = {**(config.arguments if config else {}), **(arguments or {})}
+    source, resolver = Source.read(file), Resolver(every)
+    if is_launch(file):
+        source, values = described(source, resolver, values)
     report = check(
         source,
         arguments=values,
@@ -103,7 +103,7 @@ def describe(
         trust=trust,
         config=config._replace(robots=()) if config else None,
     )
-    subject = Subject(source, Resolver(every), values, trust=trust)
+    subject = Subject(source, resolver, values, trust=trust)
     parts = dict(_PARTS)
     if not quick:
         parts |= {"statics": physics.statics, "standing": physics.standing}

@@ -106,6 +106,7 @@ class Scene(NamedTuple):
         return np.concatenate(found) if found else np.zeros((0, 3), dtype=np.float32)
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of sizes that no robot has
 def build(
     subject: Subject,
     positions: Mapping[str, float] | None = None,
