@@ -6,6 +6,7 @@ Usage: python docs/generate.py
 from __future__ import annotations
 
 import re
+import sys
 import tempfile
 from html import escape
 from itertools import groupby
@@ -58,7 +59,7 @@ def page(rule: Rule) -> str:
     severities += [f"{severity.value} for {name}" for name, severity in rule.by_target.items()]
     parts = [
         f"# {rule.code} {rule.name}",
-        f"Severity: {', '.join(severities)}." + (" Comes with a fix." if rule.fixable else ""),
+        f"Severity: {', '.join(severities)}.{remedy(rule)}",
         rule.explanation,
     ]
     if rule.help:
@@ -72,7 +73,19 @@ def page(rule: Rule) -> str:
         parts += ["## Accepted", block("xml", good)]
     if fixed := rule.example("FIXED"):
         parts += ["## After the fix", block("xml", fixed)]
+    for name, data in getattr(sys.modules[rule.module], "FIXED_FILES", {}).items():
+        parts += [f"## `{name}` after the fix", block("xml", data.decode())]
     return "\n\n".join(parts) + "\n"
+
+
+def remedy(rule: Rule) -> str:
+    """Whether there is a fix, and what it takes to have it applied."""
+    bad = rule.example("BAD")
+    if not rule.fixable or not bad:
+        return ""
+    fixes = [found.fix for found in diagnose_example(rule, bad) if found.fix]
+    option = "" if all(fix.safe for fix in fixes) else " with `--unsafe-fixes`"
+    return f" Comes with a fix, which [`urdfkit fix`](../commands/fix.md) applies{option}."
 
 
 def block(language: str, text: str) -> str:

@@ -9,6 +9,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import check, expand, fix
+from urdfkit.cli import main
 from urdfkit.diagnostic import Severity
 
 
@@ -60,7 +61,9 @@ def test_it_expands_and_has_the_inertia_of_its_shapes(robot: Path) -> None:
     assert text.count('ixx="0.0005541666666666666"') == 4
 
 
-def test_with_its_mesh_made_nothing_but_hints_is_left(robot: Path, tmp_path: Path) -> None:
+def test_with_its_mesh_made_nothing_but_hints_is_left(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     pytest.importorskip("trimesh")
     shutil.copytree(robot.parents[1], tmp_path / "gazebo_pkg")
     file = tmp_path / "gazebo_pkg" / "urdf" / robot.name
@@ -72,6 +75,10 @@ def test_with_its_mesh_made_nothing_but_hints_is_left(robot: Path, tmp_path: Pat
     report = check(file)
     assert {d.severity for d in report.diagnostics} == {Severity.INFO}
     assert [d.code for d in report.diagnostics if d.fix] == []
+    picture = tmp_path / "robot.png"
+    assert main(["render", str(file), "-o", str(picture)]) == 0
+    assert picture.stat().st_size > 10_000
+    assert "striped" not in capsys.readouterr().err  # as a missing mesh would be drawn
 
 
 def test_pinocchio_loads_it(robot: Path) -> None:
