@@ -32,7 +32,7 @@ def agrees(subject: Subject) -> None:
     """The frames of a few samples are those that `kinematics` computes one by one."""
     arrays = chain(subject.tree)
     rows = arrays.samples(3, 7, 0)
-    frames = arrays.frames(rows)
+    frames = arrays.frames(rows, range(len(arrays.links)))
     for sample, row in enumerate(rows):
         given = {axis.joint: float(value) for axis, value in zip(arrays.axes, row, strict=True)}
         expected = kinematics.frames(subject.tree, given)
@@ -69,7 +69,7 @@ def test_against_pinocchio() -> None:
     model = pin.buildModelFromUrdf(str(path))
     data = model.createData()
     rows = arrays.samples(5, 0, 0)
-    frames = arrays.frames(rows)
+    frames = arrays.frames(rows, range(len(arrays.links)))
     assert [axis.joint for axis in arrays.axes] == list(model.names)[1:]
     for sample, row in enumerate(rows):
         pin.framesForwardKinematics(model, data, row)
@@ -152,4 +152,5 @@ def test_hostile_trees_are_arrays_too() -> None:
     names = [f"l{number}" for number in range(3000)]
     joints = [joint(a, b, "continuous") for a, b in itertools.pairwise(names)]
     long = chain(robot(*map(link, names), *joints).tree)
-    assert len(long.frames(long.default[None])) == 3000
+    assert len(long.frames(long.default[None], range(3000))) == 3000
+    assert list(long.frames(long.default[None], [7])) == [7]

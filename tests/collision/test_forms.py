@@ -98,7 +98,7 @@ def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> Non
     first, second = forms(box(1, 0.4, 0.2), box(0.3, 0.3, 0.8))
     turns = rotations(400, 0)
     offsets = np.random.default_rng(1).normal(size=(400, 3)) * 0.6
-    bound = apart(first.half, second.half, turns, offsets)
+    bound = apart(first.half, second.half, first.radius + second.radius, turns, offsets, inf)
     gauge = Gauge(first, second)
     true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
     assert (bound <= np.maximum(true, 0) + 1e-9).all()

@@ -9,7 +9,7 @@ import numpy as np
 from urdfkit.meshes.geometry import Floats
 
 #: Measured poses that are remembered of one pair: those that tell most.
-_KEPT = 64
+_KEPT = 192
 
 #: (12, 2): sums the squares of a difference of poses.
 _SHIFT_AND_TURN = np.repeat(np.eye(2), [3, 9], axis=0)
@@ -17,18 +17,23 @@ _SHIFT_AND_TURN = np.repeat(np.eye(2), [3, 9], axis=0)
 _NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
-def apart(a: Floats, b: Floats, rotation: Floats, offset: Floats) -> Floats:
-    """(n,): two boxes are no nearer than that, in m; 0 or less where they may overlap.
+def apart(
+    a: Floats, b: Floats, reach: float, rotation: Floats, offset: Floats, limit: float
+) -> Floats:
+    """(n,): two bodies are no nearer than that, in m; 0 or less where they may overlap.
 
     Args:
-        a: (3,), half the sides of the first.
-        b: (3,), half the sides of the second.
+        a: (3,), half the sides of the box around the first.
+        b: (3,), half the sides of the box around the second.
+        reach: the radii of the spheres around the two together, in m.
         rotation: (n, 3, 3), of the second box in the frame of the first.
         offset: (n, 3), from center to center, likewise, in m.
+        limit: bounds from here on, in m, are good enough.
     """
-    bound = _norm(offset) - np.linalg.norm(a) - np.linalg.norm(b)
-    near = np.flatnonzero(bound <= 0)
-    bound[near] = _separation(a, b, rotation[near], offset[near])
+    bound = _norm(offset) - reach
+    near = np.flatnonzero(bound < limit)
+    boxes = _separation(a, b, rotation[near], offset[near])
+    bound[near] = np.maximum(bound[near], boxes)
     return np.asarray(bound)
 
 

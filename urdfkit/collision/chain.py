@@ -6,7 +6,7 @@ The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneou
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import isfinite, pi
 from typing import NamedTuple
 
@@ -43,23 +43,42 @@ class Axis(NamedTuple):
 class Step(NamedTuple):
     """From one link to a child of it.
 
+    The frame of the child in that of the parent is ``still + f sine + g versine``, with f and g
+    the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
+
     Attributes:
-        parent, child: numbers of the links.
-        origin: (4, 4), the frame of the joint in that of the parent.
-        axis: (3,), a unit vector in the frame of the joint.
+        parent: number of the link.
+        child: number of the link.
+        still: (4, 4), where the joint is at zero.
+        sine: (4, 4).
+        versine: (4, 4).
         turns: True for an angle, False for a distance.
         column: of the axis whose position it follows; -1 for a joint that stays where it is.
-        factor, shift: its position is ``factor * position of the axis + shift``.
+        factor: its position is ``factor * position of the axis + shift``.
+        shift: likewise.
     """
 
     parent: int
     child: int
-    origin: Floats
-    axis: Floats
+    still: Floats
+    sine: Floats
+    versine: Floats
     turns: bool
     column: int
     factor: float
     shift: float
+
+    def frames(self, configurations: Floats) -> Floats:
+        """Of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) where nothing moves."""
+        if self.column < 0:
+            return self._at(np.float64(self.shift))
+        return self._at(self.factor * configurations[:, self.column, None, None] + self.shift)
+
+    def _at(self, position: Floats | np.float64) -> Floats:
+        if not self.turns:
+            return np.asarray(self.still + position * self.sine)
+        turned = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
+        return np.asarray(self.still + turned)
 
 
 class Chain(NamedTuple):
@@ -108,13 +127,18 @@ class Chain(NamedTuple):
         """The positions by joint, in rad or m, that say how two links stand to one another."""
         return {self.axes[at].joint: float(row[at]) for at in self.between(first, second)}
 
-    def frames(self, configurations: Floats) -> list[Floats]:
-        """The frames of all links, (n, 4, 4) each, in n configurations (n, dof)."""
+    def frames(self, configurations: Floats, links: Iterable[int]) -> dict[int, Floats]:
+        """The frames of some links, (n, 4, 4) each, in n configurations (n, dof)."""
         count = len(configurations)
-        found = [np.broadcast_to(np.eye(4), (count, 4, 4))] * len(self.links)
+        wanted = set(links)
+        for step in reversed(self.steps):
+            if step.child in wanted:
+                wanted.add(step.parent)
+        found: dict[int, Floats] = dict.fromkeys(wanted, np.eye(4))
         for step in self.steps:
-            found[step.child] = found[step.parent] @ _local(step, configurations)
-        return found
+            if step.child in wanted:
+                found[step.child] = found[step.parent] @ step.frames(configurations)
+        return {link: np.broadcast_to(found[link], (count, 4, 4)) for link in links}
 
     def between(self, first: int, second: int) -> list[int]:
         """The columns of the axes that move one link against another one."""
@@ -130,27 +154,6 @@ class Chain(NamedTuple):
             way[link] = above[link].column
             link = above[link].parent
         return way
-
-
-def _local(step: Step, configurations: Floats) -> Floats:
-    """The frame of a child in that of its parent: (n, 4, 4), or (4, 4) where nothing moves."""
-    if step.column < 0:
-        return np.asarray(step.origin @ _motion(step, np.array([step.shift]))[0])
-    positions = step.factor * configurations[:, step.column] + step.shift
-    return np.asarray(step.origin @ _motion(step, positions))
-
-
-def _motion(step: Step, positions: Floats) -> Floats:
-    """(n, 4, 4): Rodrigues' formula for angles (n,), a translation for distances."""
-    frames = np.tile(np.eye(4), (len(positions), 1, 1))
-    if not step.turns:
-        frames[:, :3, 3] = positions[:, None] * step.axis
-        return frames
-    x, y, z = step.axis
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    sine, versine = np.sin(positions)[:, None, None], 1 - np.cos(positions)[:, None, None]
-    frames[:, :3, :3] += sine * cross + versine * (cross @ cross)
-    return frames
 
 
 def chain(tree: KinematicTree) -> Chain:
@@ -192,12 +195,21 @@ def _range(joint: Joint) -> tuple[float, float]:
 
 def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
     does_move = joint.kind in (*TURNING, *SLIDING) and isfinite(law.factor) and isfinite(law.shift)
+    origin = matrix(joint.origin)
+    x, y, z = direction(joint)
+    turns = joint.kind in TURNING
+    sine = np.zeros((4, 4))
+    if turns:
+        sine[:3, :3] = ((0, -z, y), (z, 0, -x), (-y, x, 0))
+    else:
+        sine[:3, 3] = (x, y, z)
     return Step(
         parent,
         child,
-        matrix(joint.origin),
-        np.array(direction(joint)),
-        joint.kind in TURNING,
+        origin,
+        origin @ sine,
+        origin @ sine @ sine,
+        turns,
         columns.get(law.leader, -1) if does_move else -1,
         law.factor,
         law.shift if does_move else 0.0,

@@ -6,7 +6,7 @@ measured nearby, is told so; coal measures the rest: first convex hulls, then tr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -80,9 +80,9 @@ class Examiner:
             for second in self._of_link[pair[1]]
         ]
 
-    def frames(self, configurations: Floats, links: Iterable[int]) -> dict[int, Floats]:
+    def frames(self, configurations: Floats, links: Collection[int]) -> dict[int, Floats]:
         """Where the bodies of some links are, (n, 4, 4) each, by their numbers."""
-        of_links = self.chain.frames(configurations)
+        of_links = self.chain.frames(configurations, links)
         return {
             body: of_links[link] @ self._forms[body].solid.frame
             for link in links
@@ -151,7 +151,7 @@ class _Watch:
         """Measure two bodies where nothing else tells their distance, the nearest first."""
         a, b = gauge.first, gauge.second
         offset = translation + rotation @ b.center - a.center
-        bound = apart(a.half, b.half, rotation, offset)
+        bound = apart(a.half, b.half, a.radius + b.radius, rotation, offset, self._sure)
         left = np.flatnonzero(bound < self._sure)
         some = poses(rotation[left], offset[left], b.radius)
         bound = np.maximum(bound[left], cover.bound(some))

@@ -42,6 +42,7 @@ class Form(NamedTuple):
         hull: a convex body around it; the same object if it is convex.
         center: (3,), of its bounding box, in its own frame, in m.
         half: (3,), half the sides of that box.
+        radius: of a sphere about the center that holds it, in m.
     """
 
     solid: Solid
@@ -49,16 +50,12 @@ class Form(NamedTuple):
     hull: Any
     center: Floats
     half: Floats
+    radius: float
 
     @property
     def is_convex(self) -> bool:
         """True if its hull is no larger than itself."""
         return self.exact is self.hull
-
-    @property
-    def radius(self) -> float:
-        """Of a sphere about the center that holds it."""
-        return float(np.linalg.norm(self.half))
 
 
 def form(solid: Solid) -> Form:
@@ -66,35 +63,40 @@ def form(solid: Solid) -> Form:
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)
-    return Form(solid, exact, exact, np.zeros(3), _half(solid))
+    return Form(solid, exact, exact, np.zeros(3), *_extent(solid))
 
 
-def _half(solid: Solid) -> Floats:
+def _extent(solid: Solid) -> tuple[Floats, float]:
+    """Half the sides of the box around a primitive, and the radius of the sphere, in m."""
     if solid.kind == "box":
-        return np.array(solid.size) / 2
+        half = np.array(solid.size) / 2
+        return half, float(np.linalg.norm(half))
     radius = solid.size[0]
     if solid.kind == "sphere":
-        return np.full(3, radius)
-    above = solid.size[1] / 2 + (radius if solid.kind == "capsule" else 0)
-    return np.array([radius, radius, above])
+        return np.full(3, radius), radius
+    above = solid.size[1] / 2
+    if solid.kind == "capsule":
+        return np.array([radius, radius, above + radius]), above + radius
+    return np.array([radius, radius, above]), float(np.hypot(radius, above))
 
 
 def _mesh(solid: Solid) -> Form:
     vertices, faces = solid.vertices, solid.faces
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     center, half = (low + high) / 2, (high - low) / 2
+    radius = float(np.linalg.norm(vertices - center, axis=1).max())
     triangles = coal.BVHModelOBBRSS()
     triangles.beginModel(len(faces), len(vertices))
     triangles.addVertices(vertices)
     triangles.addTriangles(faces.astype(np.uint32))
     triangles.endModel()
     if _is_flat(vertices):
-        return Form(solid, triangles, triangles, center, half)
+        return Form(solid, triangles, triangles, center, half, radius)
     triangles.buildConvexHull(True, "Qt")
     hull = triangles.convex
     inside = abs(volume(vertices - center, faces))
     exact = hull if abs(inside - hull.computeVolume()) <= _CONVEX * inside else triangles
-    return Form(solid, exact, hull, center, half)
+    return Form(solid, exact, hull, center, half, radius)
 
 
 def _is_flat(vertices: Floats) -> bool:

@@ -10,10 +10,10 @@ import numpy as np
 from urdfkit.collision.examine import Examiner, Pair
 from urdfkit.meshes.geometry import Floats
 
-#: Configurations around the nearest one that are tried at a time.
-_TRIES = 48
+#: Configurations around the nearest one that are tried at a time, for each joint between.
+_TRIES = 8
 #: How far from it, as a part of each joint's range, at first and at last.
-_FAR, _NEAR = 0.25, 0.001
+_FAR, _NEAR = 0.25, 0.002
 
 
 class Found(NamedTuple):
@@ -109,15 +109,15 @@ class Approach(NamedTuple):
         random = np.random.default_rng([self.seed, *self.pair])
         best, distance, step = self.start, self.distance, _FAR
         while step > _NEAR:
-            tries = np.tile(best, (_TRIES, 1))
+            tries = np.tile(best, (_TRIES * len(columns), 1))
             width = step * (upper - lower)[columns]
-            tries[:, columns] += random.normal(size=(_TRIES, len(columns))) * width
+            tries[:, columns] += random.normal(size=(len(tries), len(columns))) * width
             tries = np.clip(tries, lower, upper)
             (found,) = _looked(examiner, [self.pair], [distance], [tries], count=False)
             if found.hits:
                 return [found]
             if found.configuration is None:
-                step *= 0.7
+                step *= 0.6
             else:
                 best, distance = found.configuration, found.distance
         return [Found(0, distance, best)]
