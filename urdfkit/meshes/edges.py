@@ -10,6 +10,9 @@ from scipy.sparse.csgraph import connected_components
 
 from urdfkit.meshes.geometry import Flags, Floats, Integers
 
+#: A coordinate beyond this is no place on a robot, in whatever unit.
+_FAR = 1e9
+
 
 class Edges:
     """The edges of faces whose vertices are welded.
@@ -95,8 +98,8 @@ class Edges:
 
 
 def finite(vertices: Floats) -> Flags:
-    """(n,), True for vertices without nan and infinity."""
-    return np.asarray(np.isfinite(vertices).all(axis=1))
+    """(n,), True for vertices without nan, infinity, and numbers as good as that."""
+    return np.asarray((np.abs(np.nan_to_num(vertices, nan=np.inf)) < _FAR).all(axis=1))
 
 
 def welded(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:

@@ -13,11 +13,13 @@ import numpy as np
 from urdfkit.meshes import solids
 from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.geometry import Floats, Mesh
-from urdfkit.meshes.hull import decompose, hull
+from urdfkit.meshes.hull import NoHull, decompose, hull
 from urdfkit.meshes.transforms import moved
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
 
+#: In the unit of the mesh; below it, the search for the smallest ball fails.
+_SMALLEST = 1e-6
 #: A box along the axes is taken if it is larger than the smallest one by no more than this.
 _ALONG_AXES = 1.03
 
@@ -66,10 +68,12 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
         most: convex pieces at most.
 
     Raises:
-        NoHull: all points of the mesh lie in a plane.
+        NoHull: all points of the mesh lie in a plane, or it is too small to be a part.
     """
     shell = hull(mesh)
     points = shell.vertices
+    if np.ptp(points, axis=0).max() < _SMALLEST:
+        raise NoHull("it is too small for a shape around it")
     tried = [_judged(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))]
     good = [one for one in tried if one.error <= bound]
     if not good:

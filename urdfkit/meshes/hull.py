@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.meshes.edges import finite
 from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
 
 #: The engines that cut into convex pieces.
@@ -32,6 +33,7 @@ def hull(mesh: Mesh) -> Mesh:
     from manifold3d import Manifold
 
     points = mesh.vertices[np.unique(mesh.faces)]
+    points = points[finite(points)]
     solid = Manifold.hull_points(points)
     if solid.is_empty() or not solid.volume() > 0:
         raise NoHull("all points lie in a plane, which has no hull")

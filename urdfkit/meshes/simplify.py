@@ -67,8 +67,9 @@ def to_budget(mesh: Mesh, triangles: int) -> Simplified:
     unless another way is twice as good.
 
     Raises:
-        Unreachable: the shape cannot be kept with so few.
+        Unreachable: the shape cannot be kept with so few, or there is none.
     """
+    _refuse_nothing(mesh)
     if len(mesh.faces) <= triangles:
         return _judged(mesh, mesh)
     tried = [_to_budget(mesh, triangles, way) for way in (_solid_shrinker, _quadric_shrinker)]
@@ -103,7 +104,11 @@ def to_error(
         mesh: any.
         error: in the unit of the mesh, measured both ways.
         progress: is told how many of how many steps are done.
+
+    Raises:
+        Unreachable: there is no shape.
     """
+    _refuse_nothing(mesh)
     shrink = _shrinker(mesh, _solid_shrinker)
     low, high = 0.0, 1.0
     best = _judged(mesh, mesh)
@@ -122,11 +127,18 @@ def to_error(
     return best
 
 
+def _refuse_nothing(mesh: Mesh) -> None:
+    sound = soup_of(mesh)
+    if not sound.size > 0:
+        raise Unreachable("all triangles are in one place, or at no place at all")
+
+
 def _judged(mesh: Mesh, found: Mesh) -> Simplified:
-    before, diagonal = examine_mesh(mesh), soup_of(mesh).size
+    before, sound = examine_mesh(mesh), soup_of(mesh)
+    diagonal = sound.size
     if found is mesh:
         return Simplified(mesh, before, before, 0.0, 0.0, diagonal)
-    old, new = (mesh.vertices, mesh.faces), (found.vertices, found.faces)
+    old, new = (sound.points, sound.faces), (found.vertices, found.faces)
     lost, gained = one_way(*old, *new), one_way(*new, *old)
     return Simplified(found, before, examine_mesh(found), lost, gained, diagonal)
 
