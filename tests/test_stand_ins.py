@@ -12,10 +12,10 @@ import trimesh
 import urdfkit
 from tests.conftest import MODELS
 from tests.meshes.made import binary_stl
-from tests.meshes.shapes_made import as_trimesh
+from tests.meshes.shapes_made import as_mesh, as_trimesh
 from urdfkit.loading import read
 from urdfkit.meshes.parts import PARTS
-from urdfkit.meshes.writers import GoodMesh
+from urdfkit.meshes.writers import GoodMesh, write
 from urdfkit.stand_ins import (
     NoSuchMesh,
     StandIn,
@@ -152,6 +152,33 @@ def test_a_sensor_that_would_be_distorted_keeps_its_proportions_and_stands_on_th
     assert (high - low)[0] == pytest.approx(0.1, abs=1e-4)
     assert (high - low)[2] == pytest.approx(0.1 * 71.7 / 103.3, abs=1e-4)
     assert low[2] == pytest.approx(-0.3, abs=1e-6)
+
+
+def test_a_sensor_looks_along_its_link_however_the_visual_is_turned(tmp_path: Path) -> None:
+    turned = '<origin rpy="1.5707963267948966 0 1.5707963267948966"/>'
+    one = made(robot(tmp_path, "d435.dae", '<box size="0.025 0.09 0.025"/>', origin=turned))
+    low, high = bounds(one)
+    assert high - low == pytest.approx([0.09, 0.025, 0.025], abs=1e-4)
+    assert "fitted to the collision" in one.reason
+
+
+def test_a_placeholder_tells_no_size(tmp_path: Path) -> None:
+    inertial = """<inertial><mass value="1"/>
+        <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>"""
+    (one,) = generate_missing(read(robot(tmp_path, "b.stl", more=inertial))).undone
+    assert "how large" in one.reason
+
+
+def test_what_is_left_of_a_broken_file_is_kept_if_it_is_most_of_it(tmp_path: Path) -> None:
+    write(as_mesh(trimesh.creation.icosphere(2, 0.1)), tmp_path / "b.dae")
+    data = (tmp_path / "b.dae").read_bytes()
+    end = data.index(b"<p>") + len(data[data.index(b"<p>") : data.index(b"</p>")]) * 9 // 10
+    (tmp_path / "b.dae").write_bytes(data[:end])
+    one = made(robot(tmp_path, "b.dae", BOX))
+    assert one.reason.startswith("what is left of it: ")
+    assert 200 <= len(one.mesh.faces) < 320
+    (tmp_path / "b.dae").write_bytes(data[: data.index(b"<p>") + 60])
+    assert made(robot(tmp_path, "b.dae", BOX)).reason.startswith("the shape of the collision")
 
 
 def test_an_optical_frame_looks_along_z(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from urdfkit.meshes.writers import SUFFIXES, refuse_good, write
 from urdfkit.model import Body, Link
 from urdfkit.record import Record
 from urdfkit.rooms import Room, counterparts, room, turning_axis
-from urdfkit.spatial import IDENTITY, Frame, Rotation, Vector, cross, transposed
+from urdfkit.spatial import IDENTITY, Frame, Rotation, Vector, cross, multiply, transposed
 
 if TYPE_CHECKING:
     from urdfkit.meshes.geometry import Mesh, Part
@@ -304,8 +304,10 @@ def _axes(subject: Subject, link: Link, body: Body, part: RealPart) -> Rotation:
             shortest = here.size.index(min(here.size))
             axis = (float(shortest == 0), float(shortest == 1), float(shortest == 2))
         return _with_z_along(axis)
+    # A sensor looks along the axes of its link, however the visual is turned in it.
+    link_axes = transposed(body.origin.rotation)
     optical = "optical" in link.name.lower() and "camera" in part.kind
-    return _OPTICAL if optical else IDENTITY
+    return multiply(link_axes, _OPTICAL) if optical else link_axes
 
 
 def _with_z_along(axis: Vector) -> Rotation:

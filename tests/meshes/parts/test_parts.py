@@ -80,6 +80,8 @@ def test_a_wheel_is_round_and_seen_along_z(part: RealPart) -> None:
         ("imu", "imu_link", None, "xsens_mti"),
         ("upper_arm", "shoulder_link", None, None),
         ("scammer", "primulate", None, None),
+        ("lidar_cage", "lidar", None, None),
+        ("mid360", "livox_frame", None, "velodyne_vlp16"),
     ],
 )
 def test_names_choose_the_part(

@@ -55,7 +55,20 @@ class RealPart(NamedTuple):
 
 
 _LIDAR_2D = ("laser", "lidar", "ladar", "scan", "scanner", "lds", "ydlidar", "lms", "lms1xx", "tim")
-_LIDAR_3D = ("velodyne", "vlp", "hdl", "ouster", "os0", "os1", "os2", "pandar", "hesai", "lidar3d")
+_LIDAR_3D = (
+    "velodyne",
+    "vlp",
+    "hdl",
+    "ouster",
+    "os0",
+    "os1",
+    "os2",
+    "pandar",
+    "hesai",
+    "livox",
+    "mid360",
+    "lidar3d",
+)
 _CAMERA = ("camera", "cam", "webcam", "rgb", "usbcam", "pointgrey", "mono")
 _DEPTH = ("depth", "rgbd", "kinect", "astra", "xtion", "orbbec", "structure")
 _STEREO = ("stereo", "multisense", "bumblebee")
@@ -156,6 +169,13 @@ PARTS = (
 )
 
 
+#: What holds or hides a part is another thing.
+_HOLDERS = frozenset(
+    "adapter beam bracket cable cage cap cover guard holder mast mount mounting plate pole post "
+    "rail riser shield stand support tower".split()
+)
+
+
 class Choice(NamedTuple):
     """A part that was chosen, and why.
 
@@ -179,6 +199,8 @@ def choose(names: dict[str, str], size: Vector | None) -> Choice | None:
     for exactly in (True, False):
         for what, name in names.items():
             words = split_words(name)
+            if what == "the file" and words & _HOLDERS:
+                return None
             fitting = [part for part in PARTS if words & part.meant_by(exactly)]
             if not fitting:
                 continue
