@@ -208,7 +208,9 @@ def _make(
 
         left = salvage(path)
         if left is not None and left.share >= _ENOUGH:
-            return StandIn(path, references, defect, left.mesh, f"what is left of it: {left}")
+            lost = f" ({'; '.join(left.mesh.losses)})" if left.mesh.losses else ""
+            reason = f"what is left of it: {left}{lost}"
+            return StandIn(path, references, defect, left.mesh, reason)
     made = _generated(subject, references, part, size)
     if made is None:
         reason = "neither its name nor its link tells what it is, or how large"

@@ -9,10 +9,14 @@ import pytest
 pytest.importorskip("numpy")
 pytest.importorskip("lxml")
 
+import numpy as np
+
 from tests.meshes import made
 from tests.meshes.measures import bounds, volume
-from urdfkit.meshes.geometry import Material, Mesh
+from urdfkit.meshes.geometry import Material, Mesh, Part
+from urdfkit.meshes.hull import hull
 from urdfkit.meshes.load import UnloadableMesh, load, salvage
+from urdfkit.meshes.writers import encode
 
 PIXEL = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
@@ -333,3 +337,20 @@ def test_what_is_left_of_a_truncated_file(tmp_path: Path) -> None:
     mesh = salvage(path)
     assert len(mesh.faces) == 2
     assert mesh.parts[0].material == Material("red paint", (1, 0, 0, 1))
+
+
+def test_what_is_left_of_a_file_without_its_end_is_shown_where_it_is(tmp_path: Path) -> None:
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 2) for z in (0, 3)], dtype=float)
+    whole = hull(Mesh((Part(corners, np.arange(8).reshape(1, -1)),)))
+    data = encode(whole, "a.dae")["a.dae"]
+    start, end = data.index(b"<p>"), data.index(b"</p>")
+    path = tmp_path / "a.dae"
+    for cut, triangles in ((start + (end - start) // 2, 5), (end + 20, 12)):
+        path.write_bytes(data[:cut])
+        left = salvage(path)
+        assert abs(len(left.faces) - triangles) <= 1
+        assert np.ptp(left.vertices, axis=0) == pytest.approx([1, 2, 3])
+        assert "1 geometry whose place in the scene is not in the file" in left.losses
+    path.write_bytes(data[: data.index(b"<vertices")])
+    with pytest.raises(UnloadableMesh):
+        salvage(path)

@@ -34,12 +34,13 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
     Args:
         data: the file.
         folder: that it lies in.
-        recover: read what is there of XML that is not well formed.
+        recover: read what is there of XML that is not well formed; geometry that no node shows,
+            for the end of the file is missing, is shown as it is.
 
     Raises:
         NoTriangles: it shows nothing, or is not to be read.
     """
-    return _Reader(Tree(data, recover=recover), folder).mesh()
+    return _Reader(Tree(data, recover=recover), folder).mesh(unplaced=recover)
 
 
 class _Reader:
@@ -49,9 +50,12 @@ class _Reader:
         self._geometries = Geometries(tree, self._losses)
         self._looks = Looks(tree, folder, self._losses)
         self._triangles = 0
+        self._placed = False
 
-    def mesh(self) -> Mesh:
+    def mesh(self, *, unplaced: bool = False) -> Mesh:
         parts = [part for node, matrix in self._nodes() for part in self._shown(node, matrix)]
+        if unplaced and not self._placed:
+            parts += self._unplaced()
         if not parts:
             lost = "; ".join(self._losses.sentences())
             raise NoTriangles(f"shows no triangles{f' ({lost})' if lost else ''}")
@@ -118,6 +122,7 @@ class _Reader:
             if geometry is None:
                 self._losses.add("geometry reference* to nothing")
                 continue
+            self._placed = True
             looks = self._bound(instance)
             for surface in self._geometries.surfaces(geometry):
                 part = self._part(surface, looks)
@@ -127,6 +132,16 @@ class _Reader:
                         yield moved
                     else:
                         self._losses.add("surface* that a node moves to infinity")
+
+    def _unplaced(self) -> Iterator[Part]:
+        """Every geometry of a file that has lost its scene, where its vertices are."""
+        for library in children(self._tree.root, "library_geometries"):
+            for geometry in children(library, "geometry"):
+                self._losses.add("geometry* whose place in the scene is not in the file")
+                for surface in self._geometries.surfaces(geometry):
+                    part = self._part(surface, {})
+                    if part is not None and np.isfinite(part.vertices).all():
+                        yield part
 
     def _geometry(self, instance: Element) -> tuple[Element | None, Floats]:
         """The geometry of an instance; a skin is shown as it was bound to its bones."""
