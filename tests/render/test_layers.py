@@ -9,7 +9,7 @@ import pytest
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.render import LAYERS, build, explained, looking, picture
-from urdfkit.render.layers import NoSuchLayer
+from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
 from urdfkit.render.scene import Item, placed
 
 SOLID = (
@@ -109,6 +109,29 @@ def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
     changed = np.abs(plain - signed).sum(axis=2) > 20
     assert 0 < changed.sum() < 0.05 * changed.size
     assert (plain[..., 3] == signed[..., 3]).mean() > 0.95
+
+
+def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
+    pytest.importorskip("coal")
+    box = '<collision><origin xyz="{} 0 0"/><geometry><box size="1 1 1"/></geometry></collision>'
+    subject = robot(
+        f'<link name="a">{box.format(0)}</link>',
+        f'<link name="b">{box.format(0.9)}</link>',
+        f'<link name="c">{box.format(1.85)}</link>',
+        f'<link name="d">{box.format(5)}</link>',
+        joints="".join(
+            f'<joint name="{child}" type="{kind}"><parent link="a"/><child link="{child}"/></joint>'
+            for child, kind in (("b", "fixed"), ("c", "continuous"), ("d", "fixed"))
+        ),
+    )
+    scene = explained(build(subject), subject, ["contacts"])
+    told = {label.text: label.point for label in scene.labels}
+    assert set(told) == {"a, b: 100 mm", "b, c: 50 mm"}
+    assert told["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
+    shown = {item.link: item.look.rgba for item in scene.items if item.label == "box"}
+    assert set(shown) == {"a", "b", "c"}
+    assert shown["a"] == NEIGHBOURS
+    assert shown["b"] == shown["c"] == CLASH
 
 
 def test_names_stand_beside_their_links_and_never_on_one_another() -> None:

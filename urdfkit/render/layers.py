@@ -18,9 +18,11 @@ from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
 from urdfkit.render import primitives
 from urdfkit.render.arrays import Floats
+from urdfkit.render.arrays import bounds as bounds_of
+from urdfkit.render.contacts import overlaps
 from urdfkit.render.looks import Colour, Look
 from urdfkit.render.primitives import Triangles
-from urdfkit.render.scene import Item, Label, Scene, placed, turned
+from urdfkit.render.scene import Item, Label, Scene, build, placed, turned
 from urdfkit.rigid import properties_of
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.subject import Subject
@@ -28,6 +30,7 @@ from urdfkit.subject import Subject
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
 AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
 MASS, WHOLE, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 0.55, 0.95, 0.32)
+CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.95, 0.60, 0.10, 0.30)
 #: Lengths as parts of the size of the robot.
 FRAME, ARC, BALL = 0.08, 0.075, 0.011
 #: Corners of an arc of a full turn.
@@ -217,6 +220,37 @@ def _principal(tensor: Tensor) -> tuple[Floats, Rotation]:
     return moments, ((a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2]))
 
 
+def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
+    """The collision shapes of links that overlap, and how deep; red if no joint holds them."""
+    shapes: dict[str, list[Item]] = {}
+    for item in build(subject, given, ("collision",)).items:
+        shapes.setdefault(item.link, []).append(item)
+    root = subject.tree.roots[0].name
+    colours: dict[str, Colour] = {}
+    for pair in overlaps(subject, given):
+        colour = NEIGHBOURS if pair.is_held else CLASH
+        for link in (pair.first, pair.second):
+            colours[link] = CLASH if colours.get(link) == CLASH else colour
+        point = _between(scene, shapes[pair.first], shapes[pair.second])
+        ball = primitives.sphere(BALL * size * 0.7)
+        yield _sign(root, "contacts", ball, Frame(position=point), (*colour[:3], 1.0))
+        yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
+    for link, colour in colours.items():
+        for item in shapes[link]:
+            yield item._replace(role="contacts", look=Look(colour, sign=True))
+
+
+def _between(scene: Scene, first: Sequence[Item], second: Sequence[Item]) -> Vector:
+    """The middle of what the boxes around two links have in common, in the world."""
+    ends = [
+        bounds_of(np.concatenate([placed(item.vertices, scene.frames[item.link]) for item in of]))
+        for of in (first, second)
+    ]
+    lowest, highest = np.maximum(ends[0][0], ends[1][0]), np.minimum(ends[0][1], ends[1][1])
+    x, y, z = ((lowest + highest) / 2).tolist()
+    return (x, y, z)
+
+
 #: What can be drawn over a robot.
 LAYERS: dict[
     str, Callable[[Scene, Subject, float, Mapping[str, float]], Iterator[Item | Label]]
@@ -226,6 +260,7 @@ LAYERS: dict[
     "mass": _masses,
     "inertia": _boxes,
     "ellipsoids": _ellipsoids,
+    "contacts": _contacts,
     "names": _names,
 }
 

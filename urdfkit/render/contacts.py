@@ -1,0 +1,59 @@
+"""Where links overlap in a configuration, measured with coal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+from typing import NamedTuple
+
+from urdfkit.adjacency import Adjacency
+from urdfkit.errors import MissingLibrary
+from urdfkit.subject import Subject
+
+
+class Overlap(NamedTuple):
+    """Two links whose collision shapes are in one another.
+
+    Attributes:
+        first: name of a link.
+        second: of the other one.
+        depth: in m.
+        is_held: True if a joint holds them together, so that programs pass over it.
+    """
+
+    first: str
+    second: str
+    depth: float
+    is_held: bool
+
+
+def overlaps(subject: Subject, given: Mapping[str, float]) -> Iterator[Overlap]:
+    """The pairs of links that overlap.
+
+    Args:
+        subject: the robot.
+        given: positions of joints, in rad or m; the others are at 0.
+
+    Raises:
+        MissingLibrary: coal is not installed.
+    """
+    try:
+        from urdfkit.collision.chain import chain
+        from urdfkit.collision.examine import Examiner
+        from urdfkit.collision.forms import form
+        from urdfkit.collision.solids import solids
+    except ImportError as error:
+        raise MissingLibrary("contacts need coal: pip install 'urdfkit[dynamics]'") from error
+    moving = chain(subject.tree)
+    bodies, _ = solids(subject.model, subject.meshes)
+    known = set(moving.links)
+    examiner = Examiner(moving, (form(body) for body in bodies if body.link in known))
+    adjacency = Adjacency(subject.tree)
+    pairs = list(combinations(examiner.links, 2))
+    row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
+    seen = examiner.look(pairs, [0.0] * len(pairs)).at(row[None], count=True)
+    for (first, second), one in zip(pairs, seen, strict=True):
+        if one.hits:
+            names = moving.links[first], moving.links[second]
+            held = adjacency.is_adjacent(*names) or adjacency.is_rigid(*names)
+            yield Overlap(*names, -one.distance, held)
