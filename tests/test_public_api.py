@@ -15,9 +15,10 @@ from tests.conftest import MODELS, ROOT
 #: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
 #: CHANGELOG.md, and think twice before adding one.
 NAMES = """
-Call Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Related Report RobotModel Rule
-Severity Source Span Subject UnreadableRobot UrdfkitError Xacro all_rules check collisions expand
-find_rule fix format_files frames load mass_properties pose read stand statics summarise transform
+Call Comparison Confidence Diagnostic Dynamics Edit Fix Fixes Formatted Related Report RobotModel
+Rule Severity Source Span Subject Tolerances UnreadableRobot UrdfkitError Xacro all_rules check
+collisions compare expand find_rule fix format_files frames load mass_properties pose read report
+stand statics summarise transform
 """.split()
 
 SIGNATURES = {

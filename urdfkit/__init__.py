@@ -17,6 +17,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Call",
+    "Comparison",
     "Confidence",
     "Diagnostic",
     "Dynamics",
@@ -32,12 +33,14 @@ __all__ = [
     "Source",
     "Span",
     "Subject",
+    "Tolerances",
     "UnreadableRobot",
     "UrdfkitError",
     "Xacro",
     "all_rules",
     "check",
     "collisions",
+    "compare",
     "expand",
     "find_rule",
     "fix",
@@ -47,6 +50,7 @@ __all__ = [
     "mass_properties",
     "pose",
     "read",
+    "report",
     "stand",
     "statics",
     "summarise",
@@ -57,6 +61,7 @@ TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 
 
 if TYPE_CHECKING:
     from urdfkit.collision.sampling import collisions
+    from urdfkit.comparison import Comparison, compare
     from urdfkit.diagnostic import (
         Call,
         Confidence,
@@ -67,6 +72,7 @@ if TYPE_CHECKING:
         Report,
         Severity,
     )
+    from urdfkit.differences import Tolerances
     from urdfkit.dynamics.robot import Dynamics
     from urdfkit.dynamics.statics import statics
     from urdfkit.engine import check
@@ -79,6 +85,7 @@ if TYPE_CHECKING:
     from urdfkit.mass_table import mass_properties
     from urdfkit.model import RobotModel
     from urdfkit.overview import summarise
+    from urdfkit.page.writing import report
     from urdfkit.poses import pose
     from urdfkit.rules import Rule, all_rules, find_rule
     from urdfkit.source import Source, Span
@@ -87,7 +94,9 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "collision.sampling": "collisions",
+    "comparison": "Comparison compare",
     "diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
+    "differences": "Tolerances",
     "dynamics.robot": "Dynamics",
     "dynamics.statics": "statics",
     "engine": "check",
@@ -100,6 +109,7 @@ _HOMES = {
     "mass_table": "mass_properties",
     "model": "RobotModel",
     "overview": "summarise",
+    "page.writing": "report",
     "poses": "pose",
     "rules": "Rule all_rules find_rule",
     "source": "Source Span",
