@@ -108,6 +108,47 @@ def test_nothing_is_at_a_place_without_a_name(tmp_path: Path) -> None:
     assert found(edited(tmp_path, "<rob", "ot")) == ([], [])
 
 
+@pytest.fixture
+def with_srdf(tmp_path: Path) -> Edited:
+    """A robot with its SRDF beside it; the cursor is on a link."""
+    (tmp_path / "r.srdf").write_text(
+        '<robot name="r">\n<group name="g"><chain base_link="base" tip_link="tip"/></group>\n'
+        '<disable_collisions link1="base" link2="tip" reason="Adjacent"/>\n'
+        '<group_state name="home" group="g"><joint name="hip" value="0"/></group_state>\n</robot>\n'
+    )
+    text = (
+        '<robot name="r"><link name="ba|se"/><link name="tip"/>\n<joint name="hip" type="fixed">'
+        '<parent link="base"/><child link="tip"/></joint></robot>'
+    )
+    (tmp_path / "r.urdf").write_text(text.replace("|", ""))
+    (tmp_path / "package.xml").write_text("<package><name>r_description</name></package>")
+    return Edited(tmp_path / "r.urdf", text)
+
+
+def test_the_srdf_of_a_robot_uses_its_names(with_srdf: Edited) -> None:
+    at = (with_srdf.robot, with_srdf.page, with_srdf.offset)
+    used = [
+        (Path(span.source.path).suffix, span.line) for span in references(*at, definitions=False)
+    ]
+    assert sorted(used) == [(".srdf", 2), (".srdf", 3), (".urdf", 2)]
+    edits = rename(*at, "root")
+    assert len(edits) == 4
+    srdf = next(edit.span.source for edit in edits if edit.span.source.path.endswith(".srdf"))
+    text = apply_edits(srdf.data, [edit for edit in edits if edit.span.source is srdf]).decode()
+    assert text.count('"root"') == 2
+    assert '"base"' not in text
+
+
+def test_a_name_in_the_srdf_leads_to_the_robot(with_srdf: Edited) -> None:
+    workspace = with_srdf.workspace
+    srdf = Path(with_srdf.path).with_suffix(".srdf")
+    file = Edited(
+        srdf, srdf.read_text().replace('joint name="hip"', 'joint name="h|ip"'), workspace
+    )
+    (span,) = definitions(file.robot, file.page, file.offset)
+    assert (Path(span.source.path).suffix, span.text) == (".urdf", "hip")
+
+
 # --- renaming
 
 

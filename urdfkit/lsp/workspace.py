@@ -90,10 +90,13 @@ class Robot:
 
     @cached_property
     def names(self) -> Names:
-        """The names in its texts, and in those that it had before it broke."""
+        """The names in its texts, in those that it had before it broke, and in its SRDF."""
         pages = [Page(source) for source in self.sources.values()]
         before = self.before.sources if self.before else {}
         pages += [Page(self.source(path)) for path in before if path not in self.sources]
+        srdf = self.subject.srdf if self.document else None
+        if srdf is not None:
+            pages.append(Page(self.source(srdf.path)))
         return Names(pages, self.document)
 
     def source(self, path: str) -> Source:
