@@ -17,6 +17,7 @@ from urdfkit.edits import insert_before, replace_value
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.source import Span
+from urdfkit.spatial import dot
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
@@ -111,7 +112,7 @@ def _lowest(tree: KinematicTree, footprint: str, robot: list[str]) -> tuple[floa
             if bottom is None:
                 unknown = True
             else:
-                heights.append((bottom - _dot(up, ground.position), name))
+                heights.append((bottom - dot(up, ground.position), name))
     lowest = min(heights, default=(0.0, ""))
     floats = lowest[0] > TOLERANCE and not unknown
     return lowest if floats or lowest[0] < -TOLERANCE else None
@@ -124,20 +125,16 @@ def _bottom(body: Body, link: Frame, up: Vector) -> float | None:
     if shape is None or half is None:
         return None
     frame = link @ body.origin
-    x, y, z = (abs(_dot(up, _column(frame.rotation, axis))) for axis in range(3))
+    x, y, z = (abs(dot(up, _column(frame.rotation, axis))) for axis in range(3))
     if shape.kind == "box":
         reach = x * half[0] + y * half[1] + z * half[2]
     elif shape.kind == "cylinder":
         reach = hypot(x, y) * half[0] + z * half[2]
     else:  # a sphere, or a capsule: a line of spheres
         reach = half[0] + z * (half[2] - half[0])
-    return _dot(up, frame.position) - reach
+    return dot(up, frame.position) - reach
 
 
 def _column(rotation: Rotation, axis: int) -> Vector:
     """An axis of a frame, seen from the outer one."""
     return (rotation[0][axis], rotation[1][axis], rotation[2][axis])
-
-
-def _dot(left: Vector, right: Vector) -> float:
-    return left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
