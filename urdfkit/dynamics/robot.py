@@ -65,7 +65,8 @@ class Dynamics:
         self.payload = dict(payload or {})
         self._joints = [joint for joint in _downwards(tree) if joint.kind in _KINDS]
         if len(self._joints) > MAX_JOINTS:
-            raise Unsuitable(f"more than {MAX_JOINTS} joints that move")
+            count = len(self._joints)
+            raise Unsuitable(f"{count} joints move; Pinocchio has memory for {MAX_JOINTS}")
         for link in self.payload:
             self._known(link)
         self.model, self._numbers, self._frames = _build(tree, self.payload)
