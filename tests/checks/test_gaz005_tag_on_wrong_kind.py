@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, block, child
-from tests.told import told
+from tests.told import fixed, told
 
 ROBOT = BASE + child("cam", "fixed") + child("arm")
 
@@ -42,3 +42,17 @@ def test_no_finding() -> None:
     assert heard("sensor", "cam_joint") == []
     assert heard("mu1", "nothing") == []
     assert heard("mu1", "") == []
+
+
+def test_what_stands_beside_other_tags_gets_a_block_of_its_own() -> None:
+    wrong = '<gazebo reference="cam">\n  <mu1>1</mu1>\n  {}</gazebo>\n'
+    tag = "<preserveFixedJoint>true</preserveFixedJoint>"
+    right = f'<gazebo reference="cam_joint">\n  {tag}\n</gazebo>\n'
+    after = wrong.replace("  {}", "") + right
+    robot = fixed("GAZ005", ROBOT + wrong.format(f"{tag}\n"))
+    assert after in robot
+
+
+def test_a_joint_that_moves_gets_no_tag_of_fixed_ones() -> None:
+    (found,) = told("GAZ005", ROBOT + block("<preserveFixedJoint>1</preserveFixedJoint>", "arm"))
+    assert found.fix is None

@@ -11,11 +11,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import extensions
-from urdfkit.diagnostic import Severity
+from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.document import Element
+from urdfkit.edits import STEP, insert_after, lines_of, remove_element
+from urdfkit.model import Joint
 from urdfkit.rules import Finding, rule
 
 if TYPE_CHECKING:
+    from urdfkit.model import Link
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -34,11 +37,12 @@ BAD = """\
   <preserveFixedJoint>true</preserveFixedJoint>
 </gazebo>"""
 GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
+FIXED = GOOD
 
 _FIXED_ONLY = ("preserveFixedJoint", "disableFixedJointLumping")
 
 
-@rule("GAZ005", "tag-on-wrong-kind", Severity.WARNING)
+@rule("GAZ005", "tag-on-wrong-kind", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
     handled = extensions()
@@ -55,18 +59,40 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"<{child.tag}> is for a {extension.on}, and '{name}' is a {kind}: Gazebo "
                     "ignores it"
                 )
-                yield Finding(child, message, _remedy(subject, name, kind, child))
+                other = _other(subject, name, kind)
+                help = (
+                    f'move <{child.tag}> into <gazebo reference="{other.name if other else "..."}">'
+                )
+                yield Finding(child, message, help, _moved(block, child, other) if other else None)
             elif joint and child.tag in _FIXED_ONLY and joint.kind not in ("fixed", ""):
                 message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
                 yield Finding(child, message, "remove it, or name the fixed joint that is meant")
 
 
-def _remedy(subject: Subject, name: str, kind: str, child: Element) -> str:
-    """The block in which the tag belongs."""
+def _other(subject: Subject, name: str, kind: str) -> Link | Joint | None:
+    """The joint above a link, if there is one alone; the link below a joint."""
+    model = subject.model
     if kind == "link":
         above = subject.tree.parents.get(name, [])
-        other = above[0].name if len(above) == 1 else "..."
-    else:
-        below = subject.model.joints_by_name[name].child
-        other = below.value if below else "..."
-    return f'move <{child.tag}> into <gazebo reference="{other}">'
+        return above[0] if len(above) == 1 else None
+    below = model.joints_by_name[name].child
+    return model.links_by_name.get(below.value) if below else None
+
+
+def _moved(block: Element, child: Element, other: Link | Joint) -> Fix | None:
+    """Another reference for a block that holds nothing else, else a block of its own."""
+    name, reference = other.at.attributes.get("name"), block.attributes["reference"]
+    is_same_macro = other.at.frame is block.frame is child.frame  # where expressions mean the same
+    if name is None or name.written_in or reference.written_in or not is_same_macro:
+        return None
+    if isinstance(other, Joint) and child.tag in _FIXED_ONLY and other.kind != "fixed":
+        return None
+    title = f'move it into <gazebo reference="{other.name}">'
+    if len(block.children) == 1:
+        return Fix(title, (Edit(reference.span, name.span.text),))
+    lines = (
+        f'<gazebo reference="{name.span.text}">',
+        *(STEP + line for line in lines_of(child)),
+        "</gazebo>",
+    )
+    return Fix(title, (*remove_element(child), *insert_after(block, lines)))
