@@ -109,11 +109,11 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
         return
     root = found.structure.roots[0]
     yield from _entry("centre", f"{_vector(whole.center)} m in {root}, {where}")
-    tensor = whole.tensor
-    moments = f"ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
-    products = f"ixy {tensor.ixy:.4g}, ixz {tensor.ixz:.4g}, iyz {tensor.iyz:.4g}"
+    noise = 1e-9 * max(map(abs, whole.tensor))
+    xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in whole.tensor)
+    moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg m^2", f"ixy {xy}, ixz {xz}, iyz {yz}"
     yield from _entry("inertia", f"{moments} about the centre")
-    yield from _entry("", f"{products}; principal {_vector(principal_moments(tensor))}")
+    yield from _entry("", f"{products}; principal {_vector(principal_moments(whole.tensor))}")
 
 
 def _size(found: Overview, where: str) -> Iterator[str]:
