@@ -46,13 +46,14 @@ _NONE: frozenset[int] = frozenset()
 
 
 def _gaps(joined: dict[str, set[str]], bare: set[str]) -> dict[str, set[int]]:
-    """The numbers of the groups of bare links, joined among themselves, that each link borders."""
+    """The groups of bare links, joined among themselves, that each link is in or borders on."""
     borders: dict[str, set[int]] = {}
     seen: set[str] = set()
     for number, start in enumerate(sorted(bare)):
         group = [] if start in seen else [start]
         seen.add(start)
         for name in group:  # grows while it is walked
+            borders.setdefault(name, set()).add(number)
             for other in joined[name]:
                 if other not in bare:
                     borders.setdefault(other, set()).add(number)

@@ -27,7 +27,7 @@ def body(head: str, more: str = NECK, kind: str = "continuous") -> str:
 def test_a_ball_that_turns_in_place() -> None:
     """The leg begins 0.12 m from the axis of the head and ends 0.15 m above its middle."""
     (message,) = messages("COL002", body(sphere(0.2)))
-    assert message.startswith("links 'leg' and 'head' overlap in every pose, by ")
+    assert message.startswith("links 'head' and 'leg' overlap in every pose, by ")
     assert float(message.split()[9]) == pytest.approx(80, abs=0.1)
 
 

@@ -2,7 +2,7 @@
 
 The pair is then never checked, whatever the robot does. The matrix is of an older robot, or the
 reason was written by hand. Links between which only links without collision geometry lie count as
-adjacent.
+adjacent, as do all links around one without collision geometry.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.adjacency import Adjacency
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, Need, rule
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -60,17 +60,11 @@ def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
     if srdf is None:
         return
+    adjacency = Adjacency(subject.tree)
     for pair in srdf.root.all("disable_collisions"):
         first, second = pair.get("link1") or "", pair.get("link2") or ""
         if (pair.get("reason") or "").lower() != "adjacent":
             continue
-        joints = srdf.way(first, second) or srdf.way(second, first)
-        known = first in srdf.known("link") and second in srdf.known("link")
-        if known and (joints is None or not _adjacent(joints, subject)):
+        known = {first, second} <= srdf.known("link")
+        if known and not adjacency.is_adjacent(first, second):
             yield Finding(pair, f"no joint holds '{first}' and '{second}' together")
-
-
-def _adjacent(joints: list[Joint], subject: Subject) -> bool:
-    """True if no link with collision geometry lies between the ends of a way."""
-    between = [joint.child.value for joint in joints[:-1] if joint.child]
-    return not any(subject.model.links_by_name[name].collisions for name in between)

@@ -7,7 +7,7 @@ The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneou
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from math import isfinite, pi
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +22,9 @@ from urdfkit.tree import KinematicTree
 #: A sliding joint is sampled within so many metres of its zero, whatever its limits say.
 REACH = 1000.0
 
+
+#: Distances in m, and factors, that are larger stand for nothing; their squares may overflow.
+_MOST = 1e9
 
 #: Of a joint without a name.
 _STILL = Law("", 0.0, 0.0)
@@ -194,8 +197,8 @@ def _range(joint: Joint) -> tuple[float, float]:
 
 
 def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
-    does_move = joint.kind in (*TURNING, *SLIDING) and isfinite(law.factor) and isfinite(law.shift)
-    origin = matrix(joint.origin)
+    does_move = joint.kind in (*TURNING, *SLIDING) and max(abs(law.factor), abs(law.shift)) < _MOST
+    origin = np.clip(matrix(joint.origin), -_MOST, _MOST)
     x, y, z = direction(joint)
     turns = joint.kind in TURNING
     sine = np.zeros((4, 4))
