@@ -44,30 +44,41 @@ def moved(joint: ElementTree.Element, position: float) -> Any:
     return frame
 
 
-def mass_and_center(text: bytes, pose: Mapping[str, float]) -> tuple[float, Any]:
-    """Of all links, at a pose of all joints, in the frame of the root.
+def parsed(text: bytes) -> ElementTree.Element:
+    return ElementTree.fromstring(re.sub(rb"^\s*<\?xml[^>]*>", b"", text))  # some misspell it
 
-    Where a name is given twice, the first one counts.
-    """
-    robot = ElementTree.fromstring(re.sub(rb"^\s*<\?xml[^>]*>", b"", text))  # some misspell it
-    joints = robot.findall("joint")
-    parents = {}
-    for joint in joints:
-        parent, child = joint.find("parent"), joint.find("child")
-        assert parent is not None
-        assert child is not None
-        parents[child.get("link")] = (parent.get("link"), joint)
-    frames: dict[str | None, Any] = {}
 
-    def frame(link: str | None) -> Any:
-        if link not in parents:
+class Frames:
+    """Where links are at a pose of all joints, in the frame of the root."""
+
+    def __init__(self, robot: ElementTree.Element, pose: Mapping[str, float]) -> None:
+        self.pose = pose
+        self.parents: dict[str | None, Any] = {}
+        self.found: dict[str | None, Any] = {}
+        for joint in robot.findall("joint"):
+            parent, child = joint.find("parent"), joint.find("child")
+            assert parent is not None
+            assert child is not None
+            self.parents[child.get("link")] = (parent.get("link"), joint)
+
+    def __getitem__(self, link: str | None) -> Any:
+        if link not in self.parents:
             return np.eye(4)
-        if link not in frames:
-            above, joint = parents[link]
-            own = moved(joint, pose.get(joint.get("name") or "", 0.0))
-            frames[link] = frame(above) @ origin(joint) @ own
-        return frames[link]
+        if link not in self.found:
+            above, joint = self.parents[link]
+            own = moved(joint, self.pose.get(joint.get("name") or "", 0.0))
+            self.found[link] = self[above] @ origin(joint) @ own
+        return self.found[link]
 
+
+def placement(text: bytes, link: str, pose: Mapping[str, float]) -> Any:
+    return Frames(parsed(text), pose)[link]
+
+
+def mass_and_center(text: bytes, pose: Mapping[str, float]) -> tuple[float, Any]:
+    """Of all links, at a pose of all joints, in the frame of the root."""
+    robot = parsed(text)
+    frames = Frames(robot, pose)
     mass, moment = 0.0, np.zeros(3)
     for link in robot.findall("link"):
         inertial = link.find("inertial")
@@ -76,5 +87,5 @@ def mass_and_center(text: bytes, pose: Mapping[str, float]) -> tuple[float, Any]
             continue
         value = float(weight.get("value") or 0)
         mass += value
-        moment += value * (frame(link.get("name")) @ origin(inertial))[:3, 3]
+        moment += value * (frames[link.get("name")] @ origin(inertial))[:3, 3]
     return mass, moment / mass if mass else np.zeros(3)

@@ -13,7 +13,7 @@ np = pytest.importorskip("numpy")
 pin = pytest.importorskip("pinocchio")
 
 from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id
+from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
 from tests.dynamics import oracle
 from tests.jointed import limit, mimic
 from tests.massive import inertial, joint, link
@@ -251,6 +251,8 @@ def test_real_robots_by_three_ways(entry: tuple[Path, dict[str, Any]]) -> None:
         whole = overview_of(subject, given)
         assert whole.mass == pytest.approx(mass, rel=1e-9, abs=1e-12)
         assert whole.center == pytest.approx(tuple(center), rel=1e-9, abs=1e-9)
+        size = max(map(abs, whole.tensor))
+        assert tuple(found.tensor) == pytest.approx(tuple(whole.tensor), rel=1e-9, abs=1e-9 * size)
     try:
         theirs = pin.buildModelFromXML(subject.text.decode(), pin.JointModelFreeFlyer())
     except ValueError:
@@ -265,6 +267,39 @@ def test_real_robots_by_three_ways(entry: tuple[Path, dict[str, Any]]) -> None:
     if mass:
         q = pin.neutral(theirs)
         assert pin.centerOfMass(theirs, data, q) == pytest.approx(center, rel=1e-9, abs=1e-9)
+
+
+@needs_corpus
+@pytest.mark.parametrize(
+    "path",
+    [
+        "urdf/urdf/test/pr2_desc.urdf",
+        "nao_robot/nao_description/urdf/naoV50_generated_urdf/nao.urdf",
+        "anymal_c_simple_description/urdf/anymal.urdf",
+        "xacrodoc/tests/files/urdf/threelink.urdf",
+    ],
+)
+def test_torques_and_jacobians_are_slopes(path: str) -> None:
+    """Of the potential energy and of places, by numpy without urdfkit's trees; mimic included."""
+    robot = read(CORPUS / path)
+    ours, step = robot.dynamics, 1e-6
+    pose = {name: 0.05 * (number % 9) for number, name in enumerate(ours.columns)}
+
+    def lifted(name: str, by: float) -> tuple[float, Any]:
+        joints = positions(robot.tree, pose | {name: pose[name] + by})
+        mass, center = oracle.mass_and_center(robot.text, joints)
+        return mass * G * center[2], joints
+
+    torques, scale = ours.gravity(pose), ours.mass_properties().mass * G
+    tip = robot.model.links[-1].name
+    jacobian = ours.jacobian(tip, pose)
+    for column in range(0, ours.nv, 1 + ours.nv // 10):
+        name = ours.columns[column]
+        (up, above), (down, below) = lifted(name, step), lifted(name, -step)
+        assert torques[column] == pytest.approx((up - down) / (2 * step), abs=1e-7 * scale)
+        places = [oracle.placement(robot.text, tip, joints)[:3, 3] for joints in (above, below)]
+        slope = (places[0] - places[1]) / (2 * step)
+        assert jacobian[:3, column] == pytest.approx(slope, abs=1e-7)
 
 
 def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
