@@ -22,7 +22,7 @@ def on_config(config: Any) -> Any:
     """Complete the list of commands."""
     (commands,) = [entry["Commands"] for entry in config["nav"] if "Commands" in entry]
     listed = {path for entry in commands for path in entry.values()}
-    for page in sorted(DOCS.glob("commands/*.md")):
+    for page in sorted(DOCS.glob("commands/*.md"), key=lambda page: page.stem):
         path = f"commands/{page.name}"
         if path not in listed:
             commands.append({page.stem.replace("-", " "): path})
