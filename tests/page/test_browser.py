@@ -229,7 +229,10 @@ def test_the_page_in_chinese_and_in_the_dark(page: Page, tmp_path: Path) -> None
     assert "检查结果" in page.find("nav").text
     assert page.find(".sliders .buttons").text.startswith("零位")
     before = page.run("return getComputedStyle(document.body).backgroundColor")
+    drawing = "return getComputedStyle(document.querySelector('.drawing')).filter !== 'none'"
+    assert page.run(drawing) is page.run("return document.documentElement.dataset.theme === 'dark'")
     page.find("#theme").click()
+    assert page.run(drawing) is page.run("return document.documentElement.dataset.theme === 'dark'")
     assert page.run("return getComputedStyle(document.body).backgroundColor") != before
     assert page.find("#theme").get_attribute("aria-pressed") in ("true", "false")
 

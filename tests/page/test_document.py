@@ -25,6 +25,7 @@ def test_a_robot_as_a_whole() -> None:
     document, subject, _ = describe(GRIPPER)
     robot = document["robot"]
     assert (robot["links"], robot["joints"], robot["degrees_of_freedom"]) == (4, 3, 1)
+    assert robot["size"] == pytest.approx([0.08, 0.16, 0.105])
     assert robot["mass"] == pytest.approx(subject.model.mass)
     assert [link["name"] for link in document["links"]] == [x.name for x in subject.model.links]
     assert sum(link["share"] for link in document["links"]) == pytest.approx(1)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from urdfkit.errors import MissingLibrary
 from urdfkit.inertia import combined, principal_moments
 from urdfkit.kinematics import frames
+from urdfkit.overview import summarise
 from urdfkit.rigid import properties_of
 from urdfkit.source import Span
 from urdfkit.subject import Unavailable
@@ -22,6 +23,7 @@ def robot(subject: Subject) -> Row:
     """What it is as a whole, all joints at zero; in the frame of its first root."""
     model, tree = subject.model, subject.tree
     links = model.links_by_name
+    seen = summarise(subject)
     whole = combined(properties_of(links[name], frame) for name, frame in frames(tree, {}).items())
     return {
         "name": model.name,
@@ -32,6 +34,8 @@ def robot(subject: Subject) -> Row:
         "mass": model.mass,
         "center": list(whole.center),
         "visuals": sum(len(link.visuals) for link in model.links),
+        "size": list(seen.shapes.box.edges) if seen.shapes.box else None,
+        "reach": seen.reach.distance if seen.reach else None,
         "collisions": sum(len(link.collisions) for link in model.links),
     }
 
