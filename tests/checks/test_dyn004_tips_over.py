@@ -39,6 +39,21 @@ def test_two_wheels_balance() -> None:
     assert messages("DYN004", on_wheels("0.5 0 0", casters="-0.15 0 0.1")) == []
 
 
+def test_legs_do_not_stand_at_zero() -> None:
+    """A body on two pairs of legs of three joints each, far behind its centre of mass."""
+    text = link("base", inertial(3, (1, 1, 1), xyz="1 0 0"))
+    for name, y in (("left", 0.1), ("right", -0.1), ("back", 0.0)):
+        for part, above, at in (("hip", "base", f"-0.1 {y} 0"), ("knee", "hip", "0 0 -0.2")):
+            parent = above if above == "base" else f"{name}_{above}"
+            text += link(f"{name}_{part}") + joint(parent, f"{name}_{part}", "revolute", at)
+        foot = f"{name}_foot"
+        text += link(foot, BALL) + joint(f"{name}_knee", foot, "revolute", "0 0 -0.2")
+    text = text.replace('"-0.1 0.0 0"', '"-0.4 0.0 0"')
+    assert messages("DYN004", text) == []
+    wheels = text.replace('type="revolute"', 'type="continuous"')
+    assert len(messages("DYN004", wheels)) == 1
+
+
 def test_what_stands_on_its_base_is_bolted_down() -> None:
     box = shape("collision", '<box size="0.2 0.2 0.1"/>')
     arm = link("base", box, inertial(1, (1, 1, 1))) + link(

@@ -1,9 +1,10 @@
-"""The centre of mass is not above the wheels or feet: the robot tips over where it stands.
+"""The centre of mass is not above the wheels: the robot tips over where it stands.
 
 All joints at zero, the lowest collisions touch the ground: their hull is what the robot stands on.
 In a simulation it falls over in its first second. Move the heavy parts, the wheels or the caster,
-or correct a mass or the place of one. A robot that stands on its base alone is not judged, since
-bases are bolted down, nor one on two wheels, which balances.
+or correct a mass or the place of one. Not judged are a robot that stands on its base alone, since
+bases are bolted down, one on two wheels, which balances, and one on legs, which does not stand with
+all joints at zero; `urdfkit statics --pose` tells how it stands in any pose.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.extent import WITHOUT_MESHES
+from urdfkit.joints import BOUNDED
 from urdfkit.rigid import rigid_bodies
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.stability import Stability, stand
@@ -21,6 +23,7 @@ from urdfkit.subject import Unavailable
 if TYPE_CHECKING:
     from urdfkit.model import RobotModel, Shape
     from urdfkit.subject import Subject
+    from urdfkit.tree import KinematicTree
 
 _WHEEL = """
 <link name="{0}">
@@ -97,9 +100,23 @@ def _falls(subject: Subject, standing: Stability | None) -> bool:
     if standing is None or standing.margin > -_TOLERANCE or len(standing.links) < 2:
         return False
     root = rigid_bodies(subject.tree)[0]
-    return not root.is_ground and not {link.name for link, _ in root.links}.issuperset(
-        standing.links
+    fixed = {link.name for link, _ in root.links}
+    return (
+        not root.is_ground
+        and not fixed.issuperset(standing.links)
+        and not any(_is_leg(subject.tree, name) for name in standing.links)
     )
+
+
+def _is_leg(tree: KinematicTree, link: str) -> bool:
+    """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
+    bends = 0
+    above = tree.parents[link]
+    while above:
+        bends += above[0].kind in BOUNDED
+        assert above[0].parent is not None
+        above = tree.parents[above[0].parent.value]
+    return bends > 2
 
 
 def _meshes(model: RobotModel) -> Iterator[Shape]:
