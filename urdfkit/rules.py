@@ -301,6 +301,9 @@ def matching(word: str) -> list[str]:
     Raises:
         UnknownRule: there is none; the message has the nearest.
     """
+    codes()
+    if word in _modules:
+        return [word]
     by_name = names()
     if named := by_name.get(word.lower()):
         return named

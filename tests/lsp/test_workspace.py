@@ -7,6 +7,7 @@ import shutil
 import time
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import pytest
 
@@ -148,10 +149,11 @@ def test_folders_are_listed_once_until_files_on_disk_change(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A package that is nowhere is looked for in the whole workspace."""
+    nowhere = f"p{uuid4().hex}"  # folders of other tests are neighbours of this one
     (tmp_path / "package.xml").write_text("<package><name>own</name></package>")
     mesh = '<mesh filename="package://{}/x.stl"/>'
     text = '<robot name="r"><link name="a"><visual><geometry>{}</geometry></visual></link></robot>'
-    file = Edited(tmp_path / "r.urdf", text.format(mesh.format("nowhere")))
+    file = Edited(tmp_path / "r.urdf", text.format(mesh.format(nowhere)))
     assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     listed: list[object] = []
     scandir = os.scandir
@@ -161,10 +163,10 @@ def test_folders_are_listed_once_until_files_on_disk_change(
         return scandir(path)
 
     monkeypatch.setattr(os, "scandir", noted)
-    file.type(text.format(mesh.format("nowhere")) + "\n")
+    file.type(text.format(mesh.format(nowhere)) + "\n")
     assert "MSH005" in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed == []
-    (tmp_path / "package.xml").write_text("<package><name>nowhere</name></package>")
+    (tmp_path / "package.xml").write_text(f"<package><name>{nowhere}</name></package>")
     file.workspace.look_again()
     assert "MSH005" not in codes(file.workspace.check(file.path), tmp_path / "r.urdf")
     assert listed

@@ -26,13 +26,14 @@ from urdfkit.model import RobotModel
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.resolve import Resolver
+from urdfkit.rules import Need
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8
 #: What takes too long for every key that is pressed.
-_SLOW = frozenset(("meshes", "dynamics", "collision"))
+_SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
 
 class Checked(Record):
@@ -315,9 +316,7 @@ class Workspace:
 @cache
 def slow_rules() -> list[str]:
     """The codes of the rules that are not run for every key; this imports all rules."""
-    return [
-        rule.code for rule in rules.all_rules() if any(need.value in _SLOW for need in rule.needs)
-    ]
+    return [rule.code for rule in rules.all_rules() if rule.needs & _SLOW]
 
 
 def _key(diagnostic: Diagnostic) -> tuple[str, int, int]:
