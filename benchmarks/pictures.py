@@ -41,7 +41,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import *
 from vtkmodules.vtkFiltersSources import *
-import vtkmodules.vtkRenderingOpenGL2
+from vtkmodules.vtkRenderingOpenGL2 import vtkEGLRenderWindow  # others ask for X
 file, target = sys.argv[1].replace("robot.urdf", "knot.stl"), sys.argv[2]
 def shown(source, colour, z):
     mapper = vtkPolyDataMapper(); mapper.SetInputConnection(source.GetOutputPort())
@@ -53,7 +53,7 @@ box = vtkCubeSource(); box.SetXLength(0.9); box.SetYLength(0.9); box.SetZLength(
 scene = vtkRenderer(); scene.SetBackground(0.9, 0.9, 0.9)
 scene.AddActor(shown(reader, (0.9, 0.5, 0.1), 0.6))
 scene.AddActor(shown(box, (0.4, 0.45, 0.5), 0.05))
-window = vtkRenderWindow(); window.SetOffScreenRendering(1); window.SetSize(1280, 720)
+window = vtkEGLRenderWindow(); window.SetOffScreenRendering(1); window.SetSize(1280, 720)
 window.SetMultiSamples(8); window.AddRenderer(scene)
 scene.GetActiveCamera().SetPosition(3, 2, 2); scene.GetActiveCamera().SetViewUp(0, 0, 1)
 scene.ResetCamera()
@@ -62,8 +62,8 @@ def drawn():
     shot = vtkWindowToImageFilter(); shot.SetInput(window); shot.ReadFrontBufferOff()
     shot.Update()
     return shot
-writer = vtkPNGWriter(); writer.SetFileName(target)
-writer.SetInputConnection(drawn().GetOutputPort())
+shot, writer = drawn(), vtkPNGWriter()
+writer.SetFileName(target); writer.SetInputConnection(shot.GetOutputPort())
 writer.Write()
 first = time.perf_counter() - start, time.process_time()
 scene.GetActiveCamera().Azimuth(1)
