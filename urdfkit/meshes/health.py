@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import Edges, finite, volumes, welded
+from urdfkit.meshes.edges import Edges, distinct, finite, volumes, welded
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.record import Record
 
@@ -110,7 +110,7 @@ def _repeated(faces: Integers) -> int:
     """How many faces are there already, the same way round."""
     turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
     rows = np.take_along_axis(faces, turned % 3, axis=1)
-    return len(faces) - len(np.unique(rows, axis=0))
+    return len(faces) - len(distinct(rows)[0])
 
 
 def inside_out(points: Floats, faces: Integers, edges: Edges) -> Flags:

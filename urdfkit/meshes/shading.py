@@ -6,6 +6,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from urdfkit.meshes.edges import distinct
 from urdfkit.meshes.geometry import Floats, Integers, Part
 
 #: Faces that meet at a larger angle, in degrees, meet at an edge that is seen.
@@ -25,7 +26,8 @@ def shaded(part: Part, crease: float = CREASE) -> Part:
     groups = _corner_groups(places[part.faces], face_normals(part.vertices, part.faces), crease)
     # One new vertex for each pair of an old one and a smooth patch that it lies on.
     pairs = np.column_stack([part.faces.reshape(-1), groups])
-    vertices, corners = np.unique(pairs, axis=0, return_inverse=True)
+    first, corners, _ = distinct(pairs)
+    vertices = pairs[first]
     old, patch = vertices[:, 0], vertices[:, 1]
     weighted = _corner_angles(part.vertices, part.faces)[:, :, None]
     weighted = weighted * face_normals(part.vertices, part.faces)[:, None, :]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import click
 
-from urdfkit.cli import output
+from urdfkit.cli import output, progress
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.meshes.repair import Repair, Step, repair
@@ -30,7 +30,10 @@ def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes:
     """
     path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
-    done = repair(in_metres(mesh), holes=not keep_holes)
+    bar = progress.on_terminal()
+    done = repair(in_metres(mesh), holes=not keep_holes, progress=bar)
+    if bar:
+        bar.wipe()
     lines = [*render(done, defect)]
     if done.changed or defect or (path and path != file):
         lines += save(done.mesh, path)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from urdfkit.meshes.distance import one_way
@@ -71,7 +73,9 @@ class Repair(Record):
         return bool(self.steps) and not self.refused
 
 
-def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
+def repair(
+    mesh: Mesh, *, holes: bool = True, progress: Callable[[int, int], None] | None = None
+) -> Repair:
     """Make a mesh the surface of a solid, as far as that can be done without inventing much.
 
     A mesh that is one already is given back as it is.
@@ -79,6 +83,7 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
     Args:
         mesh: any.
         holes: close holes, too.
+        progress: is told how many of how many rounds are done, the measuring being the last.
     """
     before = examine_mesh(mesh)
     if before.is_solid:
@@ -88,7 +93,11 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
     if before.non_finite:
         steps.append(Step("dropped triangles that are not finite", before.non_finite))
     best = examine(soup.points, soup.faces)
-    for _ in range(_ROUNDS):
+    for number in range(_ROUNDS):
+        if best.ailments == 0:
+            break
+        if progress:
+            progress(number, _ROUNDS + 1)
         more: list[Step] = []
         tried = _round(soup, more, holes=holes)
         state = examine(tried.points, tried.faces)
@@ -98,6 +107,8 @@ def repair(mesh: Mesh, *, holes: bool = True) -> Repair:
         steps += more
     if not steps:
         return Repair(mesh, (), before, before)
+    if progress:
+        progress(_ROUNDS, _ROUNDS + 1)
     return _judged(mesh, soup, _summed(steps), before)
 
 

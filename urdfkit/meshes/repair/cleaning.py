@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import Edges, areas
+from urdfkit.meshes.edges import Edges, areas, distinct
 from urdfkit.meshes.geometry import Integers
 from urdfkit.meshes.repair.soup import Soup
 
@@ -29,11 +29,10 @@ def drop_repeated(soup: Soup) -> Soup:
     """
     if not len(soup.faces):
         return soup
-    _, same, count = np.unique(
-        np.sort(soup.faces, axis=1), axis=0, return_inverse=True, return_counts=True
-    )
-    same = same.reshape(-1)
+    _, same, count = distinct(np.sort(soup.faces, axis=1))
     if (count[same] == 2).all() and _sides_cancel(soup, same):
+        return soup
+    if (count == 1).all():
         return soup
     single = soup.kept(count[same] == 1)
     agreeing = _directed_sides(single)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import finite, welded
+from urdfkit.meshes.edges import distinct, finite, welded
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh, Part
 from urdfkit.record import Record
 
@@ -90,7 +90,8 @@ def _part(part: Part, soup: Soup, start: int) -> Part:
     # A face that fills a hole between two parts may have a corner of the other one.
     looks = np.where((looks >= 0) & (looks < len(part.vertices)), looks, 0)
     pairs = np.column_stack([soup.faces.reshape(-1), looks.reshape(-1)])
-    unique, faces = np.unique(pairs, axis=0, return_inverse=True)
+    first, faces, _ = distinct(pairs)
+    unique = pairs[first]
     old = unique[:, 1]
     return part._replace(
         vertices=soup.points[unique[:, 0]],
