@@ -10,12 +10,13 @@ import pytest
 import trimesh
 
 import urdfkit
-from tests.conftest import MODELS
+from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.meshes.made import binary_stl
 from tests.meshes.shapes_made import as_mesh, as_trimesh
 from urdfkit.loading import read
 from urdfkit.meshes.parts import PARTS
 from urdfkit.meshes.writers import GoodMesh, write
+from urdfkit.rooms import room
 from urdfkit.stand_ins import (
     NoSuchMesh,
     StandIn,
@@ -248,3 +249,21 @@ def test_a_part_for_a_new_file(tmp_path: Path) -> None:
         generate_part(str(path), PARTS_BY_MODULE["xsens_mti"])
     path.write_bytes(b"")
     assert generate_part(str(path), PARTS_BY_MODULE["xsens_mti"]).defect == "is empty"
+
+
+@needs_corpus
+def test_the_inertia_of_a_real_arm_tells_the_size_of_its_links() -> None:
+    """For want of anything else a block stands in, of the extent that mass and moments give."""
+    folder = CORPUS / "Universal_Robots_ROS2_Description"
+    subject = read(folder / "urdf" / "ur.urdf.xacro", arguments={"ur_type": "ur5e", "name": "ur"})
+    ratios = []
+    for link in subject.model.links:
+        for body in link.collisions:
+            true = subject.meshes.vertices(body.shape) if body.shape else None
+            block = room(subject, link._replace(visuals=()), body)
+            if true is None or block is None:
+                continue
+            ratios += [*(np.ptp(true, axis=0) / block.size)]
+    assert len(ratios) >= 3 * 6
+    assert min(ratios) > 1 / 3
+    assert max(ratios) < 3
