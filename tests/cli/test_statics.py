@@ -58,6 +58,7 @@ def test_without_pinocchio_it_says_what_is_missing(
         (["--payload", "5"], "--payload 5: write a mass in kg, '@' and a link"),
         (["--payload", "x@forearm"], "--payload x@forearm: write a mass in kg, '@' and a link"),
         (["--payload", "5@foream"], "there is no link 'foream'; did you mean 'forearm'?"),
+        (["--payload", "1e300@forearm"], "no robot carries 1e+300 kg"),
         (["--contact", "bse"], "there is no link 'bse'; did you mean 'base'?"),
         (["--samples", "-1"], "-1 is not in the range"),
     ],

@@ -67,8 +67,10 @@ class Dynamics:
         if len(self._joints) > MAX_JOINTS:
             count = len(self._joints)
             raise Unsuitable(f"{count} joints move; Pinocchio has memory for {MAX_JOINTS}")
-        for link in self.payload:
+        for link, mass in self.payload.items():
             self._known(link)
+            if not abs(mass) < LARGEST:
+                raise Unsuitable(f"no robot carries {mass:g} kg")
         self.model, self._numbers, self._frames = _build(tree, self.payload)
         self._laws = laws(tree.model.joints_by_name)
         self.columns = tuple(
