@@ -13,6 +13,8 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.conftest import ROOT
+from tests.meshes.made import binary_stl
+from urdfkit.meshes import store
 
 pytest_plugins = ["pytester"]
 
@@ -203,6 +205,40 @@ def test_one(robot_dynamics):
     assert "pip install 'urdfkit[dynamics]'" in outcome(result, skipped=1)
 
 
+MEASURED = """
+@pytest.mark.urdf("urdf/arm.urdf.xacro")
+def test_one(robot_meshes):
+    assert [(mesh.link.name, mesh.role) for mesh in robot_meshes] == [("base", "visual")]
+    (mesh,) = robot_meshes
+    assert mesh.measures.triangles == 4
+    assert mesh.edges == pytest.approx((2, 2, 2))
+    assert mesh.measures.solid.volume == pytest.approx(1 / 6)
+"""
+
+
+def _add_a_mesh(project: Project) -> None:
+    path = project.folder / "urdf" / "arm.urdf.xacro"
+    visual = (
+        '<link name="base"><visual><geometry><mesh filename="part.stl" scale="2 2 2"/></geometry>'
+        "</visual></link></robot>"
+    )
+    path.write_text(path.read_text(encoding="utf-8").replace("</robot>", visual), encoding="utf-8")
+    (path.parent / "part.stl").write_bytes(binary_stl())
+
+
+def test_the_meshes_of_a_robot(project: Project) -> None:
+    if store.missing_library():  # to import one here would break those that do later
+        pytest.skip(f"{store.missing_library()} is not installed")
+    _add_a_mesh(project)
+    assert "test_it.py::test_one PASSED" in outcome(project.test(MEASURED), passed=1)
+
+
+def test_without_numpy_the_test_is_skipped_with_the_command_to_install_it(project: Project) -> None:
+    _add_a_mesh(project)
+    block = 'from urdfkit.meshes import store; store.missing_library = lambda: "numpy"\n'
+    assert "pip install 'urdfkit[meshes]'" in outcome(project.test(block + MEASURED), skipped=1)
+
+
 def test_lists_and_variants_run_the_test_for_each(project: Project) -> None:
     result = project.test(
         """
@@ -359,7 +395,8 @@ def test_the_marker_is_listed(project: Project) -> None:
 def test_the_settings_and_fixtures_are_listed(project: Project) -> None:
     assert "urdf_files (args):" in project.run("--help").stdout.str()
     text = project.run("--fixtures").stdout.str()
-    for fixture in ("urdf", "robot_model", "robot_dynamics", "urdf_report", "check_urdf"):
+    fixtures = "urdf robot_model robot_dynamics robot_meshes urdf_report check_urdf".split()
+    for fixture in fixtures:
         assert f"\n{fixture} -- " in text
 
 

@@ -23,6 +23,7 @@ import pytest
 if TYPE_CHECKING:
     from urdfkit.diagnostic import Report
     from urdfkit.dynamics.robot import Dynamics
+    from urdfkit.measured import Use
     from urdfkit.model import RobotModel
     from urdfkit.testing import Description
 
@@ -151,6 +152,19 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
     """
     pytest.importorskip("pinocchio", reason="it needs: pip install 'urdfkit[dynamics]'")
     return marked_urdf.dynamics
+
+
+@pytest.fixture
+def robot_meshes(marked_urdf: Description) -> tuple[Use, ...]:
+    """The meshes in its visuals and collisions: where each is used, and its measures.
+
+    The test is skipped where the libraries that measure them are not installed.
+    """
+    from urdfkit.meshes import store
+
+    if store.missing_library():
+        pytest.skip(f"it needs: {store.INSTALL}")
+    return marked_urdf.meshes
 
 
 @pytest.fixture

@@ -29,6 +29,7 @@ from urdfkit.tree import KinematicTree
 
 if TYPE_CHECKING:
     from urdfkit.dynamics.robot import Dynamics
+    from urdfkit.measured import Use
 
 __all__ = [
     "Description",
@@ -84,7 +85,8 @@ class Description:
             AssertionError: it cannot be read; with what is wrong with it.
         """
         resolver = Resolver(dict(self.config.packages))
-        subject = Subject(Source.read(self.path), resolver, self.arguments, trust=self.config.trust)
+        source, trust = Source.read(self.path), self.config.trust
+        subject = Subject(source, resolver, self.arguments, trust=trust, cache=True)
         if subject.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
         return subject
@@ -100,6 +102,16 @@ class Description:
         from urdfkit.dynamics.robot import Dynamics
 
         return Dynamics(KinematicTree(self.model))
+
+    @property
+    def meshes(self) -> tuple[Use, ...]:
+        """The meshes in its visuals and collisions, measured; those that are broken are left out.
+
+        Raises:
+            AssertionError: it cannot be read; with what is wrong with it.
+            Unavailable: a library that measures meshes is not installed.
+        """
+        return tuple(self.subject.measured.uses)
 
     def _why_unreadable(self) -> Report:
         """Whatever rules the project selects."""
