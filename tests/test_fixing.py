@@ -341,3 +341,27 @@ def test_robots_that_were_not_named_must_agree_as_well(
     write(tmp_path, "two.urdf.xacro", argument + include, XACRO)
     assert [found.code for found in fix(one).applied] == ["JNT020"] * agree
     assert [found.code for found in fix(tmp_path).applied] == ["JNT020"] * agree
+
+
+BLOCK = """\
+  <xacro:property name="turn"><axis xyz="0 0 2"/></xacro:property>
+  <link name="a"/><link name="b"/><link name="c"/>
+  <joint name="i" type="continuous">
+    <parent link="a"/><child link="b"/><xacro:insert_block name="turn"/>
+  </joint>
+  <joint name="j" type="{}">
+    <parent link="b"/><child link="c"/><xacro:insert_block name="turn"/>
+  </joint>
+"""
+
+
+@pytest.mark.parametrize(("other", "agree"), [("continuous", True), ("fixed", False)])
+def test_a_block_that_is_inserted_twice_is_edited_for_both(
+    tmp_path: Path, other: str, agree: bool
+) -> None:
+    """Two joints that move want a unit axis; a fixed one beside a moving one wants none."""
+    file = write(tmp_path, "r.xacro", BLOCK.format(other), XACRO)
+    fixes = fix(file, unsafe=True, select=["JNT006", "JNT020"])
+    assert [one.code for one in fixes.applied] == ["JNT006"] * 2 * agree
+    text = fixes.files[0].after.decode() if fixes.files else file.read_text()
+    assert ('<axis xyz="0 0 1"/>' in text) is agree

@@ -106,13 +106,14 @@ def fix(
     [('JNT020', 203), ('JNT020', 234), ('JNT020', 265)]
 
     Fixes that overlap are applied one after the other. A fix that adds an error, makes a
-    description unreadable, or leaves its finding as it was, is dropped.
+    description unreadable, edits what another robot uses and is right about, or leaves its finding
+    as it was, is dropped.
 
     Args:
         files: URDF, xacro or launch files, or folders, as of ``check``.
         unsafe: apply the fixes that may change what the robot does, too.
-        force: edit files as well that are generated, that git ignores, or that lie outside the
-            workspace of ``files``.
+        force: edit files as well that are generated, read-only or ignored by git, or that lie
+            outside the workspace of ``files``.
         generate_meshes: make a mesh for every file of one that is missing, empty or broken. What
             the rules say of the robot with these meshes, a second run tells and mends.
         options: of ``check``, which they are given to many times: lists, not iterators.
