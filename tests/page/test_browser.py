@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from functools import cache
 from math import asin, atan, radians, sin, tan
 from pathlib import Path
 
@@ -31,8 +32,13 @@ def page() -> Iterator[Page]:
         yield opened
 
 
+@cache
+def text_of(robot: Path, language: str) -> str:
+    return report(str(robot), language=language, quick=True)[0]
+
+
 def written(robot: Path, folder: Path, language: str = "en") -> Path:
-    text, _ = report(str(robot), language=language, quick=True)
+    text = text_of(robot, language)
     file = folder / "report.html"
     file.write_text(text, encoding="utf-8")
     return file
@@ -194,6 +200,18 @@ def test_the_keyboard_turns_the_view(page: Page, tmp_path: Path) -> None:
     assert page.wait(where) == pytest.approx(before, abs=1e-9)
     canvas.send_keys("-")
     assert abs(page.wait(where)[0] - 0.5) < abs(before[0] - 0.5)
+
+
+def test_a_joint_may_have_any_name(page: Page, tmp_path: Path) -> None:
+    robot = tmp_path / "names.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="__proto__" type="prismatic">'
+        '<parent link="a"/><child link="b"/><limit lower="0" upper="1" effort="1" velocity="1"/>'
+        "</joint></robot>"
+    )
+    page.open(written(robot, tmp_path))
+    page.run("urdfkit.move('__proto__', 0.25)")
+    assert page.run("return urdfkit.frame('b')[12]") == 0.25
 
 
 EVIL = (

@@ -6,7 +6,7 @@
   const stage = document.getElementById("stage");
   const picked = document.getElementById("picked");
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const positions = {}; // of joints that follow none, by name
+  const positions = Object.create(null); // of joints that follow none, by name, even __proto__
   const inputs = new Map(); // slider and field of each of them
   const layers = {};
   for (const box of document.querySelectorAll("[data-layer]")) layers[box.dataset.layer] = box.checked;
