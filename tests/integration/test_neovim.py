@@ -38,7 +38,13 @@ local function codes()
   return found
 end
 
+-- Those that take longer come behind the others: wait until nothing new comes for a second.
+local number = 0
 wait(function() return #codes() > 0 end)
+repeat
+  number = #codes()
+  vim.wait(1000, function() return #codes() ~= number end, 20)
+until #codes() == number
 seen.opened = codes()
 
 local function at(text, skip)

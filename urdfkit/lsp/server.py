@@ -114,6 +114,11 @@ class Server(LanguageServer):
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
         await asyncio.sleep(QUIET)
+        await self._tell(uri, thorough=False)
+        if thorough:  # what takes longer comes behind what does not
+            await self._tell(uri, thorough=True)
+
+    async def _tell(self, uri: str, *, thorough: bool) -> None:
         path = self.path(uri)
         checked = await self.ask(lambda: self.robots.check(path, thorough=thorough), None)
         if checked is None:
