@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +11,9 @@ import pytest
 from tests.collision.robots import box, cylinder, joint, link, mesh, revolute, robot, sphere
 from tests.conftest import MODELS, manifest, model_id
 from tests.update_corpus_findings import arguments_of
-from urdfkit.crowding import NEAR, may_overlap
+from urdfkit.crowding import MAX_BODIES, NEAR, may_overlap
 from urdfkit.loading import read
+from urdfkit.subject import Unavailable
 
 SMALL = box(0.1, 0.1, 0.1)
 
@@ -59,3 +61,16 @@ def test_it_never_misses_what_coal_finds(entry: tuple[Path, dict[str, Any]]) -> 
 def test_a_robot_whose_parts_keep_apart_needs_no_library() -> None:
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
     assert not arm.is_crowded
+
+
+def test_many_bodies_are_no_trouble() -> None:
+    """A ladder of a thousand rungs, and a swarm that nobody could compare in time."""
+    rungs = [link(f"l{number}", SMALL) for number in range(1000)]
+    joints = [joint("l0", f"l{number}", origin=f"0 0 {number}") for number in range(1, 1000)]
+    start = time.process_time()
+    assert not may_overlap(robot(*rungs, *joints).tree)
+    swarm = robot(*(link(name, *[SMALL] * (MAX_BODIES // 2 + 1)) for name in "ab"), joint("a", "b"))
+    assert may_overlap(swarm.tree)
+    with pytest.raises(Unavailable, match="2002 collision bodies; more than 2000"):
+        _ = swarm.collisions
+    assert time.process_time() - start < 5

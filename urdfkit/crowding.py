@@ -5,7 +5,7 @@ A cautious look at boxes around primitives: most robots without meshes need no m
 
 from __future__ import annotations
 
-from itertools import combinations
+from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.joints import bounds
@@ -17,6 +17,8 @@ from urdfkit.tree import KinematicTree
 
 #: In m: bodies farther apart than this are of no interest.
 NEAR = 0.001
+#: More bodies are not compared; a humanoid whose meshes are decomposed has half as many.
+MAX_BODIES = 2000
 
 
 class _Box(Record):
@@ -58,9 +60,25 @@ def may_overlap(tree: KinematicTree) -> bool:
         for body in link.collisions
         if (box := _box(link.name, placed[link.name], body))
     ]
-    return any(
-        one.link != other.link and _gap(one, other) < NEAR for one, other in combinations(boxes, 2)
+    return len(boxes) > MAX_BODIES or any(
+        one.link != other.link and _gap(one, other) < NEAR for one, other in _in_line(boxes)
     )
+
+
+def _in_line(boxes: list[_Box]) -> Iterator[tuple[_Box, _Box]]:
+    """The pairs that are not far apart along the axis on which the boxes are spread most."""
+    spread = [
+        max(places) - min(places)
+        for places in ([box.frame.position[axis] for box in boxes] or [0.0] for axis in range(3))
+    ]
+    axis = spread.index(max(spread))
+    boxes = sorted(boxes, key=lambda box: box.frame.position[axis] - box.radius)
+    for number, one in enumerate(boxes):
+        end = one.frame.position[axis] + one.radius + NEAR
+        for other in boxes[number + 1 :]:
+            if other.frame.position[axis] - other.radius > end:
+                break
+            yield one, other
 
 
 def _box(link: str, frame: Frame, body: Body) -> _Box | None:

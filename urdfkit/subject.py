@@ -328,8 +328,13 @@ class Subject:
         """Which links collide with one another, by coal.
 
         Raises:
-            Unavailable: coal is not installed.
+            Unavailable: coal is not installed, or the robot has too many bodies.
         """
+        from urdfkit.crowding import MAX_BODIES
+
+        bodies = sum(len(link.collisions) for link in self.model.links)
+        if bodies > MAX_BODIES:
+            raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
         from importlib.util import find_spec
 
         if find_spec("coal") is None:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import combinations
 from math import inf
 from typing import NamedTuple
 
@@ -26,6 +25,8 @@ from urdfkit.triangles import Meshes
 
 #: Drawn poses that a pair which always collides must collide in, too.
 _SAMPLES = 50
+#: Pairs of links in poses that are looked at for near misses: all, up to some 200 links.
+_WORK = 20_000_000
 
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
@@ -119,8 +120,10 @@ class Still:
     @cached_property
     def near_misses(self) -> tuple[NearMiss, ...]:
         """Links that come within a hair's breadth of one another, and collide in no pose."""
-        rows = self.chain.extremes()
-        pairs = [pair for pair in self._close(rows) if not self._is_held(pair)]
+        links = max(1, len(self._examiner.links))
+        rows = self.chain.extremes()[: 1 + _WORK // links**2]
+        frames = self._examiner.frames(rows, self._examiner.links)
+        pairs = [pair for pair in self._close(frames) if not self._is_held(pair)]
         look = self._examiner.look(pairs, [NEAR] * len(pairs))
         return tuple(
             NearMiss(*self._names(pair), seen.distance, self.chain.pose(rows[seen.row], *pair))
@@ -155,8 +158,8 @@ class Still:
 
     def _meetings(self) -> Iterator[Meeting]:
         row = self.chain.default[None]
-        for pair in self._close(row):
-            frames = self._examiner.frames(row, pair)
+        frames = self._examiner.frames(row, self._examiner.links)
+        for pair in self._close(frames):
             best = NEAR
             nearest: tuple[int, int, Gauge] | None = None
             for gauged in self._examiner.gauges(pair):
@@ -195,15 +198,21 @@ class Still:
             self._adjacency.is_rigid(*names),
         )
 
-    def _close(self, rows: Floats) -> list[Pair]:
-        """The pairs of links with spheres around them that come near in one of some poses."""
+    def _close(self, frames: dict[int, Floats]) -> list[Pair]:
+        """The pairs of links with spheres around them that come near in one of some poses.
+
+        Args:
+            frames: (n, 4, 4), of each body in these poses.
+        """
         links = self._examiner.links
-        frames = self._examiner.frames(rows, links)
         spheres = [self._sphere(link, frames) for link in links]
+        centers = np.array([center for center, _ in spheres])
+        reach = np.array([radius for _, radius in spheres])
         close = []
-        for (a, (at, reach)), (b, (to, other)) in combinations(zip(links, spheres, strict=True), 2):
-            if (np.linalg.norm(to - at, axis=1) - reach - other).min() < NEAR:
-                close.append((a, b))
+        for number, link in enumerate(links):
+            way = np.linalg.norm(centers[number + 1 :] - centers[number], axis=2)
+            gap = way.min(axis=1, initial=inf) - reach[number + 1 :] - reach[number]
+            close += [(link, links[number + 1 + at]) for at in np.flatnonzero(gap < NEAR)]
         return close
 
     def _sphere(self, link: int, frames: dict[int, Floats]) -> tuple[Floats, float]:
