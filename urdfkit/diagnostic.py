@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -47,15 +46,6 @@ class Edit(Record):
 
     span: Span
     text: str
-
-    @property
-    def place(self) -> Place:
-        """What tells it from other edits, whatever its file is called."""
-        return (os.path.realpath(self.span.source.path), *self.span[1:], self.text)
-
-
-#: An edit, known in every robot that includes its file: real path, first and last byte, new text.
-Place = tuple[str, int, int, str]
 
 
 class Fix(Record):
@@ -165,7 +155,7 @@ class Report(Record):
     suppressed: int = 0
     tolerated: int = 0
     errors: tuple[tuple[str, ...], ...] = ()
-    proposals: tuple[frozenset[Place], ...] = ()
+    proposals: tuple[tuple[Edit, ...], ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -411,7 +411,7 @@ def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
             for verdict in verdicts
         ),
         proposals=tuple(
-            frozenset(edit.place for d in verdict.diagnostics if d.fix for edit in d.fix.edits)
+            tuple(edit for d in verdict.diagnostics if d.fix for edit in d.fix.edits)
             for verdict in verdicts
         ),
     )

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from itertools import zip_longest
 
 from urdfkit.config import Config
-from urdfkit.diagnostic import Diagnostic, Place, Report
+from urdfkit.diagnostic import Diagnostic, Edit, Report
 from urdfkit.discovery import affected
 from urdfkit.errors import UnreadableFile
 from urdfkit.resolve import Resolver
@@ -18,6 +18,9 @@ from urdfkit.subject import Subject
 
 #: A finding in any round: its code, its file and its message, since places move.
 Key = tuple[str, str, str]
+
+#: An edit, known in every robot that includes its file: real path, first and last byte, new text.
+Place = tuple[str, int, int, str]
 
 
 def harm(before: Report, after: Report) -> str:
@@ -85,7 +88,7 @@ class Watch:
             texts: in the place of those on disk.
             report: that they are from.
         """
-        edits = {key_of(one): [e.place for e in one.fix.edits] for one in chosen if one.fix}
+        edits = {key_of(one): [place_of(e) for e in one.fix.edits] for one in chosen if one.fix}
         files = {place[0] for places in edits.values() for place in places}
         others = self._others(files, report.files)
         if others:
@@ -95,8 +98,9 @@ class Watch:
         found: set[Key] = set()
         for subject, proposed in zip(self._subjects(texts, others), report.proposals, strict=True):
             tags = _tags(subject, files) if subject is not None else {}
+            asked = set(map(place_of, proposed))
             for key, places in edits.items():
-                if any(one not in proposed and _is_used(one, tags) for one in places):
+                if any(one not in asked and _is_used(one, tags) for one in places):
                     found.add(key)
         return found
 
@@ -152,6 +156,11 @@ def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
 def key_of(diagnostic: Diagnostic) -> Key:
     """What tells a finding from others in any round."""
     return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
+
+
+def place_of(edit: Edit) -> Place:
+    """What tells an edit from others, whatever its file is called."""
+    return (real_path(edit.span.source), *edit.span[1:], edit.text)
 
 
 def real_path(source: Source) -> str:
