@@ -15,7 +15,7 @@ from urdfkit.meshes.assemble import Losses, Stream
 from urdfkit.meshes.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.meshes.geometry import Floats, Integers
 from urdfkit.meshes.numbers import floats, integers
-from urdfkit.meshes.polygons import fans, strips
+from urdfkit.meshes.polygons import fans, strips, triangles
 
 SURFACES = ("triangles", "polylist", "polygons", "trifans", "tristrips")
 LINES = ("lines", "linestrips")
@@ -77,7 +77,7 @@ class Geometries:
         if position is None or width > _MOST_OFFSETS:
             self._losses.add("surface* without coordinates of its corners")
             return None
-        corners, index = self._corners(element, width)
+        corners, index = self._corners(element, width, position)
         streams = [(one, Stream(one.values, corners[:, one.offset][index])) for one in inputs]
         by_semantic: dict[str, Stream] = {}
         uvs: dict[str, Stream] = {}
@@ -142,7 +142,7 @@ class Geometries:
         used = [i for i, name in enumerate(names[:stride]) if name]
         return rows[:, used] if used else rows
 
-    def _corners(self, element: Element, width: int) -> tuple[Integers, Integers]:
+    def _corners(self, element: Element, width: int, position: _Input) -> tuple[Integers, Integers]:
         """Rows of indices, (c, width), and triangles as numbers of rows, (m, 3)."""
         kind = tag(element)
         if kind == "triangles":
@@ -153,7 +153,7 @@ class Geometries:
             counts = np.clip(integers(text(child(element, "vcount"))), 0, len(rows) + 1)
             whole = np.cumsum(counts) <= len(rows)
             self._losses.add("polygon* without all of their corners", np.count_nonzero(~whole))
-            return rows, fans(counts[whole])
+            return rows, triangles(counts[whole], _places(rows, position))
         pieces = [self._rows(text(p), width) for p in children(element, "p")]
         if kind == "polygons":
             holed = list(children(element, "ph"))
@@ -161,13 +161,24 @@ class Geometries:
             pieces += [self._rows(text(child(ph, "p")), width) for ph in holed]
         counts = np.array([len(piece) for piece in pieces], dtype=np.int64)
         rows = np.concatenate(pieces) if pieces else np.zeros((0, width), dtype=np.int64)
-        return rows, strips(counts) if kind == "tristrips" else fans(counts)
+        if kind == "tristrips":
+            return rows, strips(counts)
+        if kind == "trifans":
+            return rows, fans(counts)
+        return rows, triangles(counts, _places(rows, position))
 
     def _rows(self, numbers: str, width: int) -> Integers:
         found = integers(numbers)
         whole = len(found) // width * width
         self._losses.add("cut-off list* of corners", int(whole < len(found)))
         return found[:whole].reshape(-1, width)
+
+
+def _places(rows: Integers, position: _Input) -> Floats:
+    """(c, 3), where the corners are; anywhere, if a file says what it does not hold."""
+    if not len(position.values):
+        return np.zeros((len(rows), 3))
+    return position.values.take(rows[:, position.offset], axis=0, mode="clip")
 
 
 def _number(word: str | None, default: int) -> int:

@@ -1,7 +1,7 @@
 """Reading COLLADA files: the scene, its nodes, and what they show.
 
 Written here and not left to pycollada, which drops a whole geometry over a bad colour or a
-reference to nothing; a third of its time is spent too. The unit of length and the upward axis are
+reference to nothing. The unit of length and the upward axis are
 recorded and not applied, for every consumer does otherwise with them.
 """
 

@@ -11,7 +11,7 @@ from urdfkit.meshes.assemble import Losses, Stream, assemble, counted_kinds
 from urdfkit.meshes.geometry import Floats, Integers, Mesh, NoTriangles, Part
 from urdfkit.meshes.numbers import floats
 from urdfkit.meshes.obj_materials import Library
-from urdfkit.meshes.polygons import fans
+from urdfkit.meshes.polygons import triangles
 
 _EXTRAS = {b"l": "line", b"p": "point set", b"curv": "curve", b"surf": "free-form surface"}
 
@@ -121,12 +121,13 @@ def _part(
     losses: Losses,
 ) -> Part | None:
     corners = [face.partition(b"#")[0].split() for face in group.faces]
-    if not corners:
+    if not any(corners) or not len(values[0]):
         return None
-    triangles = fans(np.array([len(face) for face in corners], dtype=np.int64))
     index = _indices(list(chain.from_iterable(corners)))
+    places = values[0].take(index[:, 0], axis=0, mode="clip")
+    cut = triangles(np.array([len(face) for face in corners], dtype=np.int64), places)
     streams = [
-        Stream(rows, index[:, column][triangles]) if index.shape[1] > column else None
+        Stream(rows, index[:, column][cut]) if index.shape[1] > column else None
         for column, rows in enumerate(values)
     ]
     position, uv, normals = streams
