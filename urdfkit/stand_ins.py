@@ -292,7 +292,10 @@ def _part_in_room(
         fitted, how = _fit(part, here, link)
         frame = _seat(part, fitted, here, axes)
     text = "{:g} x {:g} x {:g} m".format(*(round(edge, 6) for edge in fitted))
-    return moved(part.build(fitted), frame), f"{part.name}, {text}: {why}; {how}"
+    assert body.shape is not None
+    assert body.shape.filename is not None
+    names = (link.name, os.path.basename(body.shape.filename.value))
+    return moved(part.build(fitted, names), frame), f"{part.name}, {text}: {why}; {how}"
 
 
 def _axes(subject: Subject, link: Link, body: Body, part: RealPart) -> Rotation:

@@ -103,3 +103,27 @@ def test_the_reason_names_the_word() -> None:
 def test_words_of_a_name() -> None:
     assert split_words("frontLeftWheel_2.dae") == {"front", "left", "wheel", "2", "dae"}
     assert {"vlp16", "vlp"} <= split_words("VLP16")
+
+
+@pytest.mark.parametrize(
+    ("name", "along"),
+    [
+        ("front_left_wheel", 1),
+        ("wheel_rr", 1),
+        ("back_right_wheel", 1),
+        ("front_right_wheel", -1),
+        ("rear_left", -1),
+        ("wheel_fr", -1),
+        ("wheel", -1),
+    ],
+)
+def test_upper_rollers_of_mecanum_wheels_make_an_x(name: str, along: int) -> None:
+    part = next(part for part in PARTS if part.module == "mecanum_wheel")
+    mesh = part.build(names=[name])
+    rubber = next(one for one in mesh.parts if one.material and one.material.name == "rubber")
+    # The axle of a wheel is the y axis of the robot, its x axis that of the robot.
+    x, z, y = rubber.vertices.T * [[1], [-1], [1]]
+    top = np.column_stack([x, y])[z > 0.92 * z.max()]
+    x, y = top[np.abs(top[:, 0]) < 0.02].T
+    assert np.sign(np.corrcoef(x, y)[0, 1]) == along
+    assert as_trimesh(mesh._replace(parts=(rubber,))).volume > 0

@@ -7,6 +7,7 @@ origin in the middle; a wheel turns about z.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -44,13 +45,18 @@ class RealPart(NamedTuple):
         """The words that mean this very part, or else its kind."""
         return set(self.words if exactly else self.kind_words)
 
-    def build(self, size: Vector | None = None) -> Mesh:
+    def build(self, size: Vector | None = None, names: Iterable[str] = ()) -> Mesh:
         """Its triangles.
 
         Args:
             size: outer edges in m, along its own axes; those of the real part if not given.
+            names: that tell on which corner of a robot a mecanum wheel is.
         """
         mesh: Mesh = import_module(f"urdfkit.meshes.parts.{self.module}").build(size or self.size)
+        if self.kind == "mecanum wheel" and is_left_handed(names):
+            from urdfkit.meshes.transforms import scaled
+
+            return scaled(mesh, (1.0, -1.0, 1.0))
         return mesh
 
 
@@ -211,6 +217,24 @@ def choose(names: dict[str, str], size: Vector | None) -> Choice | None:
             article = "an" if kind[0] in "aeiouIAEO" else "a"
             return Choice(part, f"'{word}' in the name of {what} means {article} {kind}")
     return None
+
+
+#: Words for front left and rear right.
+_LEFT_HANDED = frozenset("fl lf rr br rb".split())
+
+
+def is_left_handed(names: Iterable[str]) -> bool:
+    """True for a mecanum wheel in front on the left, or behind on the right.
+
+    Seen from above, the upper rollers of the four wheels make an X, so that these two are the
+    mirror images of the others.
+    """
+    words = {word for name in names for word in split_words(name)}
+    if words & _LEFT_HANDED:
+        return True
+    front, left = "front" in words, "left" in words
+    known = (front or words & {"rear", "back"}) and (left or "right" in words)
+    return bool(known) and front == left
 
 
 def split_words(name: str) -> set[str]:

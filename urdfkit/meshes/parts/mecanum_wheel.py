@@ -1,8 +1,10 @@
 """A mecanum wheel: nine barrel rollers at 45 degrees between two plates.
 
-100 mm wide across and 50 mm along the axle, nine rollers, as the common 4-inch wheels are made
-(Nexus Robot 14105 and its like). The barrels follow from the geometry: seen along the axle the
-wheel is round (A. Gfrerrer, "Geometry and kinematics of the Mecanum wheel", CAGD 25, 2008).
+The one in front on the right, or behind on the left: seen from above, the upper rollers of the four
+wheels of a robot make an X. 100 mm wide across and 50 mm along the axle, nine rollers, as the
+common 4-inch wheels are made (Nexus Robot 14105 and its like). The barrels follow from the
+geometry: seen along the axle the wheel is round (A. Gfrerrer, "Geometry and kinematics of the
+Mecanum wheel", CAGD 25, 2008).
 """
 
 from __future__ import annotations
