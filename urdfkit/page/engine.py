@@ -49,7 +49,9 @@ def load() -> Engine:
     package = distribution("trimesh")
     name = f"trimesh {package.version}"
     if not end:
-        raise UrdfkitError(f"the viewer of {name} is not one that urdfkit knows")
+        raise UrdfkitError(
+            f"the viewer of {name} is not one that urdfkit knows: pip install 'trimesh>=4.9'"
+        )
     notice = script[: script.find("*/") + 2]
     return Engine(script + end, name, f"{notice}\n\n{_licence()}")
 
