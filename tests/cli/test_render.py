@@ -48,6 +48,16 @@ def test_a_transparent_background_keeps_the_shadow(tmp_path: Path) -> None:
     assert {0, 255} < set(alphas.tolist())
 
 
+@pytest.mark.parametrize("name", ["robot.jpg", "robot.gif"])
+def test_what_knows_no_transparency_is_on_white(name: str, tmp_path: Path) -> None:
+    path = tmp_path / name
+    how = ["--turntable", str(path)] if name.endswith("gif") else ["-o", str(path)]
+    few = ["--size", "48x32", "--quality", "draft", "--background", "transparent"]
+    assert main(["render", ARM, *how, *few]) == 0
+    with Image.open(path) as image:
+        assert min(np.asarray(image.convert("RGB"))[0, 0]) > 245
+
+
 def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
     paths = [tmp_path / "zero.png", tmp_path / "bent.png"]
     assert main(["render", ARM, "-o", str(paths[0]), *SMALL]) == 0

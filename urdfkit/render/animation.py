@@ -17,7 +17,7 @@ from urdfkit.nearest import did_you_mean
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, looking
 from urdfkit.render.draw import draw
-from urdfkit.render.labels import write
+from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 from urdfkit.subject import Subject
@@ -210,13 +210,17 @@ def save_animation(images: Sequence[Image.Image], path: str | os.PathLike[str]) 
 
 def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
     """Pictures in 256 colours that all of them share, so that still parts stay still."""
-    few = [image.convert("RGB") for image in images[:: max(1, len(images) // 8)]]
+    images = [opaque(image) for image in images]
+    few = images[:: max(1, len(images) // 8)]
     width, height = few[0].size
     sheet = Image.new("RGB", (width, height * len(few)))
     for number, image in enumerate(few):
         sheet.paste(image, (0, number * height))
-    palette = sheet.quantize(256, Image.Quantize.MEDIANCUT)
-    return [
-        image.convert("RGB").quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)
-        for image in images
+    # The most frequent colours, so that the background is smooth, and some from everywhere.
+    colours = [
+        *(sheet.quantize(176, Image.Quantize.MEDIANCUT).getpalette() or [])[: 176 * 3],
+        *(sheet.quantize(80, Image.Quantize.FASTOCTREE).getpalette() or [])[: 80 * 3],
     ]
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(colours)
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]

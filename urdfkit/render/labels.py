@@ -1,4 +1,4 @@
-"""Words in pictures, in the font that comes with Pillow."""
+"""Words in pictures, in the font that comes with Pillow; pictures on white."""
 
 from __future__ import annotations
 
@@ -38,6 +38,13 @@ class Box(NamedTuple):
 def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
     """The font at a size in pixels."""
     return ImageFont.load_default(size)
+
+
+def opaque(image: Image.Image) -> Image.Image:
+    """A picture for formats that have no transparency: on white."""
+    if image.mode != "RGBA":
+        return image.convert("RGB")
+    return Image.alpha_composite(Image.new("RGBA", image.size, (255,) * 4), image).convert("RGB")
 
 
 def caption(image: Image.Image, text: str) -> None:

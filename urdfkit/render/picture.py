@@ -12,7 +12,7 @@ from urdfkit import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.camera import looking
 from urdfkit.render.draw import draw
-from urdfkit.render.labels import caption, write
+from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 
@@ -128,7 +128,7 @@ def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
     if form is None or form not in Image.SAVE:
         raise PictureError(f"{os.fspath(path)}: no picture is called '{suffix}'; write .png")
     if form == "JPEG":
-        image = image.convert("RGB")
+        image = opaque(image)
     buffer = io.BytesIO()
     try:
         image.save(buffer, form, compress_level=4) if form == "PNG" else image.save(buffer, form)
