@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -29,6 +30,18 @@ def test_a_base_on_wheels(capsys: pytest.CaptureFixture[str]) -> None:
     page = capsys.readouterr().out
     assert "stands on left_wheel, right_wheel, caster\n" in page
     assert "\n\n\n" not in page
+
+
+def test_what_the_world_holds_cannot_tip_over(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("pinocchio")
+    text = Path(ARM).read_text(encoding="utf-8").replace('"mount"', '"world"')
+    (tmp_path / "arm.urdf").write_text(text, encoding="utf-8")
+    assert main(["statics", str(tmp_path / "arm.urdf")]) == 0
+    page = capsys.readouterr().out
+    assert page.endswith("\n\nfixed to the world: it cannot tip over\n")
+    assert max(map(len, page.splitlines())) <= 80
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,9 +14,11 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
+from urdfkit.formats._layout import wrap
 from urdfkit.joints import effort_unit
 from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
+from urdfkit.rigid import rigid_bodies
 from urdfkit.stability import Stability, stand
 from urdfkit.subject import Subject, Unavailable
 
@@ -66,13 +68,15 @@ def command(
     given = positions(subject, joint, pose)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)
-    stands = _stability(subject, given, contact, carried)
+    base = rigid_bodies(subject.tree)[0]
+    stands = None if base.is_ground else _stability(subject, given, contact, carried)
     if form == "json":
         output.write(json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2) + "\n")
     else:
         roots = {root.name for root in subject.tree.roots}
         lines = render(loads, subject.model, posed=bool(given))
-        output.page((*lines, "", *standing(stands, roots)))
+        ground = ["fixed to the world: it cannot tip over"] if base.is_ground else None
+        output.page((*lines, "", *(ground or standing(stands, roots))))
     return 0
 
 
@@ -153,7 +157,8 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
         yield ""
-        yield f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"
+        text = f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"
+        yield from wrap(text, output.width(), indent=2).split("\n")
     for load in found.loads:
         if load.is_exceeded:
             unit = effort_unit(model.joints_by_name[load.joint])
