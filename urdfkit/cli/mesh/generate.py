@@ -15,6 +15,10 @@ from urdfkit.stand_ins import StandIn, Undone, generate, generate_missing, gener
 _PARTS = {part.module: part for part in PARTS}
 
 
+def _is_robot(files: list[str]) -> bool:
+    return bool(files) and files[0].endswith((".urdf", ".xacro", ".xml"))
+
+
 @click.command("generate")
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
 @click.option("--model", metavar="FILE", help="The robot that names the mesh.")
@@ -51,8 +55,9 @@ def command(
     part = _PARTS[part_name] if part_name else None
     if model is None:
         if not files or part is None:
+            hint = f" (did you mean --model {files[0]}?)" if _is_robot(files) else ""
             raise options.UsageError(
-                "name the robot with --model; or name a file and what to make with --part"
+                f"name the robot with --model{hint}; or name a file and what to make with --part"
             )
         made = [generate_part(files[0], part, size, force=force)]
         undone: tuple[Undone, ...] = ()
