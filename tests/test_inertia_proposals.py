@@ -206,3 +206,12 @@ def test_impossible_tensors_are_told_apart(tmp_path: Path) -> None:
     for wrong in ('izz="3"', 'izz="-1"'):
         one = only(robot(tmp_path, shape, INERTIAL.replace('izz="1"', wrong)))
         assert one.verdict == "impossible"
+
+
+def test_without_the_libraries_meshes_are_not_known_and_that_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(as_mesh(trimesh.creation.box()), tmp_path / "m.stl")
+    monkeypatch.setattr("urdfkit.meshes.store.missing_library", lambda: "numpy")
+    one = only(robot(tmp_path, collision('<mesh filename="m.stl"/>')))
+    assert one.reason.endswith("without numpy: pip install 'urdfkit[meshes]'")

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from urdfkit.inertia import MassProperties, combined, rotated, scaled
+from urdfkit.meshes import store
 from urdfkit.model import Body, Link, Shape, Tensor
 from urdfkit.record import Record
 from urdfkit.shapes import solid
@@ -90,6 +91,8 @@ def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bo
 
 def _of_mesh(subject: Subject, body: Body, *, hull: bool) -> tuple[MassProperties, bool] | str:
     """The properties of a mesh in the frame of the link, and whether they are those of its hull."""
+    if missing := store.missing_library():
+        return f"meshes are not measured without {missing}: {store.INSTALL}"
     from urdfkit.meshes.measuring import measure
 
     assert body.shape is not None
