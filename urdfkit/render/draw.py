@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
+from urdfkit.render.arrays import FAR, Bools, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground
@@ -28,6 +28,7 @@ from urdfkit.render.pixels import (
     summed,
 )
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
+from urdfkit.render.rays import Tracer
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
 from urdfkit.render.soup import CHUNK, Soup, cut, extent, rows, soup
@@ -54,14 +55,20 @@ class Quality(NamedTuple):
     Attributes:
         samples: of a pixel, for smooth edges.
         sky, sun: samples of what hides the sky and the sun; none are taken for 0.
+        rays: whether these are rays, where Embree is installed.
     """
 
     samples: int
     sky: int
     sun: int
+    rays: bool = False
 
 
-QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 16, 10), "high": Quality(16, 40, 32)}
+QUALITIES = {
+    "draft": Quality(3, 0, 4),
+    "default": Quality(6, 16, 10),
+    "high": Quality(16, 32, 16, rays=True),
+}
 
 _OPAQUE, _CLEAR, _SIGN = range(3)
 
@@ -127,6 +134,9 @@ class _Drawing:
         lowest, highest = extent(world, rows(everything.faces, kind != _SIGN))
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, kind == _OPAQUE, self.rig, workers)
+        self.tracer: Tracer | None = None
+        if quality.rays:
+            self.tracer = _tracer(everything, kind == _OPAQUE, self.size)
         self.floor: Ground | None = None
         if floor and (kind == _OPAQUE).any():
             casts = rows(everything.faces, kind == _OPAQUE)
@@ -237,6 +247,15 @@ class _Drawing:
         shown = np.flatnonzero(depth.reshape(-1)[some.pixel] == -there.position[:, 2])
         pixel, position = some.pixel[shown], there.position[shown]
         width = self.camera.size[0]
+        if self.tracer is not None:
+            normal, reach = there.flat[shown], REACH * self.size
+            sky.reshape(-1)[pixel] = self.tracer.sky(
+                position, normal, pixel, width, 2 * reach, self.quality.sky
+            )
+            sun.reshape(-1)[pixel] = self.tracer.sun(
+                position, normal, pixel, width, self.rig.sun, self.quality.sun
+            )
+            return
         if self.quality.sky:
             sky.reshape(-1)[pixel] = openness(
                 depth,
@@ -340,6 +359,15 @@ class _Drawing:
         step = pixel * depth if not self.camera.is_orthographic else np.full_like(depth, pixel)
         near: Floats = np.float32(NEAR * self.size) + np.float32(LATTICE) * step
         return near
+
+
+def _tracer(everything: Soup, hides: Bools, size: float) -> Tracer | None:
+    """Rays among some triangles; None where Embree is not installed."""
+    faces = rows(everything.faces, hides)
+    try:
+        return Tracer(everything.points, faces, size) if len(faces) else None
+    except ImportError:
+        return None
 
 
 def _area(a: Floats, b: Floats, c: Floats) -> Floats:
