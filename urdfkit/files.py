@@ -142,7 +142,12 @@ class Files:
                 codes.add("MSH006")
             if mesh.facts and mesh.located.path:
                 codes |= _codes(mesh.facts, mesh.located.path)
-        found = {"MSH024": self.copies, "MSH025": self.ignored, "MSH027": self.case_collisions}
+        found = {
+            "MSH024": self.copies,
+            "MSH025": self.ignored,
+            "MSH027": self.case_collisions,
+            "MSH030": self.unreferenced,
+        }
         return codes.union(code for code, meshes in found.items() if meshes)
 
     @cached_property
@@ -179,6 +184,17 @@ class Files:
             others = [one for one in entries if one != name and one.casefold() == name.casefold()]
             found += [(mesh, other) for other in sorted(others)[:1]]
         return found
+
+    @cached_property
+    def unreferenced(self) -> list[str]:
+        """The mesh files beside those of this model that its workspace mentions nowhere."""
+        package = self.resolver.packages.enclosing(os.path.abspath(self.top))
+        if package is None or not self._used:
+            return []
+        from urdfkit.unreferenced import unreferenced
+
+        workspace = self.resolver.packages.workspace(self.top)
+        return unreferenced(self._used, package[1], workspace, self.resolver.folders)
 
     @cached_property
     def _each_file(self) -> list[MeshReference]:

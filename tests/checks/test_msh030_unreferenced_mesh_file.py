@@ -1,0 +1,47 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.meshed import SOUND, link, mesh, messages
+
+ROBOT = link(mesh("package://arm/meshes/a.stl"))
+FILES = {
+    "package.xml": b"<package><name>arm</name></package>",
+    "meshes/a.stl": SOUND,
+    "meshes/B_2.STL": SOUND,
+    "meshes/camera.dae": b"",
+    "meshes/notes.txt": b"",
+    "cad/d.stl": SOUND,
+}
+
+
+def test_what_nothing_mentions(tmp_path: Path) -> None:
+    assert messages(tmp_path, "MSH030", ROBOT, FILES) == [
+        "no file of the workspace mentions 'B_2.STL', 'camera.dae', beside the meshes of this robot"
+    ]
+
+
+def test_many_of_them(tmp_path: Path) -> None:
+    files = {f"meshes/old_{number}.stl": SOUND for number in range(7)}
+    (found,) = messages(tmp_path, "MSH030", ROBOT, {**FILES, **files})
+    assert "'B_2.STL', 'camera.dae', 'old_0.stl', 'old_1.stl', 'old_2.stl' and 4 more, " in found
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("config/visual.yaml", b"mesh: meshes/b_2.stl\nother: Camera.dae\n"),
+        ("urdf/other.urdf", b"<mesh filename='package://arm/meshes/B_2.STL'/> camera.dae"),
+        ("scripts/spawn.py", b"PART = 'b_2'; OTHER = 'camera'"),
+        ("urdf/parts.xacro", b'<mesh filename="package://arm/meshes/${name}.stl"/>'),
+    ],
+)
+def test_what_another_file_may_mention(tmp_path: Path, name: str, text: bytes) -> None:
+    assert messages(tmp_path, "MSH030", ROBOT, {**FILES, name: text}) == []
+
+
+def test_outside_of_a_package(tmp_path: Path) -> None:
+    files = {"a.stl": SOUND, "b.stl": SOUND}
+    assert messages(tmp_path, "MSH030", link(mesh("a.stl")), files) == []
