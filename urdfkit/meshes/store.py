@@ -33,7 +33,10 @@ _LIBRARY = re.compile(rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)")
 @lru_cache
 def missing_library() -> str:
     """A library that measuring needs and that is not installed; empty if all are."""
-    return next((name for name in ("numpy", "lxml", "manifold3d") if not find_spec(name)), "")
+    return next(
+        (name for name in ("numpy", "lxml", "manifold3d", "mapbox_earcut") if not find_spec(name)),
+        "",
+    )
 
 
 @lru_cache
