@@ -20,8 +20,8 @@ SLOW = set(
     "argparse ast asyncio click coal collada concurrent ctypes dataclasses difflib email hashlib "
     "importlib.metadata inspect json logging lxml manifold3d multiprocessing numpy optparse "
     "pathlib pickle pinocchio pkg_resources platform random scipy shutil socket ssl subprocess "
-    "tempfile textwrap threading tokenize traceback trimesh typing_extensions unicodedata urllib "
-    "uuid xacro xml.dom xml.etree xml.sax yaml yourdfpy zipfile".split()
+    "tempfile textwrap threading tokenize traceback trimesh typing typing_extensions unicodedata "
+    "urllib uuid xacro xml.dom xml.etree xml.sax yaml yourdfpy zipfile".split()
 )
 
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
-from typing import Any
 
 from urdfkit import rules
 from urdfkit.diagnostic import Severity
 from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
+from urdfkit.static import Any
 
 FILES = ("urdfkit.toml", "pyproject.toml")
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
@@ -18,6 +17,7 @@ from urdfkit.placed_yaml import Node, Value, load
 from urdfkit.record import Record
 from urdfkit.ros_control import control_plugins
 from urdfkit.source import Source, Span
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.model import number
 from urdfkit.plugins import Reference, Use
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector, rotate
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

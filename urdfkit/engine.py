@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
@@ -14,6 +13,7 @@ from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 
 if TYPE_CHECKING:

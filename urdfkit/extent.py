@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit.model import Body
 from urdfkit.record import Record
 from urdfkit.shapes import Box, solid
 from urdfkit.spatial import Frame, Vector
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

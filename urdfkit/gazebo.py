@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.inertia import MassProperties
 from urdfkit.record import Record
 from urdfkit.rigid import RigidBody, mass_of, rigid_bodies
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

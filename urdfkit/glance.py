@@ -7,9 +7,9 @@ The answers here are cautious: a rule that is not named as silent may still find
 from __future__ import annotations
 
 from math import pi
-from typing import TYPE_CHECKING
 
 from urdfkit.model import DEGREES_OF_FREEDOM
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint, RobotModel

@@ -7,10 +7,10 @@ here; a link that has one is judged only where its numbers give themselves away.
 from __future__ import annotations
 
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.inertia import principal_moments, scaled
 from urdfkit.masses import SIGNIFICANT, by_tensor
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.weighed import Weighed
 
 if TYPE_CHECKING:

@@ -7,7 +7,6 @@ of the link, or become possible at all. It says how sure it is.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit import inertia
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related
@@ -16,6 +15,7 @@ from urdfkit.model import Tensor, number
 from urdfkit.record import Record
 from urdfkit.rules import Finding
 from urdfkit.spatial import rotate, transposed
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.weighed import ROUNDING, Weighed
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ A uniform solid has its inertial where its shape is, so the calls pass the pose 
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit, Fix
 from urdfkit.edits import insert_behind, replace
@@ -14,6 +13,7 @@ from urdfkit.includes import is_included
 from urdfkit.markup import Kind, tokens
 from urdfkit.record import Record
 from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element, Frame, Tag

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from urdfkit import glance, rules
 from urdfkit.beside import srdf_files
@@ -13,6 +12,7 @@ from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
 
 if TYPE_CHECKING:

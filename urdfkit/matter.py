@@ -6,14 +6,13 @@ enclose a solid counts with its convex hull, and that is said.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from urdfkit.inertia import MassProperties, combined, rotated, scaled
 from urdfkit.meshes import store
 from urdfkit.model import Body, Link, Shape, Tensor
 from urdfkit.record import Record
 from urdfkit.shapes import solid
 from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.meshes.measures import Uniform

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.document import Attribute
 from urdfkit.inertia import MassProperties, rotated
@@ -15,6 +14,7 @@ from urdfkit.model import Body, Link, Placed, Shape
 from urdfkit.record import Record
 from urdfkit.shapes import Box, Lump
 from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.files import Files

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from math import hypot
-from typing import TYPE_CHECKING
 
 from urdfkit.meshes.beside import find_image
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import hypot, isfinite
-from typing import Generic, TypeVar
 
 from urdfkit.document import Attribute, Document, Element, Step
 from urdfkit.record import Record
 from urdfkit.source import Span
 from urdfkit.spatial import IDENTITY, Frame, Vector, from_rpy
+from urdfkit.static import Generic, TypeVar
 
 T = TypeVar("T", covariant=True)
 

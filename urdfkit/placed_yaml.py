@@ -7,10 +7,10 @@ have a few levels, and what is deeper is no such file.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.record import Record
 from urdfkit.source import Source, Span
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from typing import TypeAlias

@@ -7,11 +7,11 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import control_plugin
 from urdfkit.model import number
 from urdfkit.record import Record
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import Targets
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.document import Attribute, Element, Frame
@@ -20,6 +19,7 @@ from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Placed

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
 from math import atan2, cos, hypot, pi, sin
-from typing import TYPE_CHECKING
 
 from urdfkit.inertia import ZERO, MassProperties, combined
 from urdfkit.kinematics import frames
@@ -16,6 +15,7 @@ from urdfkit.record import Record
 from urdfkit.rigid import properties_of
 from urdfkit.shapes import Primitive, primitive
 from urdfkit.spatial import Frame, Vector
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

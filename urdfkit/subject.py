@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.document import Document, Frame
 from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.collision.robot import Collisions

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.manifest import manifest_of
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -7,7 +7,8 @@ were read. A file is loaded when a model first has something that it tells about
 from __future__ import annotations
 
 import os
-from typing import Any
+
+from urdfkit.static import Any
 
 
 def data(name: str) -> dict[str, Any]:

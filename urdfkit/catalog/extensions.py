@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from urdfkit.catalog import data
 from urdfkit.record import Record
+from urdfkit.static import Any
 
 
 class Extension(Record):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import Any
 
 from urdfkit.catalog import data
 from urdfkit.record import Record
+from urdfkit.static import Any
 
 #: The generations whose plugins a target loads.
 GENERATIONS = {

@@ -7,11 +7,11 @@ comment that hits nothing today hides a new defect tomorrow: delete it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import remove_spans
 from urdfkit.rules import Finding, Written, matching, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,10 +9,10 @@ collisions --srdf`); a simulator with self-collision on pushes the parts apart a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import dist
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.inertia import combined
 from urdfkit.rigid import properties_of
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

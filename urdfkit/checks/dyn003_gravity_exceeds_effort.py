@@ -11,12 +11,12 @@ has the numbers for all joints, and takes payloads.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import effort_unit
 from urdfkit.loads import overloadable
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.dynamics.statics import Load

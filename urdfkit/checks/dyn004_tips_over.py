@@ -10,7 +10,6 @@ all joints at zero; `urdfkit statics --pose` tells how it stands in any pose.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.extent import WITHOUT_MESHES
@@ -18,6 +17,7 @@ from urdfkit.joints import BOUNDED
 from urdfkit.rigid import rigid_bodies
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.stability import Stability, stand
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:

@@ -8,12 +8,12 @@ it only marks a place, make it fixed; where it is a stand-in for a mechanism, `<
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import driven
 from urdfkit.loads import idle
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

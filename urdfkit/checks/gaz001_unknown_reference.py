@@ -8,12 +8,12 @@ xacro prefixes are a usual cause.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute

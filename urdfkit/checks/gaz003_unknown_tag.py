@@ -8,13 +8,13 @@ the SDF, where the simulator warns about what it does not know and goes on witho
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import copied, extensions, meant
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.edits import rename_element
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import Extension, extensions
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_text
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -8,7 +8,6 @@ the other kind they do nothing, and neither does `preserveFixedJoint` for a join
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Edit, Fix, Severity
@@ -16,6 +15,7 @@ from urdfkit.document import Element
 from urdfkit.edits import STEP, insert_after, lines_of, remove_element
 from urdfkit.model import Joint
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Link

@@ -8,12 +8,12 @@ decides. Keep one value.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.document import Element
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

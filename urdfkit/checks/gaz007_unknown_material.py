@@ -8,13 +8,13 @@ error, and gz-sim falls back to the colour of the URDF.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.materials import materials
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_text
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

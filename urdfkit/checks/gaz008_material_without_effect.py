@@ -8,11 +8,11 @@ colours by name but draws no texture. For these, give the colour in the URDF's `
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.materials import materials
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -7,12 +7,12 @@ then Gazebo does not find it and goes on without it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import files
 from urdfkit.diagnostic import Severity
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,13 +8,13 @@ the robot does not move or sends no data. Take the successor; its tags have othe
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import GENERATIONS, find
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

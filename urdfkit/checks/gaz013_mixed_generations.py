@@ -8,12 +8,12 @@ argument (`<xacro:if value="$(arg use_gz)">`).
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import GENERATIONS
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,13 +8,13 @@ plugin takes its defaults.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.plugins import renames
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
 from urdfkit.edits import rename_element
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.catalog.plugins import Plugin

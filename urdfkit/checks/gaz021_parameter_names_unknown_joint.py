@@ -7,12 +7,12 @@ idle, and some plugins end the simulator. Xacro prefixes are a usual cause.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rewrite
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.plugins import Reference

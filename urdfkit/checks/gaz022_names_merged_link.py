@@ -10,13 +10,13 @@ needs a mass of its own.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import rewritten
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import from_macro, insert_before
 from urdfkit.plugins import Reference, Use, fate
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint

@@ -9,11 +9,11 @@ sphere, how large. A separation larger than the track is left alone where the wh
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.drives import Kind, Wheel, between, dot, drive_of, given, pairs, wheels
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

@@ -8,11 +8,11 @@ it turns on the spot when told to go straight.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.drives import Wheel, between, dot, drive_of, pairs, wheels
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.plugins import Use

@@ -7,10 +7,10 @@ refused, or both answer to the same topics and parameters, and one of the two se
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.plugins import Use

@@ -7,12 +7,12 @@ a drive plugin beside ros2_control, or beside the transmissions of `libgazebo_ro
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.document import Element
 from urdfkit.drives import driven
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

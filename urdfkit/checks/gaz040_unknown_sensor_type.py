@@ -7,7 +7,6 @@ misspelt, or it is that of a product instead of a kind of sensor.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Fix, Severity
@@ -15,6 +14,7 @@ from urdfkit.edits import replace_value
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.sensors import Sensor

@@ -8,12 +8,12 @@ a line in the log, and no data ever come.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ Gazebo prints a warning and passes over it, so the setting that it was meant for
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import children
 from urdfkit.diagnostic import Fix, Severity
@@ -14,6 +13,7 @@ from urdfkit.edits import rename_element
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -7,11 +7,11 @@ brings the simulation to a crawl. A negative rate has no meaning.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

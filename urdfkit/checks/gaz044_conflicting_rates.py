@@ -7,12 +7,12 @@ The plugin's rate only leaves measurements out; it cannot make more of them. The
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,13 +8,13 @@ link, and name the optical frame as the frame of its pictures.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 from urdfkit.spatial import rotate
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

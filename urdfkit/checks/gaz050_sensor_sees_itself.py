@@ -8,12 +8,12 @@ Raise the least range beyond the housing, or make the collision shape smaller.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
 from urdfkit.spatial import IDENTITY
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Body

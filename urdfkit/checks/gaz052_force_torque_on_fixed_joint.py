@@ -7,12 +7,12 @@ the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in the same `<gaz
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import insert_before
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -7,12 +7,12 @@ does not know: RViz shows "frame does not exist". Name the link's frame with `<g
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import Sensor, sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

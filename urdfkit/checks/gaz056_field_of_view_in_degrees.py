@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, radians
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rewrite
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.sensors import sensors
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -10,12 +10,12 @@ smaller about the same place is not meant, nor is a primitive that stands for a 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
 from urdfkit.edits import insert_first, remove_element
 from urdfkit.rules import Finding, rule
 from urdfkit.shapes import Box, Lump, Solid, solid
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Link, Shape

@@ -9,11 +9,11 @@ or an argument of the xacro was left at 0. Write the factors along x, y and z; m
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.shapes import shaped
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,12 +9,12 @@ Fortress on Gazebo does, and the `<material>` in `<gazebo>` can go.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.materials import materials
 from urdfkit.colours import Colours
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

@@ -10,11 +10,11 @@ ixx iyy izz first) or the products have the opposite sign.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.inertia_diagnosis import of_impossible, replacement, together, values
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.masses import Masses

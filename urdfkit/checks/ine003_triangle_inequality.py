@@ -9,11 +9,11 @@ another frame. Take it anew from the CAD program, or compute it from the shape.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.inertia_diagnosis import of_impossible, replacement, together
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.masses import Masses

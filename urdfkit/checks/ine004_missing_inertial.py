@@ -10,11 +10,11 @@ fixed joint ties it to the robot.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rigid import mass_of
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

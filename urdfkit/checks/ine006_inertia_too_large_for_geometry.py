@@ -12,11 +12,11 @@ or is a stand-in. Compute it from mass and size: for a box of x, y, z it is
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.inertia_diagnosis import advice, as_solid, of_unlike_shape, replacement, together
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.masses import Masses

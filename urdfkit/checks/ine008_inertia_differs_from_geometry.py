@@ -10,11 +10,11 @@ or ignore this for a link whose tensor you know.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.inertia_diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

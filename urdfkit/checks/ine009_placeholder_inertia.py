@@ -9,11 +9,11 @@ or compute it from mass and size; with a box around the mesh it is near enough.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.inertia_diagnosis import together, values
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -10,7 +10,6 @@ the part, ignore this.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.edits import rewrite
@@ -18,6 +17,7 @@ from urdfkit.inertia import scaled
 from urdfkit.inertia_claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
 from urdfkit.inertia_diagnosis import replacement, together
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

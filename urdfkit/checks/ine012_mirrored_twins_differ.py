@@ -9,12 +9,12 @@ the value that is right.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.inertia_diagnosis import values
 from urdfkit.masses import unlike
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

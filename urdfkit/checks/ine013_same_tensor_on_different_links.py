@@ -8,11 +8,11 @@ tensor from its own mass and size.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.inertia_diagnosis import MAX_RELATED, values
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,11 +9,11 @@ from the heavy link to the light one, or merge the two joints into one link.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.masses import CARRIED
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ by the mass pass over it. A frame needs no `<inertial>`; a part that weighs some
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.inertia_diagnosis import values
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 from urdfkit.weighed import NOISE
 

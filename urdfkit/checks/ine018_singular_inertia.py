@@ -9,11 +9,11 @@ thickness: even a rod has `mass / 2 * radius^2` about its length.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.inertia_diagnosis import MAX_RELATED
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.masses import Masses

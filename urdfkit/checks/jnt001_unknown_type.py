@@ -9,7 +9,6 @@ in a row, with links of almost no size between them.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
@@ -17,6 +16,7 @@ from urdfkit.grammar import is_expression
 from urdfkit.nearest import nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import JOINT_TYPES
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute

@@ -8,12 +8,12 @@ the default axis. Write the direction, such as 0 0 1, in the frame of the joint.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import MOVING
 from urdfkit.model import length
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,7 +8,6 @@ position where a direction was meant, or a component too many.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Attribute
@@ -16,6 +15,7 @@ from urdfkit.edits import replace_value
 from urdfkit.joints import MOVING
 from urdfkit.model import length
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Placed

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, radians
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Edit, Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.joints import bounds
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint

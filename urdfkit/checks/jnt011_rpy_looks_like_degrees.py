@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, radians
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.grammar import owner
 from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

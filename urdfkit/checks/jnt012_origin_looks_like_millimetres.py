@@ -9,12 +9,12 @@ scaled by 0.001, or no shape has a hundredth of that size. Divide by 1000.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.joints import related, several
 from urdfkit.model import length
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import RobotModel

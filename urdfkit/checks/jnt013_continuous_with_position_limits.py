@@ -8,11 +8,11 @@ all with 0 and 0. Remove them, or make the joint revolute if it has an end.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.edits import remove_attribute
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute

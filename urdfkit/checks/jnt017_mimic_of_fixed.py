@@ -9,12 +9,12 @@ the `<mimic>`, or give the joint its type back.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import MOVING, related, several
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import JOINT_TYPES
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint

@@ -7,12 +7,12 @@ faster and faster by itself. Drake refuses a negative damping, Pinocchio a negat
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import effort_unit, unit
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -10,10 +10,10 @@ robot that may go anywhere needs no joint at its root.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:

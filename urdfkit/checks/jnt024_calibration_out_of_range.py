@@ -8,12 +8,12 @@ every position is off afterwards. Correct the mark or the limits.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import bounds, unit
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

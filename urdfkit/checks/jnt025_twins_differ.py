@@ -12,11 +12,11 @@ their own.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.joints import MOVING, bounds, effort_unit, unit
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.twins import apart, numbered_pairs, pairs
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ there. Write both, a little within the limits, or remove the `<safety_controller
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.joints import SOFT_LIMITS, bounds, related, several, soft_bounds, unit
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,12 +8,12 @@ install: neither is told.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.manifest import manifest_of
 from urdfkit.ros_packages import comes_with_ros
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

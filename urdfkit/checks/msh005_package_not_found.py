@@ -8,13 +8,13 @@ folder or source the workspace that has it; where the name is a slip, mend it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.files import is_slip
 from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.files import MeshReference

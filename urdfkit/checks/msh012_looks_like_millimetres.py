@@ -9,7 +9,6 @@ attribute `scale="0.001 0.001 0.001"`, or export the mesh in metres.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit import edits
 from urdfkit.diagnostic import Confidence, Fix, Severity
@@ -17,6 +16,7 @@ from urdfkit.document import Attribute
 from urdfkit.mesh_claims import rest_of_robot
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.measured import Use

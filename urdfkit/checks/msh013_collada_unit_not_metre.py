@@ -9,12 +9,12 @@ unit into the vertices, with `urdfkit mesh convert`; then all readers agree.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.meshes.facts import has_other_unit
 from urdfkit.meshes.samples import collada
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,12 +9,12 @@ mesh collision` finds the best, `urdfkit mesh simplify` keeps the shape with few
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.mesh_claims import DENSE_COLLISION, MUJOCO_MOST
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

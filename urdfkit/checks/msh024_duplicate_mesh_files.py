@@ -7,11 +7,11 @@ from both places; a `<mesh>` may be mirrored with its scale and moved with its `
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,12 +8,12 @@ selected mesh only, or write the file again with `urdfkit mesh convert`, which k
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.mesh_claims import extras
 from urdfkit.meshes.samples import collada
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

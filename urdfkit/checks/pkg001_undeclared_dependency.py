@@ -8,7 +8,6 @@ Packages that come with ROS are not told.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import insert_after, insert_last
@@ -18,6 +17,7 @@ from urdfkit.mentions import of_package
 from urdfkit.reading import read_xml
 from urdfkit.ros_packages import comes_with_ros
 from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver

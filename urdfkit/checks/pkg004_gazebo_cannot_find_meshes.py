@@ -10,12 +10,12 @@ simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.gazebo_paths import survey
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.source import Source, Span
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.files import MeshReference

@@ -8,7 +8,6 @@ so that no joint moves. Correct the name.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
@@ -16,6 +15,7 @@ from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.ros_control import components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

@@ -9,12 +9,12 @@ vendor's interface may stand for a model and drive nothing; it is not told.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog import ros_control
 from urdfkit.diagnostic import Severity
 from urdfkit.ros_control import components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

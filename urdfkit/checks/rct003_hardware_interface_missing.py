@@ -8,11 +8,11 @@ counts now. Write `<hardwareInterface>` into the joint.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.ros_control import driven_joints, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -9,7 +9,6 @@ an exception.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import hardware, words
 from urdfkit.diagnostic import Fix, Severity
@@ -23,6 +22,7 @@ from urdfkit.ros_control import (
     reads_transmissions,
 )
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

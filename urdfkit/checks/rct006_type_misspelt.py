@@ -7,7 +7,6 @@ then miss every interface. Capital letters count. A block without a type is an e
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import component_types
 from urdfkit.diagnostic import Fix, Severity
@@ -16,6 +15,7 @@ from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute

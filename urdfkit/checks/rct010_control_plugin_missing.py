@@ -8,13 +8,13 @@ the joints.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import control_plugins as files
 from urdfkit.catalog.ros_control import hardware
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.ros_control import components, control_plugins, is_of_pr2
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -9,12 +9,12 @@ plugin goes with `gazebo_ros2_control/GazeboSystem`, gz_ros2_control with
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import hardware
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.ros_control import components, control_plugins
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

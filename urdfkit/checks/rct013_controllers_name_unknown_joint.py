@@ -9,7 +9,6 @@ or if the names differ in a prefix only.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
@@ -19,6 +18,7 @@ from urdfkit.nearest import Speller
 from urdfkit.placed_yaml import Value
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

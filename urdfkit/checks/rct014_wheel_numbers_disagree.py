@@ -10,7 +10,6 @@ multipliers.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import Measure
 from urdfkit.catalog.ros_control import controllers as catalogue
@@ -20,6 +19,7 @@ from urdfkit.drives import Rolling, between, dot, rolling
 from urdfkit.model import length, number
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

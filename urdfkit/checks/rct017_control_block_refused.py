@@ -7,13 +7,13 @@ tag", and the controller manager does not start. Correct the tag, or give the na
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import grammar
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rename_element
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -8,7 +8,6 @@ take a controller for the interface that is there. Joints without any block are 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
@@ -16,6 +15,7 @@ from urdfkit.diagnostic import Related, Severity
 from urdfkit.placed_yaml import Value
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

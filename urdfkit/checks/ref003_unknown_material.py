@@ -8,7 +8,6 @@ warns and the part gets the viewer's own colour. Define the material once, below
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.document import Attribute, Element
@@ -16,6 +15,7 @@ from urdfkit.edits import replace_value
 from urdfkit.grammar import is_expression, owner
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,12 +8,12 @@ robot.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute

@@ -7,12 +7,12 @@ URDF, without any bound on its acceleration. The joint was renamed, or has a pre
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.moveit_limits import planned_limits
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

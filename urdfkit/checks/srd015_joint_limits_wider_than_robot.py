@@ -8,12 +8,12 @@ lowered and the file was forgotten, or the other way round.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.joints import bounds, unit
 from urdfkit.moveit_limits import PlannedLimit, planned_limits
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.model import Joint

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import hypot
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.edits import insert_before, replace_value
@@ -18,6 +17,7 @@ from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.source import Span
 from urdfkit.spatial import dot
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

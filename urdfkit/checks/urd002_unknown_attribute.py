@@ -7,12 +7,12 @@ Every reader passes over it and takes the default of the attribute that was mean
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.edits import rename_attribute
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element

@@ -8,12 +8,12 @@ robot loads with holes in it. A `<dynamics>` needs at least one of its two attri
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rename_attribute
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -10,13 +10,13 @@ wrong number.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit import schema
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import as_written, replace_value
 from urdfkit.grammar import has_break, is_number, owner
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import zip_longest
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
@@ -17,6 +16,7 @@ from urdfkit.edits import remove_element
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import SHAPES
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

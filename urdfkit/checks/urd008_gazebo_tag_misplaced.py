@@ -9,7 +9,6 @@ the name of the link or joint.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Fix, Severity
@@ -17,6 +16,7 @@ from urdfkit.document import Element
 from urdfkit.edits import STEP, insert_after, insert_last, lines_of, remove_elements
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

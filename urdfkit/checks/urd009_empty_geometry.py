@@ -9,12 +9,12 @@ every visual and collision of the link, PyBullet refuses the robot. A plane is a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import SHAPES
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

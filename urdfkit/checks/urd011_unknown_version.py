@@ -7,12 +7,12 @@ MoveIt, Gazebo, Pinocchio) refuses the robot with any other text. Without the at
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import replace_value
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import VERSIONS
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -8,7 +8,6 @@ to where it belongs.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
@@ -16,6 +15,7 @@ from urdfkit.edits import move_after
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import places_of
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

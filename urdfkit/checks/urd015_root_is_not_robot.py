@@ -7,12 +7,12 @@ capital letters from small ones. urdfdom, Drake, MuJoCo and PyBullet find no rob
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rename_element
 from urdfkit.nearest import nearest
 from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

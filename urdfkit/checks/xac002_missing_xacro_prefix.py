@@ -7,12 +7,12 @@ the next program reports an unknown parent link, or nothing at all. Write `<xacr
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit import schema
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import rename_element
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -9,12 +9,12 @@ judged: the property may be used elsewhere.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.edits import remove_spans
 from urdfkit.includes import is_included
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -10,11 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from math import pi
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.model import number
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -11,12 +11,12 @@ for a box of x, y, z it is `ixx="${mass / 12 * (y*y + z*z)}"`, for a cylinder ab
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.inertial_macros import computing
 from urdfkit.rigid import mass_of
 from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Step, Tag

@@ -8,10 +8,10 @@ lost in the output of a launch.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule, told
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
 
 from urdfkit import atomic, formats
 from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.engine import check
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.cli.progress import Progress

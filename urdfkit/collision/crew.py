@@ -10,12 +10,12 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from types import TracebackType
-from typing import Any
 
 from urdfkit.collision.chain import Chain
 from urdfkit.collision.solids import Omitted, Solid
 from urdfkit.collision.task import Found, Task
 from urdfkit.errors import UrdfkitError
+from urdfkit.static import Any
 
 #: The folders of modules are handed over, so that nothing is imported from where we stand.
 _BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.collision.worker import main; main()"

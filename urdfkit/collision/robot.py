@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.collision.matrix import Matrix
 from urdfkit.collision.sampling import applies_units, collisions
 from urdfkit.collision.still import Still
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING
 
 from urdfkit.adjacency import Adjacency
 from urdfkit.collision.chain import Chain, chain
@@ -16,6 +15,7 @@ from urdfkit.collision.matrix import Matrix, Nearest, PairResult, Verdict
 from urdfkit.collision.solids import solids
 from urdfkit.collision.task import Approach, Found, Pose, Samples, Task
 from urdfkit.meshes.geometry import Floats
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -9,7 +9,6 @@ import gc
 import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from urdfkit.document import Attribute, Document, Frame
 from urdfkit.expansion import dom
@@ -18,6 +17,7 @@ from urdfkit.expansion.ledger import Message
 from urdfkit.expansion.run import Definition, Run
 from urdfkit.expansion.usage import Usage, usage
 from urdfkit.reading import encoding_problems
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.expansion.trace import Origin

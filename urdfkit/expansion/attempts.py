@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
 from xml.parsers.expat import ExpatError
 
 from urdfkit.expansion.budget import deadline
@@ -14,6 +13,7 @@ from urdfkit.expansion.run import Run
 from urdfkit.reading import Problem, syntax_problems, unbound_prefixes
 from urdfkit.record import Record
 from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.dom import Node

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
 from xml.dom import expatbuilder, minidom
 from xml.parsers import expat
 
@@ -16,6 +15,7 @@ from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
 from urdfkit.reading import Problem, TooMuch, entity_problem
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.trace import Origin

@@ -17,7 +17,6 @@ from functools import lru_cache
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from keyword import iskeyword
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
 from xml.dom import minidom
 
 from urdfkit.errors import UrdfkitError
@@ -25,6 +24,7 @@ from urdfkit.expansion import dom, patterns
 from urdfkit.expansion.dom import Node
 from urdfkit.expansion.evaluation import POISON, Evaluation, Tainted
 from urdfkit.expansion.fence import UnsafeExpression
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 import sys
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.expressions import evaluate
 from urdfkit.expansion.spot import Located
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run

@@ -14,9 +14,9 @@ import warnings
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from types import CodeType
-from typing import Any
 
 from urdfkit.expansion.fence import Fence, TooLarge, UnsafeExpression
+from urdfkit.static import Any
 
 #: Longer than any expression of a model; the longest known has 156 characters.
 MAX_EXPRESSION = 4000

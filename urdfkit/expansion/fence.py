@@ -13,9 +13,9 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from types import BuiltinFunctionType, MethodDescriptorType
-from typing import Any
 
 from urdfkit.expansion.budget import STEP_SIZE, Budget
+from urdfkit.static import Any
 
 #: Characters and items of one value, counted as often as they are shared.
 MAX_LENGTH = 1_000_000

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Related
 from urdfkit.expansion.errors import MissingArgument, root_cause
 from urdfkit.expansion.evaluation import POISON, Tainted
 from urdfkit.reading import Problem
 from urdfkit.record import Record
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

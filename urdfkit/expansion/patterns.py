@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 from urdfkit.expansion.fence import TooLarge, UnsafeExpression
+from urdfkit.static import Any
 
 #: Characters of all parameters of a macro; real ones have 1 000.
 _MAX_PARAMETERS = 10_000

@@ -6,12 +6,12 @@ import fnmatch
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
 from urdfkit.expansion.errors import EscapesRoots
 from urdfkit.expansion.fence import MAX_LENGTH, TooLarge
 from urdfkit.source import MAX_BYTES, Source
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.resolve import Resolver

@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Mapping
 from types import FrameType
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
@@ -24,6 +23,7 @@ from urdfkit.expansion.spot import Located
 from urdfkit.expansion.substitution import Context, SubstitutionError, substitute
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.record import Record
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.trace import Tracer

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from urdfkit.document import Frame
 from urdfkit.expansion.dom import Node
 from urdfkit.record import Record
 from urdfkit.source import Span
+from urdfkit.static import Any
 
 #: Longer expressions are not looked for; the text around them is their place.
 _MAX_TOKEN = 2000

@@ -9,12 +9,12 @@ from __future__ import annotations
 import builtins
 import os
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.errors import MissingArgument
 from urdfkit.expansion.expressions import evaluate
 from urdfkit.expansion.fence import UnsafeExpression
 from urdfkit.record import Record
+from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.fence import Fence

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
 
 from urdfkit.expansion.errors import BrokenYaml
 from urdfkit.source import Source, Span
+from urdfkit.static import Any
 
 #: Scalars of one YAML file, counted as often as aliases repeat them; and keys of one table, all
 #: of which are compared with each other if they hash alike.

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import os
 from importlib import import_module
-from typing import TYPE_CHECKING, Protocol
+
+from urdfkit.static import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from urdfkit.diagnostic import Report

@@ -7,12 +7,12 @@ character. The same report gives the same bytes.
 from __future__ import annotations
 
 import json
-from typing import Any
 
 from urdfkit import __version__
 from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
 from urdfkit.document import Step
 from urdfkit.source import Span
+from urdfkit.static import Any
 
 #: Of the document; a change that could break a reader counts it up.
 VERSION = 1

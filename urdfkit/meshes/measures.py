@@ -5,10 +5,9 @@ Lengths in the unit of the file. Nothing here needs numpy: measures come from th
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfkit.record import Record
 from urdfkit.spatial import Vector
+from urdfkit.static import Any
 
 
 class Uniform(Record):
