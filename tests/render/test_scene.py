@@ -179,3 +179,52 @@ def test_links_in_a_loop_and_islands_do_not_stop_a_picture() -> None:
     )
     scene = build(robot(link("a", box), link("b", box), link("c", box), joints=loop))
     assert {item.link for item in scene.items} == {"a"}
+
+
+def test_the_material_of_a_glb_is_seen(tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    box = trimesh.creation.box((1, 1, 1))
+    box.visual = trimesh.visual.TextureVisuals(
+        material=trimesh.visual.material.PBRMaterial(baseColorFactor=(0, 255, 0, 255))
+    )
+    box.export(tmp_path / "box.glb")
+    quarters = seen(tmp_path, '<geometry><mesh filename="box.glb"/></geometry>')
+    assert quarters == ["green"] * 4
+
+
+def test_the_colours_of_vertices_are_seen(tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    box = trimesh.creation.box((1, 1, 1))
+    colours = np.tile(np.array((0, 0, 255, 255), dtype=np.uint8), (len(box.vertices), 1))
+    colours[box.vertices[:, 1] > 0] = (255, 0, 0, 255)
+    box.visual = trimesh.visual.ColorVisuals(vertex_colors=colours)
+    box.export(tmp_path / "box.ply")
+    quarters = seen(tmp_path, '<geometry><mesh filename="box.ply"/></geometry>')
+    assert quarters == ["blue", "red", "blue", "red"]  # +y is at the right, seen from the front
+
+
+DAE = """<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit meter="0.5"/><up_axis>Z_UP</up_axis></asset>
+<library_effects><effect id="e"><profile_COMMON><technique sid="t"><lambert><diffuse>
+<color>0 1 0 1</color></diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
+<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="12">
+0 -1 -1 0 1 -1 0 1 1 0 -1 1</float_array><technique_common><accessor source="#a" count="4"
+stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z"
+type="float"/></accessor></technique_common></source><vertices id="v"><input semantic="POSITION"
+source="#p"/></vertices><triangles material="s" count="2"><input semantic="VERTEX" source="#v"
+offset="0"/><p>0 1 2 0 2 3</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="c"><node><instance_geometry url="#g"><bind_material>
+<technique_common><instance_material symbol="s" target="#m"/></technique_common></bind_material>
+</instance_geometry></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#c"/></scene></COLLADA>"""
+
+
+def test_the_effect_and_the_unit_of_a_collada_file_count(tmp_path: Path) -> None:
+    pytest.importorskip("lxml")
+    (tmp_path / "quad.dae").write_text(DAE, encoding="utf-8")
+    mesh = '<geometry><mesh filename="quad.dae"/></geometry>'
+    assert seen(tmp_path, mesh) == ["green"] * 4
+    points = build(read(tmp_path / "robot.urdf")).points()
+    assert np.ptp(points, axis=0) == pytest.approx((0, 1, 1))
