@@ -12,6 +12,8 @@ from urdfkit.meshes.geometry import Floats
 
 #: Configurations around the nearest one that are tried at a time, for each joint between.
 _TRIES = 8
+#: How often it is tried, by the number of joints between: many of them make many valleys.
+_ATTEMPTS = (1, 1, 1, 1, 2, 4, 4)
 #: How far from it, as a part of each joint's range, at first and at last.
 _FAR, _NEAR = 0.25, 0.002
 
@@ -102,11 +104,21 @@ class Approach(NamedTuple):
     seed: int
 
     def run(self, examiner: Examiner) -> list[Found]:
-        """The nearest that random steps lead to; they become smaller where none leads on."""
-        chain = examiner.chain
-        columns = chain.between(*self.pair)
-        lower, upper = chain.limits
-        random = np.random.default_rng([self.seed, *self.pair])
+        """The nearest that random steps lead to, in several attempts."""
+        columns = examiner.chain.between(*self.pair)
+        best = Found(0, self.distance, self.start)
+        for attempt in range(_ATTEMPTS[min(len(columns), 6)]):
+            found = self._attempt(examiner, columns, attempt)
+            if found.hits or found.distance < best.distance:
+                best = found
+            if best.hits:
+                break
+        return [best]
+
+    def _attempt(self, examiner: Examiner, columns: list[int], attempt: int) -> Found:
+        """Random steps from where the pair is close; smaller ones where none leads on."""
+        lower, upper = examiner.chain.limits
+        random = np.random.default_rng([self.seed, *self.pair, attempt])
         best, distance, step = self.start, self.distance, _FAR
         while step > _NEAR:
             tries = np.tile(best, (_TRIES * len(columns), 1))
@@ -115,12 +127,12 @@ class Approach(NamedTuple):
             tries = np.clip(tries, lower, upper)
             (found,) = _looked(examiner, [self.pair], [distance], [tries], count=False)
             if found.hits:
-                return [found]
+                return found
             if found.configuration is None:
                 step *= 0.6
             else:
                 best, distance = found.configuration, found.distance
-        return [Found(0, distance, best)]
+        return Found(0, distance, best)
 
     def parts(self) -> list[Task]:
         """Itself alone."""
