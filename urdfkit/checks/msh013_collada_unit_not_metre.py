@@ -37,7 +37,7 @@ FILES = {
     "collada-unit-not-metre",
     Severity.WARNING,
     needs=(Need.MODEL, Need.FILES),
-    help="bake it: urdfkit mesh convert FILE -o NEW.dae",
+    help="bake it: urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     told = set()

@@ -37,7 +37,7 @@ FILES = {
     "binary-stl-starts-with-solid",
     Severity.INFO,
     needs=(Need.MODEL, Need.FILES),
-    help="urdfkit mesh convert FILE -o NEW.stl",
+    help="urdfkit mesh convert FILE NEW.stl",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     found: dict[str | None, MeshReference] = {}

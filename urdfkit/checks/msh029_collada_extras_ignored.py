@@ -39,7 +39,7 @@ FILES = {
     "collada-extras-ignored",
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
-    help="export the mesh alone, or urdfkit mesh convert FILE -o NEW.dae",
+    help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.measured.claims.get("MSH029", ()):

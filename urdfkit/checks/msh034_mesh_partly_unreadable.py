@@ -36,7 +36,7 @@ FILES = {
     "mesh-partly-unreadable",
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
-    help="export the mesh again, or urdfkit mesh convert FILE -o NEW",
+    help="export the mesh again, or urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for mesh in subject.measured.unmeasured:
