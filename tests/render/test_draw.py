@@ -9,7 +9,7 @@ import pytest
 from PIL import Image, ImageDraw
 
 from tests.render.scenes import alone, colour_at, corners, link, robot, scene
-from urdfkit.render import Camera, build, draw, looking
+from urdfkit.render import Camera, build, draw, looking, picture
 
 BOX = '<box size="0.4 0.2 0.3"/>'
 SIZE = (320, 200)
@@ -191,3 +191,15 @@ def test_an_empty_robot_is_an_empty_picture() -> None:
     pixels = draw(of, looking(of.points(), size=SIZE))
     assert np.ptp(pixels[100].astype(int), axis=0).max() == 0
     assert not alone(of, looking(of.points(), size=SIZE)).any()
+
+
+def test_progress_goes_from_the_first_step_to_the_last() -> None:
+    told: list[tuple[int, int]] = []
+    picture(
+        scene(link("a", BOX)),
+        ["front", "top"],
+        size=(200, 100),
+        threads=2,
+        progress=lambda done, total: told.append((done, total)),
+    )
+    assert sorted(told) == [(done, told[-1][1]) for done in range(1, told[-1][1] + 1)]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options
+from urdfkit.cli.progress import on_terminal
 from urdfkit.formats._layout import printable
 
 if TYPE_CHECKING:
@@ -116,6 +117,7 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
     if values["thumbnail"]:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
+    progress = on_terminal()
     image = render.picture(
         scene,
         VIEWS if named == ["all"] else named,
@@ -123,15 +125,17 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
         floor=not values["no_ground"],
         background=_background(values["background"]),
         quality=values["quality"],
+        progress=progress,
         **_camera(values),
     )
+    if progress is not None:
+        progress.wipe()
     render.save(image, values["output"])
 
 
 def _animation(robot: Subject, scene: Scene, values: dict[str, Any]) -> None:
     """A turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
-    from urdfkit.cli.progress import on_terminal
     from urdfkit.poses import pose
 
     path = values["turntable"] or values["output"]

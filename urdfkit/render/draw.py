@@ -7,6 +7,8 @@ the order of the bands, so the bytes are the same for any number of threads.
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -91,6 +93,7 @@ def draw(
     floor: bool = True,
     level: float | None = None,
     threads: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Bytes:
     """Draw a scene.
 
@@ -102,12 +105,13 @@ def draw(
         floor: whether there is a ground that catches shadows.
         level: height of the ground in m; that of the robot's lowest point if None.
         threads: how many work on it; the picture does not depend on it.
+        progress: called with the number of steps done and of all.
 
     Returns:
         (h, w, 4), red green blue alpha, sRGB, not premultiplied.
     """
     drawing = _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor, level)
-    return drawing.picture(background)
+    return drawing.picture(background, progress or (lambda _done, _total: None))
 
 
 class _Drawing:
@@ -155,19 +159,22 @@ class _Drawing:
         self.kind = self._kind(self.soup)
         self.offsets = rooks(quality.samples)
 
-    def picture(self, background: Background | None) -> Bytes:
+    def picture(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
         width, height = self.camera.size
         bands: dict[int, _Band] = {}
+        count, steps = 3 * -(-height // BAND), itertools.count(1)
         depth = np.full((height, width), FAR, dtype=np.float32)
 
         def see(first: int, last: int) -> None:
             bands[first] = self._see(first, last, depth)
+            progress(next(steps), count)
 
         self.workers.bands(height, BAND, see)
         sky, sun = np.ones_like(depth), np.ones_like(depth)
 
         def light(first: int, _last: int) -> None:
             self._light(bands[first].opaque, depth, sky, sun)
+            progress(next(steps), count)
 
         self.workers.bands(height, BAND, light)
         result = np.empty((height, width, 4), dtype=np.uint8)
@@ -176,6 +183,7 @@ class _Drawing:
             result[first:last] = self._colour(
                 bands.pop(first), first, last, depth, sky, sun, background
             )
+            progress(next(steps), count)
 
         self.workers.bands(height, BAND, colour)
         return result

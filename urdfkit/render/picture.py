@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PIL import Image, ImageColor
 
@@ -39,6 +39,7 @@ def picture(
     background: Background | None = STUDIO,
     floor: bool = True,
     threads: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Image.Image:
     """Draw a robot.
 
@@ -54,6 +55,7 @@ def picture(
         background: colours above and below, sRGB from 0 to 1; None for a transparent one.
         floor: whether there is a ground that catches shadows.
         threads: that work on it, as many as processors if None; the bytes do not depend on it.
+        progress: called with the number of steps done and of all.
 
     Raises:
         NoSuchView: a view has no name, or a number is out of bounds.
@@ -85,6 +87,7 @@ def picture(
                 background=background,
                 floor=floor,
                 threads=threads,
+                progress=_part(progress, number, len(views)),
             )
         )
         if scene.labels:
@@ -93,6 +96,15 @@ def picture(
             caption(image, view)
         whole.paste(image, (number % columns * cell[0], number // columns * cell[1]))
     return whole if background is None else whole.convert("RGB")
+
+
+def _part(
+    progress: Callable[[int, int], None] | None, number: int, count: int
+) -> Callable[[int, int], None] | None:
+    """Progress of one view of several."""
+    if progress is None:
+        return None
+    return lambda done, total: progress(number * total + done, count * total)
 
 
 def colour(word: str) -> tuple[float, float, float]:
