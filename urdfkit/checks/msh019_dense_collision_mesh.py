@@ -27,7 +27,7 @@ BAD = """\
 </link>"""
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
-    "forearm.stl": stl(1700 * box((0, 0, 0), (0.1, 0.1, 0.3))),
+    "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=1700),
     "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
 }
 

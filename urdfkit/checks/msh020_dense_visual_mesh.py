@@ -26,7 +26,7 @@ BAD = """\
 </link>"""
 GOOD = BAD.replace("forearm", "hand")
 FILES = {
-    "forearm.stl": stl(8400 * box((0, 0, 0), (0.1, 0.1, 0.3))),
+    "forearm.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3)), copies=8400),
     "hand.stl": stl(box((0, 0, 0), (0.1, 0.1, 0.3))),
 }
 

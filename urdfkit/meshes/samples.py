@@ -21,13 +21,15 @@ def box(low: Vector, high: Vector, faces: Iterable[tuple[int, ...]] = BOX) -> li
     return [[corners[n] for n in face] for face in faces]
 
 
-def stl(triangles: Iterable[list[Vector]], header: bytes = b"", colour: int = 0) -> bytes:
-    """A binary STL."""
+def stl(
+    triangles: Iterable[list[Vector]], header: bytes = b"", colour: int = 0, copies: int = 1
+) -> bytes:
+    """A binary STL, with some copies of every triangle."""
     body = [
         pack("<12fH", 0, 0, 0, *(value for corner in triangle for value in corner), colour)
         for triangle in triangles
     ]
-    return header.ljust(80, b"\0") + pack("<I", len(body)) + b"".join(body)
+    return header.ljust(80, b"\0") + pack("<I", copies * len(body)) + copies * b"".join(body)
 
 
 def collada(asset: str = "", look: str = "", more: str = "") -> bytes:
