@@ -44,3 +44,9 @@ def test_paragraphs_fit_80_columns_and_lists_stay() -> None:
     page = render(rule)
     prose = page[: page.index("\n\nNeeds:")]
     assert max(map(len, prose.splitlines())) <= 80
+
+
+def test_what_a_rule_needs_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", "SRD009"]) == 0
+    needs = "Needs: a robot that can be read, an SRDF beside the robot, coal (pip install "
+    assert needs in capsys.readouterr().out
