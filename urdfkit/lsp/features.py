@@ -69,6 +69,7 @@ def _add_documents(server: Server) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     async def _(params: lsp.DidCloseTextDocumentParams) -> None:
+        server.forget(params.text_document.uri)
         path = server.path(params.text_document.uri)
         nothing: dict[str, list[Diagnostic]] = {}
         left = await server.ask(lambda: server.robots.close(path), nothing)

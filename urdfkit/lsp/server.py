@@ -108,9 +108,13 @@ class Server(LanguageServer):
 
     def check_soon(self, uri: str, *, thorough: bool = False) -> None:
         """Check a text once it has been quiet."""
+        self.forget(uri)
+        self._waiting[uri] = asyncio.ensure_future(self._check(uri, thorough=thorough))
+
+    def forget(self, uri: str) -> None:
+        """A text is closed: a check that it waits for is of no use any more."""
         if waiting := self._waiting.pop(uri, None):
             waiting.cancel()
-        self._waiting[uri] = asyncio.ensure_future(self._check(uri, thorough=thorough))
 
     async def _check(self, uri: str, *, thorough: bool) -> None:
         await asyncio.sleep(QUIET)

@@ -174,9 +174,9 @@ class Workspace:
         Returns:
             What is left to tell of the files of robots that no open file is part of any more.
         """
+        parts = {entry.file for entry in self.entries(path)}
         self.texts.pop(path, None)
-        open_ = {entry.file for other in self.texts for entry in self.entries(other)}
-        closed = {entry.file for entry in self._entries.get(path, ())} - open_
+        closed = parts - {entry.file for other in self.texts for entry in self.entries(other)}
         files = {file for root in closed for file in self._found.pop(root, ())}
         self.look_again()
         return {file: list(self._of_file(file)) for file in files}
