@@ -218,7 +218,7 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
     if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
-        return {"PKG001", "PKG002", "PKG004"}
+        return {"PKG001", "PKG002", "PKG003", "PKG004"}
     from urdfkit.mentions import silent  # it compiles a regular expression
 
     return silent(sources, subject.resolver.packages)
