@@ -41,7 +41,12 @@ def conditioning(robot: Dynamics) -> Conditioning:
     if not len(moving):
         return Conditioning(1.0, ())
     scale = np.sqrt(np.abs(diagonal[moving]))
-    scaled = matrix[np.ix_(moving, moving)] / np.outer(scale, scale)
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = matrix[np.ix_(moving, moving)] / np.outer(scale, scale)
+    strange = ~np.isfinite(scaled).all(axis=1)
+    if strange.any():  # negative masses give anything
+        lost = (robot.columns[index].partition("[")[0] for index in moving[strange])
+        return Conditioning(float("inf"), tuple(dict.fromkeys(lost)))
     values, vectors = np.linalg.eigh(scaled)
     number = float(values[-1] / values[0]) if values[0] > 0 else float("inf")
     part = np.abs(vectors[:, 0])

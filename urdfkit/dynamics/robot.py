@@ -183,8 +183,10 @@ class Dynamics:
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
         """The joint-space mass matrix, the root fixed, (nv, nv), in kg, kg m or kg m^2."""
         upper = np.triu(pin.crba(self.model, self.data, self.configuration(pose)))
-        whole = upper + np.triu(upper, 1).T
-        found: Floats = self.selection.T @ whole @ self.selection
+        # With negative masses Pinocchio divides by nearly nothing.
+        with np.errstate(over="ignore", invalid="ignore"):
+            whole = upper + np.triu(upper, 1).T
+            found: Floats = self.selection.T @ whole @ self.selection
         return found
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
