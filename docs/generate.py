@@ -75,7 +75,14 @@ def page(rule: Rule) -> str:
         parts += ["## After the fix", block("xml", fixed)]
     for name, data in getattr(sys.modules[rule.module], "FIXED_FILES", {}).items():
         parts += [f"## `{name}` after the fix", block("xml", data.decode())]
+    if rule.sources:
+        parts += ["## Sources", "\n".join(map(reference, rule.sources))]
     return "\n\n".join(parts) + "\n"
+
+
+def reference(source: str) -> str:
+    """A source as an item of a list; what has an address leads there."""
+    return re.sub(r"^- (.*): (https?:\S+)$", r"- [\1](\2)", f"- {source}")
 
 
 def remedy(rule: Rule) -> str:

@@ -1,8 +1,9 @@
 """Rules: how one is declared, and which there are.
 
 A rule is one file in ``urdfkit/checks``, named ``<code>_<name>.py``. Its docstring is the
-explanation that users read, and its ``check`` yields Findings. The file name is the catalogue:
-nothing else has to be edited, and a rule is imported only when it may have something to say.
+explanation that users read, with the sources of its facts, and its ``check`` yields Findings. The
+file name is the catalogue: nothing else has to be edited, and a rule is imported only when it may
+have something to say.
 """
 
 from __future__ import annotations
@@ -131,6 +132,9 @@ def told(subject: Subject, code: str) -> Iterator[Finding]:
 
 Check = Callable[["Subject"], Iterator[Finding]]
 
+#: Ends the explanation in the docstring of a rule; a line for each source follows.
+_SOURCES = "\n\nSources:\n"
+
 
 class Rule(Record):
     """A rule.
@@ -143,7 +147,7 @@ class Rule(Record):
         check: yields the findings.
         help: what to do, where a finding does not say it.
         fixable: True if findings may carry a fix.
-        module: that holds it; its docstring explains the rule.
+        module: that holds it; its docstring explains the rule and lists its sources.
         by_target: severities for single targets, where they differ.
     """
 
@@ -171,6 +175,15 @@ class Rule(Record):
     @property
     def explanation(self) -> str:
         """What the rule finds, why it matters and what to do, for people."""
+        return self._documentation.partition(_SOURCES)[0]
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Where its facts come from, as ``what it is: address``, or what was measured."""
+        return tuple(map(str.strip, self._documentation.partition(_SOURCES)[2].splitlines()))
+
+    @property
+    def _documentation(self) -> str:
         return (sys.modules[self.module].__doc__ or "").strip()
 
     def example(self, which: str) -> str | None:

@@ -34,6 +34,9 @@ PARTS = {
 #: What rules of a family look at where it is to be had, and do without otherwise.
 OPTIONAL = {"INE": {"files", "measured"}, "GEO": {"files", "measured"}}
 
+#: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
+OUR_OWN = {"CFG001", "CFG002", "MSH020", "MSH024", "MSH030"}
+
 pytestmark = pytest.mark.parametrize("code", rules.codes())
 
 
@@ -72,6 +75,14 @@ def test_the_explanation_begins_with_one_sentence(code: str) -> None:
     assert ". " not in first.replace("e.g. ", ""), "one sentence"
     assert blank == ""
     assert " ".join(rest).strip(), "what happens, in which program, and what to do"
+
+
+def test_the_sources_of_a_rule_are_named(code: str) -> None:
+    sources = rules.get(code).sources
+    assert bool(sources) is (code not in OUR_OWN)
+    for source in sources:
+        assert re.fullmatch(r"(?!.*measured).+: https?://[^ ]+\w[^ ]*|measured: .*\d.*", source)
+    assert len(set(sources)) == len(sources)
 
 
 def test_bad_is_found(code: str) -> None:

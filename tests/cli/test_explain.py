@@ -20,7 +20,8 @@ def test_the_page_of_a_rule() -> None:
     assert '\n\nBad:\n\n    <link name="base"/>\n' in page
     assert '\n\nGood:\n\n    <link name="base"/>\n' in page
     assert "Fixed:" not in page
-    assert page.endswith("</joint>\n")
+    sources = page.partition("</joint>\n\nSources:\n\n    ")[2].splitlines()
+    assert tuple(map(str.strip, sources)) == rules.get("TRE006").sources
 
 
 @pytest.mark.parametrize("code", rules.codes())
@@ -37,6 +38,7 @@ def test_every_rule_can_be_explained(code: str) -> None:
     assert head.endswith(", with a fix)" if rule.fixable else ", without a fix)")
     assert "\n\nBad:\n\n    " in page
     assert "\n\nGood:\n\n    " in page
+    assert [source for source in rule.sources if f"    {source}\n" not in page] == []
 
 
 def test_paragraphs_fit_80_columns_and_lists_stay() -> None:

@@ -34,4 +34,5 @@ def test_the_same_as_json(capsys: pytest.CaptureFixture[str]) -> None:
         "fixable": False,
         "help": rule.help,
         "explanation": rule.explanation,
+        "sources": list(rule.sources),
     }

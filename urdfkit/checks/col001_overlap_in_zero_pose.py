@@ -6,6 +6,10 @@ collision on throws the parts against each other in its first step. A joint whos
 zero counts at the middle of its range. Correct the origin of a joint or of a collision, make the
 collision geometry smaller, or begin in another pose. An overlap of less than 1 mm is taken for a
 closed gripper.
+
+Sources:
+    MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

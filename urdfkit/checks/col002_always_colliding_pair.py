@@ -4,6 +4,9 @@ They are neither neighbours nor held together by fixed joints, and collide at ze
 and in some dozens of poses between. The collision geometry is coarser than the robot, or one part
 runs through another. MoveIt can plan only when the pair is disabled in the SRDF (`urdfkit
 collisions --srdf`); a simulator with self-collision on pushes the parts apart all the time.
+
+Sources:
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@ With all joints at zero, or with one of them at a limit, less than 1 mm is left 
 they collide in none of these poses. No robot is built to that, and no joint stops there: padding,
 play, or a little overshoot makes it a collision. Keep the limit a little away from it, or make the
 collision geometry say what is really there. Fingers that close on each other are meant to be near.
+
+Sources:
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
 bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
 other without end. Make the outer geometry smaller, or move the inner one to where the part is.
+
+Sources:
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

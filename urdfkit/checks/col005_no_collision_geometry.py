@@ -4,6 +4,10 @@ Neither it nor what is fixed to it has a `<visual>` or a `<collision>`, and noth
 forces act on it, but nobody sees it, and nothing can touch it. Other links of the robot have
 collision geometry, so this one was forgotten, or it is a stand-in for a mechanism and may stay as
 it is.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ body is in the other one: a wheel deep in the box of the chassis, say. Gazebo, M
 neighbours pass through each other, so that nothing happens between them. But the outer geometry
 stands in the way of what should meet the inner one, such as a kerb of the wheel, and the box is
 hardly the shape that was meant. Told of primitives and convex meshes, whose depth is certain.
+
+Sources:
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
+    MuJoCo, URDF: https://mujoco.readthedocs.io/en/stable/modeling.html#urdf-extensions
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Asked for with `--target pinocchio`: Pinocchio itself reads the expanded URDF, i
 own. Where it refuses, `buildModelFromUrdf` raises a ValueError that tells no reason; the reason
 goes to the standard error of the C++ library, and is repeated here. It refuses several roots,
 loops, names that are used twice or not at all, and joints whose `<limit>` lacks an effort.
+
+Sources:
+    Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
 from __future__ import annotations

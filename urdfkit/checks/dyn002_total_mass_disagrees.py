@@ -3,6 +3,10 @@
 Asked for with `--target pinocchio`, as DYN001. Pinocchio drops an `<inertial>` in which a number
 cannot be read and says so on the standard error of the C++ library only: the link is weightless,
 and every torque that is computed with it is wrong.
+
+Sources:
+    Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

@@ -6,6 +6,9 @@ at their limits, some hundred drawn with a fixed seed, and a search for the wors
 held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
 counterweights are not part of URDF: where the real robot has them, ignore this. `urdfkit statics`
 has the numbers for all joints, and takes payloads.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ nothing between two joints with parallel axes lets both spin against each other 
 the matrix loses as many digits as the masses are apart, and with single precision (PhysX, Bullet)
 there is nothing left. The robot trembles or explodes. Give the link the mass of the real part, or
 make one of the joints fixed.
+
+Sources:
+    Featherstone 2004, An Empirical Study of the Joint Space Inertia Matrix: https://dokumen.tips/documents/an-empirical-study-of-the-joint-space-inertia-matrix.html
+    robotology/icub-models#121: https://github.com/robotology/icub-models/issues/121
 """
 
 from __future__ import annotations

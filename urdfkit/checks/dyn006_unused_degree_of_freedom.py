@@ -3,6 +3,10 @@
 Such a joint is a degree of freedom that no one sees. Its row of the mass matrix is zero, which
 Pinocchio's forward dynamics and MuJoCo do not take; Gazebo drops the massless link with it. Where
 it only marks a place, make it fixed; where it is a stand-in for a mechanism, `<mimic>` says so.
+
+Sources:
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Gazebo's converter compares the reference with the names of links and joints and drops the whole
 block, sensors and friction with it, without a message. Name the link or joint that is meant;
 xacro prefixes are a usual cause.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The content of such a block belongs to the whole model, and friction, materials, sensors and the
 like are nothing that a model has: Gazebo's converter stores them and never uses them, without a
 message. Write one block per link, with `reference="..."`.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Gazebo's converter handles some tags by name (`mu1`, `kp`, `material`...) and copies all others into
 the SDF, where the simulator warns about what it does not know and goes on without it. `<mu>` for
 `<mu1>` and the snake_case names of SDF (`max_vel`, `laser_retro`) are usual slips.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

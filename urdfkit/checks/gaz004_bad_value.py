@@ -3,6 +3,9 @@
 Where Gazebo's converter wants a number, other text ends the whole conversion with an exception, and
 a decimal comma reads as the digits before it. Where it wants a boolean, it looks for `true`, `yes`
 and `1` (for `turnGravityOff`: `false`, `no` and `0`) and takes everything else for the opposite.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Gazebo's converter applies `mu1`, `kp`, `selfCollide` and their like to links, and
 `preserveFixedJoint`, `provideFeedback`, `springStiffness` and their like to joints; in the block of
 the other kind they do nothing, and neither does `preserveFixedJoint` for a joint that is not fixed.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

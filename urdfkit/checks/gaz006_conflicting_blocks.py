@@ -3,6 +3,9 @@
 Gazebo takes the last one. So it is, too, with `turnGravityOff`, `selfCollide` and `dampingFactor`
 of links that fixed joints merge: the merged body has one value, and the last link to be merged
 decides. Keep one value.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

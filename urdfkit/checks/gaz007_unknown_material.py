@@ -3,6 +3,10 @@
 `<material>` in a `<gazebo>` block names a script of Gazebo, such as `Gazebo/Orange`: with the
 prefix, and with capitals where it has them. Gazebo Classic draws an unknown name white or as an
 error, and gz-sim falls back to the colour of the URDF.
+
+Sources:
+    Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
+    gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
 
 from __future__ import annotations

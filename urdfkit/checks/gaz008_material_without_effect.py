@@ -3,6 +3,10 @@
 Gazebo Fortress has no material scripts at all, and from Garden on gz-sim substitutes the plain
 colours by name but draws no texture. For these, give the colour in the URDF's `<material>` or as
 `<visual><material><diffuse>` in the `<gazebo>` block.
+
+Sources:
+    gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 SDF requires both: up to SDF 1.9 Gazebo refuses the whole model without them. The file name is that
 of the library; the name is free in Gazebo Classic and the class in gz-sim.
+
+Sources:
+    sdformat, Plugin.cc: https://github.com/gazebosim/sdformat/blob/main/src/Plugin.cc
+    moveit/moveit#3572: https://github.com/moveit/moveit/issues/3572
 """
 
 from __future__ import annotations

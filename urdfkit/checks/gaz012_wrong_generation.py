@@ -3,6 +3,11 @@
 Gazebo Classic with ROS 1, Gazebo Classic with ROS 2, Fortress and gz-sim each have libraries of
 their own. One of another generation is not found: Gazebo writes an error, starts without it, and
 the robot does not move or sends no data. Take the successor; its tags have other names, too.
+
+Sources:
+    Gazebo, migration from Classic: https://gazebosim.org/docs/latest/migrating_gazebo_classic_ros2_packages/
+    gazebosim/ros_gz#362: https://github.com/gazebosim/ros_gz/issues/362
+    jackal/jackal#129: https://github.com/jackal/jackal/issues/129
 """
 
 from __future__ import annotations

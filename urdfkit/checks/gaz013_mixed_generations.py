@@ -3,6 +3,10 @@
 No Gazebo loads both: each writes errors about the other's libraries, and half of the robot's
 sensors or drives is missing in every one of them. Choose one, or select the block with a xacro
 argument (`<xacro:if value="$(arg use_gz)">`).
+
+Sources:
+    Gazebo, migration from Classic: https://gazebosim.org/docs/latest/migrating_gazebo_classic_ros2_packages/
+    gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SystemLoader.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 A model plugin belongs in a `<gazebo>` block without a reference, a sensor plugin in a `<sensor>` in
 the block of a link. A plugin that stands directly in the block of a link or joint is copied into
 that link and never loaded; one of the wrong kind ends with an error about its type.
+
+Sources:
+    Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 A plugin asks its sensor for the data of one type, and gives up, or ends the server, where it is of
 another: a laser plugin needs a `ray` sensor, a GPU laser `gpu_ray`, a depth camera `depth`.
+
+Sources:
+    Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
+    gazebo_ros_laser.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_laser.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 Gazebo hands every tag to the plugin, and what the plugin does not ask for has no effect and causes
 no message. Mostly it is left over from another plugin or version. Nothing is said about a few tags
 that the shipped examples themselves give without need, such as `alwaysOn`.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,11 @@
 
 Some tags have no default, or one that names a joint which this robot does not have: the plugin
 writes an error and stays idle, and some end the whole simulator.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gz-sim, DiffDrive.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/diff_drive/DiffDrive.cc
+    ros-simulation/gazebo_ros_pkgs#609: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/609
 """
 
 from __future__ import annotations

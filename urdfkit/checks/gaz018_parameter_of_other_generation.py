@@ -3,6 +3,11 @@
 The plugins of ROS 1 read `<robotBaseFrame>`, those of ROS 2 `<robot_base_frame>`, and topics and
 the namespace moved into a `<ros>` block. The old names have no effect and cause no message: the
 plugin takes its defaults.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    ros-simulation/gazebo_ros_pkgs#1377: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1377
 """
 
 from __future__ import annotations

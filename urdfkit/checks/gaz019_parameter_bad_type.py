@@ -2,6 +2,9 @@
 
 Where a number is wanted, text reads as 0 or as the default, and a decimal comma ends the number.
 Where a boolean is wanted, only `true` and `1` are true: `yes` and `on` read as false.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
 """
 
 from __future__ import annotations

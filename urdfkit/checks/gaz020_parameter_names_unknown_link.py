@@ -2,6 +2,10 @@
 
 The plugin looks the link up in the simulated model; not finding it, it writes an error and stays
 idle, and some plugins end the simulator. Xacro prefixes are a usual cause.
+
+Sources:
+    ros-simulation/gazebo_ros_pkgs#843: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/843
+    osrf/vrx#867: https://github.com/osrf/vrx/issues/867
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The plugin looks the joint up in the simulated model; not finding it, it writes an error and stays
 idle, and some plugins end the simulator. Xacro prefixes are a usual cause.
+
+Sources:
+    ros-simulation/gazebo_ros_pkgs#609: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/609
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
 """
 
 from __future__ import annotations

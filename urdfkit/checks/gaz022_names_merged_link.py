@@ -5,6 +5,11 @@ A plugin that looks for one of the others, or for the fixed joint, does not find
 that is left, or ask for the joint to be kept with
 `<gazebo reference="JOINT"><preserveFixedJoint>true</preserveFixedJoint></gazebo>`; the link then
 needs a mass of its own.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    ros-simulation/gazebo_ros_pkgs#843: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/843
+    gazebosim/gazebo-classic#2732: https://github.com/gazebosim/gazebo-classic/issues/2732
 """
 
 from __future__ import annotations

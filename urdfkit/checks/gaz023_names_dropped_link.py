@@ -3,6 +3,10 @@
 A link without mass that no fixed joint merges into another one is not simulated, and neither is
 anything that hangs on it. A plugin that looks for such a link, or for a joint above or below it,
 does not find it. Give the link an `<inertial>`.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 A drive sets a velocity and expects the joint to turn for ever: a revolute joint stops at its
 limits, and a prismatic one slides. Make the wheel's joint `continuous`.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gz-sim, DiffDrive.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/diff_drive/DiffDrive.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,11 @@ The plugin computes wheel speeds and odometry from its own numbers: with a wrong
 drives too fast or too slow and measures too little or too much, with a wrong separation it turns by
 the wrong angle. The model says where the wheels are and, if their collision is a cylinder or a
 sphere, how large. A separation larger than the track is left alone where the wheels slip in turns.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    AutonomyLab/create_robot#77: https://github.com/AutonomyLab/create_robot/issues/77
+    ros-simulation/gazebo_ros_pkgs#317: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/317
 """
 
 from __future__ import annotations

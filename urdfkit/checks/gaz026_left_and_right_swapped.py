@@ -3,6 +3,11 @@
 The axis of the wheels says which way the robot rolls for a positive speed, and so which side is
 left. With the sides interchanged the robot turns right when told to turn left; with opposite axes
 it turns on the spot when told to go straight.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    AutonomyLab/create_robot#77: https://github.com/AutonomyLab/create_robot/issues/77
+    vislab-tecnico-lisboa/vizzy#68: https://github.com/vislab-tecnico-lisboa/vizzy/issues/68
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 In ROS 2 each of these plugins is a node with the name of the plugin. A second node of that name is
 refused, or both answer to the same topics and parameters, and one of the two seems dead.
+
+Sources:
+    ros-simulation/gazebo_ros_pkgs#1394: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1394
+    ros-simulation/gazebo_ros_pkgs#1303: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1303
 """
 
 from __future__ import annotations

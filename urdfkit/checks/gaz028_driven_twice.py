@@ -2,6 +2,10 @@
 
 Both write its velocity or force in every step, and the last one wins or they fight. Usual pairs are
 a drive plugin beside ros2_control, or beside the transmissions of `libgazebo_ros_control.so`.
+
+Sources:
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 In Gazebo a joint that nothing drives swings or rolls freely. That may be meant, as with a plugin
 that slides the whole robot over the ground; the wheels then turn only as friction turns them.
+
+Sources:
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
+    Gazebo Classic, plugins: https://classic.gazebosim.org/tutorials?tut=ros_gzplugins
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 Such a name is absolute: the namespace of the robot is not put before it, and two robots of the same
 model share the topic, so that both obey one command. Without the slash the name is relative.
+
+Sources:
+    ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
+    ros-simulation/gazebo_ros_pkgs#920: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/920
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The plugin sends a transform from its odometry frame to that link, and robot_state_publisher sends
 one from the link's parent: tf has one parent for a frame, and the robot jumps between the two. Name
 the root link, or remove the link above it.
+
+Sources:
+    REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
+    gazebo_ros_diff_drive.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 Gazebo hands every tag to the plugin, which asks for those that it knows and takes its default where
 there is none: a misspelt tag has no effect and causes no message.
+
+Sources:
+    tu-darmstadt-ros-pkg/hector_gazebo#65: https://github.com/tu-darmstadt-ros-pkg/hector_gazebo/issues/65
 """
 
 from __future__ import annotations

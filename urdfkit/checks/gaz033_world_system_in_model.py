@@ -3,6 +3,10 @@
 Sensors, physics and the like are systems of gz-sim that a world has once. With the robot's own copy
 beside that of the world, every sensor is made twice, and rendering crashes; and two robots bring
 two copies. Put it in the world, or give the robot a world without it and say so.
+
+Sources:
+    gazebosim/gz-sensors#497: https://github.com/gazebosim/gz-sensors/issues/497
+    Gazebo, system plugins: https://github.com/gazebosim/gz-sim/blob/main/tutorials/adding_system_plugins.md
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 In Gazebo Classic with ROS 2 the plugin is a node with the plugin's name. ROS 2 takes letters,
 digits and underscores, and no digit first; with any other name the node's constructor throws, and
 the plugin does not start.
+
+Sources:
+    ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
+    gazebo_ros, node.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_ros/src/node.cpp
+    open-rmf/rmf_simulation#109: https://github.com/open-rmf/rmf_simulation/issues/109
 """
 
 from __future__ import annotations

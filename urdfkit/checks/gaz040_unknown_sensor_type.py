@@ -2,6 +2,10 @@
 
 The sensor is not made, and its topics never appear. Gazebo says so once in its log. The name is
 misspelt, or it is that of a product instead of a kind of sensor.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    sdformat, Sensor.cc: https://github.com/gazebosim/sdformat/blob/main/src/Sensor.cc
 """
 
 from __future__ import annotations

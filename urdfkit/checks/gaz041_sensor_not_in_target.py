@@ -3,6 +3,11 @@
 Gazebo Classic and gz-sim have different names for the same sensors: `ray` and `gpu_ray` became
 `gpu_lidar`, `depth` became `depth_camera`, `gps` became `navsat`. The wrong one is passed over with
 a line in the log, and no data ever come.
+
+Sources:
+    gz-sim, SdfEntityCreator.cc: https://github.com/gazebosim/gz-sim/blob/main/src/SdfEntityCreator.cc
+    Gazebo Classic, SensorFactory.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/sensors/SensorFactory.cc
+    gazebosim/gz-sensors#26: https://github.com/gazebosim/gz-sensors/issues/26
 """
 
 from __future__ import annotations

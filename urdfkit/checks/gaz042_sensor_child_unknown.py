@@ -1,6 +1,9 @@
 """A sensor has a child that no sensor has.
 
 Gazebo prints a warning and passes over it, so the setting that it was meant for keeps its default.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations

@@ -2,6 +2,11 @@
 
 Zero means every step of the simulation, a thousand times a second: for a camera or a lidar that
 brings the simulation to a crawl. A negative rate has no meaning.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    gz-sensors, Sensor.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Sensor.cc
+    ros-simulation/gazebo_ros_pkgs#366: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/366
 """
 
 from __future__ import annotations

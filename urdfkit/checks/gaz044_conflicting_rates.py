@@ -2,6 +2,10 @@
 
 The plugin's rate only leaves measurements out; it cannot make more of them. The sensor's
 `<update_rate>` is what counts. A plugin's rate of 0 means every measurement.
+
+Sources:
+    ros-simulation/gazebo_ros_pkgs#366: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/366
+    tu-darmstadt-ros-pkg/hector_gazebo#94: https://github.com/tu-darmstadt-ros-pkg/hector_gazebo/issues/94
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The angles span a full circle, and both ends are sampled: the same place is measured twice, and
 programs that match scans see a seam. Leave one step out: with n samples the last angle is
 2 pi (1 - 1/n) after the first.
+
+Sources:
+    SteveMacenski/slam_toolbox#293: https://github.com/SteveMacenski/slam_toolbox/issues/293
+    gazebosim/gz-sim#2743: https://github.com/gazebosim/gz-sim/issues/2743
 """
 
 from __future__ import annotations

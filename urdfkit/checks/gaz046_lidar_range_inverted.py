@@ -2,6 +2,10 @@
 
 No beam can ever hit anything: the lidar is blind, and navigation sees an empty world. Both are 0 if
 they are not written.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    gz-sensors, Lidar.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Lidar.cc
 """
 
 from __future__ import annotations

@@ -1,6 +1,10 @@
 """An angle of a sensor is in degrees.
 
 SDF takes radians. A lidar that should look 180 degrees wide then spans 180 radians, 28 times round.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations

@@ -1,6 +1,10 @@
 """A camera's near clipping distance is not below its far one.
 
 Nothing lies between the two: the picture stays empty, or Gazebo refuses the camera.
+
+Sources:
+    sdformat, Camera.cc: https://github.com/gazebosim/sdformat/blob/main/src/Camera.cc
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations

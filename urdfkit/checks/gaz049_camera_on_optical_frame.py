@@ -3,6 +3,10 @@
 A sensor of Gazebo looks along x of its link. In an optical frame z points forward and x to the
 right (REP 103), so the camera sees what is beside the robot. Put the sensor on the camera's own
 link, and name the optical frame as the frame of its pictures.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The ray lidars of Gazebo hit every collision shape on their way, those of their own link too. With a
 least range that ends inside of it, every beam returns the housing and the world is never seen.
 Raise the least range beyond the housing, or make the collision shape smaller.
+
+Sources:
+    gazebosim/gazebo-classic#1564: https://github.com/gazebosim/gazebo-classic/issues/1564
+    gazebosim/gazebo-classic#2187: https://github.com/gazebosim/gazebo-classic/issues/2187
 """
 
 from __future__ import annotations

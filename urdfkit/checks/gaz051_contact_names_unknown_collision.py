@@ -3,6 +3,11 @@
 Gazebo renames collisions when it converts URDF: an unnamed one becomes `LINK_collision`, and those
 of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one never
 touches anything.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    ros-simulation/gazebo_ros_pkgs#155: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/155
+    ros-simulation/gazebo_ros_pkgs#260: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/260
 """
 
 from __future__ import annotations

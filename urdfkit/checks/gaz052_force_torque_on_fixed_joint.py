@@ -2,6 +2,11 @@
 
 The joint does not exist in the simulation, and the sensor with it: its topic never appears. Keep
 the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in the same `<gazebo reference>`.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    gazebosim/gz-sensors#25: https://github.com/gazebosim/gz-sensors/issues/25
+    Kinovarobotics/ros_kortex#312: https://github.com/Kinovarobotics/ros_kortex/issues/312
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 Its messages are then stamped with a name of Gazebo's own, such as `robot/base_link/lidar`, which TF
 does not know: RViz shows "frame does not exist". Name the link's frame with `<gz_frame_id>`.
+
+Sources:
+    gz-sensors, Sensor.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Sensor.cc
+    gazebosim/gz-sensors#306: https://github.com/gazebosim/gz-sensors/issues/306
 """
 
 from __future__ import annotations

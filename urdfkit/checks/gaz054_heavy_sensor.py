@@ -2,6 +2,9 @@
 
 Rendering that many pixels or casting that many rays takes more than a usual computer has, and the
 simulation falls behind real time. Lower the resolution or the rate while you do not need them.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 ROS programs expect an optical frame: z forward, x right, y down (REP 103). A camera link of URDF
 looks along x, so that points seen straight ahead appear above the robot. Add a link turned by
 rpy="-1.5708 0 -1.5708" and name it as the frame.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    gazebo_ros_camera.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_camera.cpp
 """
 
 from __future__ import annotations

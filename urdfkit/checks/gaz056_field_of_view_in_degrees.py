@@ -2,6 +2,10 @@
 
 `horizontal_fov` is in radians. Gazebo refuses the model: "horizontal fov must be greater than zero
 and less than or equal to two pi".
+
+Sources:
+    SDF, camera.sdf: https://github.com/gazebosim/sdformat/blob/main/sdf/1.9/camera.sdf
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 MuJoCo refuses such a robot. Other engines differ: a box inside out that holds things fast, a
 failed assertion, a shape that nothing touches; RViz draws it inside out. Often a formula in the
 xacro subtracts more than there is. Write the size in m.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ It has a `<visual>` and no `<collision>`. In Gazebo it passes through the floor 
 and a lidar that is simulated on the processor looks through it; MoveIt plans right through it. For
 a label, a marker or the glass of a lens that is right. Otherwise add a `<collision>` with a simple
 shape.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 It has a `<collision>` and no `<visual>`: RViz and Gazebo show nothing where the robot bumps. For a
 bumper zone or a ball that stands for a caster that is right. Otherwise copy the collision's shape
 to a `<visual>`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

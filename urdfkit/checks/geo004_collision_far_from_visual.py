@@ -5,6 +5,9 @@ common. Wheels sink into the floor or hover, grippers close on nothing, and Move
 that is free while it drives into what is there. Usually the `<origin>` was written for the visual
 and forgotten for the collision; the two do not share it. A collision that is deliberately larger or
 smaller about the same place is not meant, nor is a primitive that stands for a part of a mesh.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@ A factor of 0 makes the mesh a sheet, a line or a point: RViz shows nothing or a
 collision engines fail on triangles without area. A decimal point moved, as in `0.000 0.001 0.001`,
 or an argument of the xacro was left at 0. Write the factors along x, y and z; millimetres are
 `0.001 0.001 0.001`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 URDF's colours go from 0 to 1. urdfdom refuses any other with an error, and the part is drawn in
 the default colour (red in RViz). Values up to 255 come from a colour picker: divide them by 255.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

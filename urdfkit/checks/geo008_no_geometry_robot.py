@@ -3,6 +3,9 @@
 No link has a visual or a collision: RViz shows frames only, and in a simulation the robot is
 neither seen nor touched. For a model of pure kinematics that is right; otherwise the shapes were
 lost on the way, for instance in an include that an argument switched off.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

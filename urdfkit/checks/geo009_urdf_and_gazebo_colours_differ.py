@@ -4,6 +4,10 @@ Gazebo draws what `<gazebo reference="...">` names as `<material>`, RViz what st
 `<visual>`. Whoever compares the two windows looks for a difference that is none. Give both the same
 colour. Gazebo Classic needs a material of its own, for it does not read the URDF's colours; from
 Fortress on Gazebo does, and the `<material>` in `<gazebo>` can go.
+
+Sources:
+    Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
+    gz-sim, migration of materials: https://github.com/gazebosim/gz-sim/blob/main/tutorials/migration_sdf.md
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Its colour has an alpha of 0, the fourth number of `rgba`: 0 is glass, 1 is solid. RViz shows
 nothing. Write 1; or, if the link shall not be seen, leave the `<visual>` out, or call the material
 `invisible`, so that readers know.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 RViz wraps the picture around the shape in a way of its own. Gazebo does not read `<texture>` and
 draws the plain colour, or grey. For a picture that all programs show in the same place, use a mesh
 with texture coordinates (COLLADA or glTF).
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

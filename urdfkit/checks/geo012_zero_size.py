@@ -3,6 +3,10 @@
 A size of 0 is often written to mean "no shape here". RViz draws nothing, Gazebo and Drake take it
 for a point; MuJoCo refuses the robot, and some collision engines divide by the volume. Leave the
 whole `<visual>` or `<collision>` out: a link without one is allowed.
+
+Sources:
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,11 @@ Nothing that moves weighs nothing. Gazebo leaves out a moving link of zero mass 
 that hangs on it, MuJoCo refuses the robot, PyBullet nails the link to the world; a negative mass
 makes Gazebo refuse the robot and lets other engines fall upwards. Write the mass in kg. A frame
 that only marks a place needs no `<inertial>` if its joint is fixed.
+
+Sources:
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    PyBullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
 """
 
 from __future__ import annotations

@@ -5,6 +5,11 @@ matrix, must all be positive; that of the diagonal is not enough, for large prod
 make one of them negative. Gazebo and MuJoCo refuse such a robot, other engines blow up. Most often
 the numbers stand in the wrong order (URDF wants ixx ixy ixz iyy iyz izz, SDF and many programs
 ixx iyy izz first) or the products have the opposite sign.
+
+Sources:
+    Traversaro et al. 2016, physical consistency: https://arxiv.org/abs/1610.08703
+    sdformat, Link.cc: https://github.com/gazebosim/sdformat/blob/main/src/Link.cc
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
 """
 
 from __future__ import annotations

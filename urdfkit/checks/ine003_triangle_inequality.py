@@ -4,6 +4,12 @@ For real matter no principal moment exceeds the sum of the other two. MuJoCo and
 refuse such a body; engines that accept it gain energy from nothing, and controllers that compute
 with it are wrong. One moment has a slip of a digit, a row was left out, or the tensor belongs to
 another frame. Take it anew from the CAD program, or compute it from the shape.
+
+Sources:
+    Traversaro et al. 2016, physical consistency: https://arxiv.org/abs/1610.08703
+    Wensing et al. 2017, physical consistency: https://arxiv.org/abs/1701.04395
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    gazebosim/ros_gz#155: https://github.com/gazebosim/ros_gz/issues/155
 """
 
 from __future__ import annotations

@@ -5,6 +5,11 @@ an error in older versions, and controllers then do not find their joints; MuJoC
 robot. Give the link an `<inertial>`. A link that only marks a place needs none if its joint is
 fixed: Gazebo makes it a part of its parent. A root without mass, such as `world`, is fine when a
 fixed joint ties it to the robot.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
+    gazebosim/gz-sim#2815: https://github.com/gazebosim/gz-sim/issues/2815
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ It can be turned without any effort: the equations of motion have no solution ab
 MuJoCo refuses the robot, other engines divide by zero or let the link spin and vanish. A tensor
 full of zeros comes from an export that failed, or from a value with too few decimal places.
 Compute it from mass and size.
+
+Sources:
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
 """
 
 from __future__ import annotations

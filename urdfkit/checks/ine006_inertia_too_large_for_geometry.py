@@ -7,6 +7,10 @@ light links with it make the solver unstable. The tensor comes from another link
 or is a stand-in. Compute it from mass and size: for a box of x, y, z it is
 `ixx = mass / 12 * (y*y + z*z)`, for a cylinder along z `ixx = iyy = mass / 12 * (3*r*r + l*l)` and
 `izz = mass / 2 * r*r`, for a sphere `2 / 5 * mass * r*r`.
+
+Sources:
+    Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ Hollow parts have up to twice as much as solid ones, and a motor in the middle m
 neither is so, the numbers were guessed. For a light link, or one that is fixed to a heavy one, that
 hardly matters; a wheel or an arm moves differently than it should. Write the tensor of the shape,
 or ignore this for a link whose tensor you know.
+
+Sources:
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
+    Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
 """
 
 from __future__ import annotations

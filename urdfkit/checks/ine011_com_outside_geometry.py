@@ -5,6 +5,10 @@ long, gravity pulls at a lever that is not there: the robot tips over, arms need
 still, and a wheel drives in circles. Most often the `<origin>` of the `<inertial>` was copied from
 the joint or from the visual of another link, or is in millimetres. It is measured from the link's
 own frame.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@ Parts that are mirror images weigh the same and resist turning in the same way. 
 clearly more: a decimal point moved, or one side was edited and the other forgotten. The robot pulls
 to one side, and a controller tuned for one hand shakes the other. Compare the two, and give both
 the value that is right.
+
+Sources:
+    robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
 """
 
 from __future__ import annotations

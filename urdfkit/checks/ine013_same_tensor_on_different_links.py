@@ -3,6 +3,10 @@
 With the same shape, a link of twice the mass has twice the moments; the tensor was copied along
 with the rest of the link. At most one of the links moves as it should in a simulation. Compute each
 tensor from its own mass and size.
+
+Sources:
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
+    Kinovarobotics/kinova-ros#204: https://github.com/Kinovarobotics/kinova-ros/issues/204
 """
 
 from __future__ import annotations

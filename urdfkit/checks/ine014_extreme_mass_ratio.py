@@ -4,6 +4,10 @@ Solvers that iterate, as those of Gazebo, Bullet and PhysX (Isaac Sim) do, need 
 the masses are apart: the light link cannot take up the force, the joints give way, and the robot
 jitters or bursts. A hand on a heavy arm is no trouble; a gram that holds a kilogram is. Move mass
 from the heavy link to the light one, or merge the two joints into one link.
+
+Sources:
+    gazebosim/gazebo-classic#895: https://github.com/gazebosim/gazebo-classic/issues/895
+    robotology/icub-models#121: https://github.com/robotology/icub-models/issues/121
 """
 
 from __future__ import annotations

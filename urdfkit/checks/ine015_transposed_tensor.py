@@ -5,6 +5,10 @@ of one along z. URDF turns the tensor with the `<origin>` of the `<inertial>`, n
 collision or the visual, which are often turned by a quarter. The wheel then spins up faster than it
 should and resists tipping less. Swap the values, or give the `<inertial>` the same `rpy` as the
 shape.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 Gazebo adds the tensor of a link that a fixed joint ties to another to that of the whole, mass or
 no mass: a sensor frame of 0 kg with 1, 1, 1 makes a small robot turn like a lorry. Readers that go
 by the mass pass over it. A frame needs no `<inertial>`; a part that weighs something needs a mass.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

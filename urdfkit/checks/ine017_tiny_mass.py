@@ -3,6 +3,10 @@
 Up to sdformat 9.10.0 and 12.7.1 a mass below 1e-6 kg counts as none: Gazebo leaves out the link and
 everything that hangs on it. Such a mass is meant to be "nothing"; a moving link cannot have that.
 Give it a gram, or make its joint fixed.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
 """
 
 from __future__ import annotations

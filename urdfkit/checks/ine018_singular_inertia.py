@@ -4,6 +4,10 @@ It is as thin as a line about that axis, which no part is. MuJoCo refuses such a
 engines that invert the tensor divide by zero, and a joint about that axis turns without effort.
 The moment was rounded to nothing, or a CAD program exported a wire or a surface. Give the part its
 thickness: even a rod has `mass / 2 * radius^2` about its length.
+
+Sources:
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 For RViz, MoveIt and everything else that only asks where the links are, this is all right: many
 arms are published like this. Gazebo leaves out every link and then refuses the robot, since a model
 must have one. Before a simulation, give the links an `<inertial>`.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
 """
 
 from __future__ import annotations

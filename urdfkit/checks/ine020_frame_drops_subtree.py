@@ -4,6 +4,10 @@ Gazebo makes a link that is fixed to its parent a part of it. Up to sdformat 9.1
 such a link has no mass, everything that hangs on it by a moving joint is left out without a word:
 the wheel on a bracket, the arm on a mounting plate. Let the joint hang on the parent, with both
 origins added up, or give the link a mass of a gram and a small tensor.
+
+Sources:
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
 """
 
 from __future__ import annotations

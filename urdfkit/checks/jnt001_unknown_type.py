@@ -4,6 +4,11 @@ The types are revolute, continuous, prismatic, fixed, floating and planar, in sm
 urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, refuses the whole robot; so does Drake.
 `spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
 in a row, with links of almost no size between them.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    PyBullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ A revolute or prismatic joint needs a `<limit>`, and every `<limit>`, of whateve
 `effort` and `velocity`. Without them urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio,
 refuses the whole robot. `lower` and `upper` may be left out and are then 0. A joint that turns
 without end is continuous and needs no `<limit>`.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
 """
 
 from __future__ import annotations

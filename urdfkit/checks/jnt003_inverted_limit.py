@@ -4,6 +4,11 @@ Nothing can lie between the two. Drake ends the program, Gazebo swaps them, MuJo
 take the joint for unlimited, MoveIt and Pinocchio compute on with an empty range. PyBullet's own
 robots write lower="1" upper="-1" for a free joint: a free revolute joint is `continuous` in URDF,
 and a free prismatic one has limits that are far apart.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,11 @@ Readers disagree on what that means: MoveIt, Gazebo, Drake and Pinocchio hold th
 MuJoCo lets it move without limit. Limits that are not written are 0 for urdfdom, so a revolute
 joint with effort and velocity alone cannot turn either. A joint that never moves is fixed; one
 that turns without end is continuous.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,12 @@
 MuJoCo and Drake refuse the robot, Gazebo drops the model; Pinocchio goes on with a rotation that
 is none and shrinks what hangs on the joint. An `<axis>` without `xyz` is 0 0 0 for urdfdom, not
 the default axis. Write the direction, such as 0 0 1, in the frame of the joint.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 URDF wants a unit vector. Gazebo, MuJoCo, Drake, MoveIt and KDL make it one and go on; viewers that
 do not, move a prismatic joint too far by the same factor. More often it shows a slip: angles or a
 position where a direction was meant, or a component too many.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
 """
 
 from __future__ import annotations

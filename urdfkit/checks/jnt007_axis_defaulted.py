@@ -3,6 +3,10 @@
 1 0 0 is what URDF says, and all readers agree. Few joints are meant to turn about x: most that
 were meant to turn about y or z without an `<axis>` go unnoticed until the robot moves. Write the
 axis, also where it is x.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
 """
 
 from __future__ import annotations

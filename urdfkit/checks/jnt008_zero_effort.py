@@ -5,6 +5,11 @@ every effort command to 0, and PyBullet's usual call with the URDF's limit leave
 CAD exporters and many drawings of industrial arms write 0 for "not known". Give the force or the
 torque that the motor can deliver, and a generous one if you do not know it. Joints without a
 transmission or ros2_control are taken for passive where others have one.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
+    agilexrobotics/ugv_gazebo_sim#47: https://github.com/agilexrobotics/ugv_gazebo_sim/issues/47
 """
 
 from __future__ import annotations

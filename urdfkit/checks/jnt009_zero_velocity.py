@@ -4,6 +4,11 @@ A limit of 0 is a limit: ros2_control and DART, Gazebo's default physics, hold s
 it is, even against gravity. MoveIt takes 0 for "no limit" and then cannot time a trajectory. CAD
 exporters write 0 for "not known". Give the greatest speed of the motor. Joints without a
 transmission or ros2_control are taken for passive where others have one.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
+    MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
 """
 
 from __future__ import annotations

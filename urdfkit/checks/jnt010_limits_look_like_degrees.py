@@ -6,6 +6,10 @@ or round numbers such as 100. A joint is reported if its limits are whole number
 further than two turns, and either are angles that people name (45, 90, 135, 180, 270, 360) or are
 multiples of 5 that differ from joint to joint, as the ranges of motors do. Write them in radians,
 or, in xacro, as `${radians(90)}`.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ quarter turn that came out as 14 turns and 116.6 degrees: the part stands askew,
 tell. An `<origin>` of a joint, a shape or an inertia is reported if an angle is more than a turn
 in radians and a whole or half number of degrees. Write 1.5708, or, in xacro, `${pi/2}` or
 `${radians(90)}`.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
 from __future__ import annotations

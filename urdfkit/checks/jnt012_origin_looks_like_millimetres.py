@@ -4,6 +4,10 @@ Lengths are metres in URDF. A drawing in millimetres makes a robot of the size o
 lie hundreds of metres apart. An origin of 10 m or more is reported if the rest of the model speaks
 against it: the other joints lie less than 1 m apart and a hundredth of it, or the meshes are
 scaled by 0.001, or no shape has a hundredth of that size. Divide by 1000.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 A continuous joint turns without end. Gazebo, MoveIt, ros2_control, MuJoCo and Pinocchio pass over
 `lower` and `upper`; Drake obeys them, so that the same robot moves differently there, and not at
 all with 0 and 0. Remove them, or make the joint revolute if it has an end.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

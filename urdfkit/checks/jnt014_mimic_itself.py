@@ -2,6 +2,10 @@
 
 Its position would be a multiple of itself, which is 0 or nothing. Drake and MuJoCo refuse the
 robot, and MoveIt drops every mimic of it. Name the joint that leads, or remove the `<mimic>`.
+
+Sources:
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Each waits for the position of the next, and none has one of its own. MoveIt drops every mimic of
 the robot, Pinocchio refuses it where it is asked for mimic joints, and joint_state_publisher runs
 until Python stops it. Let one of them lead, without a `<mimic>`, and the others follow it.
+
+Sources:
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Its position is the leader's times `multiplier` plus `offset`. Where the leader'
 beyond its own limits, a simulator that knows mimic pulls at a joint that stands at its stop, and
 the leader stops short or shakes; MoveIt and RViz show the joint outside of its limits. Often only
 the sign of the multiplier is wrong, or limits were copied from the leader.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Only revolute, continuous and prismatic joints have one number to pass on. Drake
 which a fixed joint leads or follows; MuJoCo and MoveIt drop the coupling, so that the follower
 hangs loose. A fixed joint that follows does no harm elsewhere and is told for Drake only. Remove
 the `<mimic>`, or give the joint its type back.
+
+Sources:
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,11 @@
 
 Both take energy out of the motion, so a negative one puts energy in: in MuJoCo the joint moves
 faster and faster by itself. Drake refuses a negative damping, Pinocchio a negative friction.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    Pinocchio, URDF model: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/model.cpp
 """
 
 from __future__ import annotations

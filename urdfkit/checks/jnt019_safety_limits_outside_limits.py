@@ -3,6 +3,11 @@
 Soft limits slow a joint down before it runs into its stop, so they lie within `<limit>`. Outside
 of it they never act: the controllers of ros_control (ROS 1) then brake at the stop itself, and
 MoveIt takes the narrower of both. Move them inwards, or remove the `<safety_controller>`.
+
+Sources:
+    ROS 1, safety limits: http://wiki.ros.org/pr2_controller_manager/safety_limits
+    ros_control, joint_limits_interface.h: https://github.com/ros-controls/ros_control/blob/noetic-devel/joint_limits_interface/include/joint_limits_interface/joint_limits_interface.h
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 A continuous joint may do without `<limit>`; it is then without limit for every reader. Where one
 wheel of a body has limits and the others have none, a simulation drives them differently as soon
 as a controller asks for more than the limit. Give all of them one, or none.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@
 stop in the first step, and other programs start with a posture that they then refuse. It is often
 meant, as for an elbow that does not stretch: then give the simulation an initial position. Or turn
 the origin of the joint, so that 0 is a posture that the robot can take.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

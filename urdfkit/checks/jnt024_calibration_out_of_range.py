@@ -3,6 +3,9 @@
 `rising` and `falling` are the positions at which a sensor switches while the joint searches for
 its zero. A joint never gets to a position beyond its limits, so the search runs into the stop, or
 every position is off afterwards. Correct the mark or the limits.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

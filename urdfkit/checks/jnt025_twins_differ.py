@@ -7,6 +7,9 @@ and right, l and r, FL and FR, ...) or, for numbers, by joints at mirrored place
 they hang on different branches. Limits may be equal or mirrored; a twentieth of the range is
 allowed for, as real robots differ so much, and 1 % of effort and velocity. Zeros have rules of
 their own.
+
+Sources:
+    unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
 """
 
 from __future__ import annotations

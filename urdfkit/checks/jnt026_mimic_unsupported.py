@@ -6,6 +6,12 @@ bullet-featherstone couples them; the default one says so once and lets them swi
 is listed in `<ros2_control>` follows by the control plugin, and for Classic there are mimic
 plugins. KDL takes a follower for a joint of its own, and so does Pinocchio unless it is asked for
 mimic joints.
+
+Sources:
+    gz-sim, Physics.cc: https://github.com/gazebosim/gz-sim/blob/main/src/systems/physics/Physics.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
+    ros-simulation/gazebo_ros_pkgs#251: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/251
 """
 
 from __future__ import annotations

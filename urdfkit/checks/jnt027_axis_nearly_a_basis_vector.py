@@ -4,6 +4,9 @@ CAD exporters leave such noise behind. It does little harm: a joint that is off 
 a hand at one metre by 2 mm. Closed-form inverse kinematics, which needs axes that are exactly
 parallel or at right angles, fails, and Pinocchio takes its slower joint for an axis of any
 direction. Write the axis that was meant.
+
+Sources:
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
 """
 
 from __future__ import annotations

@@ -4,6 +4,11 @@ It is the greatest amount, in either direction, so it cannot be below 0. Pinocch
 robot, and Drake ends the program on a negative velocity; Gazebo takes it for "no limit", as SDF
 has it, ros2_control and MoveIt for the same number without the sign. Write the limit, or a
 generous one where there is none.
+
+Sources:
+    Pinocchio, URDF joints: https://github.com/stack-of-tasks/pinocchio/blob/devel/include/pinocchio/parsers/urdf/model.hxx
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
 from __future__ import annotations

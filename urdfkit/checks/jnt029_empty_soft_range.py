@@ -3,6 +3,11 @@
 `soft_lower_limit` and `soft_upper_limit` are 0 for urdfdom where they are not written. MoveIt then
 plans with a joint that may only stand at 0, and the controllers of ros_control (ROS 1) hold it
 there. Write both, a little within the limits, or remove the `<safety_controller>`.
+
+Sources:
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    ROS 1, safety limits: http://wiki.ros.org/pr2_controller_manager/safety_limits
+    ros_control, joint_limits_interface.h: https://github.com/ros-controls/ros_control/blob/noetic-devel/joint_limits_interface/include/joint_limits_interface/joint_limits_interface.h
 """
 
 from __future__ import annotations

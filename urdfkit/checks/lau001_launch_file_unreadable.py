@@ -2,6 +2,9 @@
 
 `roslaunch` and `ros2 launch` stop before anything starts: the XML is not well formed, the root is
 not `<launch>`, or the Python of a ROS 2 launch file has a syntax error.
+
+Sources:
+    roslaunch, XML: http://wiki.ros.org/roslaunch/XML
 """
 
 from __future__ import annotations

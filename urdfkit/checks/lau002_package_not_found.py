@@ -3,6 +3,10 @@
 `roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not found". Packages that
 come with ROS are known by name, and packages that `package.xml` declares are somebody else's to
 install: neither is told.
+
+Sources:
+    roslaunch, XML: http://wiki.ros.org/roslaunch/XML
+    REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
 """
 
 from __future__ import annotations

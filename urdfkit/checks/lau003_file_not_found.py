@@ -2,6 +2,9 @@
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
 file stops the launch.
+
+Sources:
+    roslaunch, XML: http://wiki.ros.org/roslaunch/XML
 """
 
 from __future__ import annotations

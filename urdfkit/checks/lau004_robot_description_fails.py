@@ -2,6 +2,10 @@
 
 The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are told
 at their places in the xacro.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
 from __future__ import annotations

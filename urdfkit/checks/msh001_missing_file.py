@@ -5,6 +5,12 @@ out, so that a link without its collision falls through the floor; Pinocchio and
 model. The package was found, the file in it was not: look for a slip in the name, a folder that
 has moved, or a file that was never committed. A package that is not found is MSH005, a name that
 differs only in upper and lower case MSH002.
+
+Sources:
+    RViz, robot_link.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/src/rviz_default_plugins/robot/robot_link.cpp
+    Pinocchio, URDF geometry: https://github.com/stack-of-tasks/pinocchio/blob/devel/src/parsers/urdf/geometry.cpp
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    measured: 60 of 548 public models with meshes
 """
 
 from __future__ import annotations

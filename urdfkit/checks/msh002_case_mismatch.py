@@ -2,6 +2,9 @@
 
 The file is found on Windows and on most Macs, and missing on Linux, where nearly every robot runs:
 in RViz and Gazebo, and in continuous integration. Write the name as it is on disk.
+
+Sources:
+    git, core.ignoreCase: https://git-scm.com/docs/git-config
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 The path is that of one machine: on every other one, in a container and in continuous integration,
 the mesh is missing. Refer to it by its package: `package://my_robot/meshes/arm.stl`. In a xacro,
 `file://$(find my_robot)/meshes/arm.stl` is fine, too, since each machine puts its own path there.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

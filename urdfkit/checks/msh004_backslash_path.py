@@ -3,6 +3,9 @@
 Only Windows takes a backslash for the end of a folder's name. RViz, Gazebo and every other reader
 on Linux look for one file whose name has backslashes in it, and find none. Write `/`, which
 Windows understands as well.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Whether the meshes exist cannot be said without it, and no reader can load them here. It is one
 finding for all references to the package. Where the package is installed elsewhere, name its
 folder or source the workspace that has it; where the name is a slip, mend it.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    ros2/demos#353: https://github.com/ros2/demos/issues/353
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 It works in the source tree, where the packages lie side by side. After a build every package is
 installed in a folder of its own, and the file beside it is another one or none. Refer to the
 package that holds the file: `package://other_package/meshes/arm.stl`.
+
+Sources:
+    REP 122, installed files: https://ros.org/reps/rep-0122.html
 """
 
 from __future__ import annotations

@@ -5,6 +5,12 @@ Gazebo, MuJoCo and Drake do not read at all, or it is a mesh under the suffix of
 readers choose by the suffix and then fail or load nothing. Export it as STL, COLLADA or OBJ.
 PLY, glTF and FBX are not told: RViz, MoveIt and Pinocchio load them through assimp, new Gazebo
 loads glTF and FBX, Gazebo Classic loads none of the three.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    Gazebo Classic, MeshManager.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/MeshManager.cc
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    Drake, URDF geometry: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
 """
 
 from __future__ import annotations

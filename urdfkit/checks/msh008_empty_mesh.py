@@ -3,6 +3,10 @@
 It has no bytes at all, as `touch` makes it, or it is a frame without content: no facets, no faces,
 a scene that shows nothing. Readers either refuse it or load it in silence as nothing, and the
 link has no shape. Export the mesh again.
+
+Sources:
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
 """
 
 from __future__ import annotations

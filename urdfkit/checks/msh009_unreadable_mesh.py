@@ -4,6 +4,10 @@ It may not be opened, is of no known format, or its content contradicts itself: 
 not three numbers, a face of a vertex that is not there, XML with a wrong end tag, a reference
 inside a COLLADA file to nothing. Some readers refuse such a file, others load it in silence as
 nothing. Export the mesh again.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
 """
 
 from __future__ import annotations

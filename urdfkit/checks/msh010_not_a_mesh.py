@@ -3,6 +3,9 @@
 Common are a web page that was saved instead of the file it shows, and the pointer that Git LFS
 leaves where `git lfs pull` has not been run; a picture, an archive or a text under the name of a
 mesh do no better. Every reader fails on it, and few say why.
+
+Sources:
+    Git LFS, pointers: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ A download or an export broke off: a binary STL has fewer (or more) bytes than i
 triangles asks for, a COLLADA file ends before its last tag, a PLY file has fewer faces than it
 declares. Some readers refuse such a file, others load it in silence as nothing or in part. Fetch
 or export the mesh again.
+
+Sources:
+    STL: https://en.wikipedia.org/wiki/STL_(file_format)
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ URDF is in metres. A part of 300 mm that a CAD program exports in millimetres be
 RViz shows nothing but its inside, the robot collides with everything, and a planner finds no way.
 The rest of the robot, its joints and primitives, tells that it is not meant. Give the `<mesh>` the
 attribute `scale="0.001 0.001 0.001"`, or export the mesh in metres.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

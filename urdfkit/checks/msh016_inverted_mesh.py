@@ -4,6 +4,10 @@ The corners of a triangle are counter-clockwise as seen from outside. In this me
 clockwise: its volume is negative, so that tools which compute a mass from it fail or get a negative
 one, MuJoCo refuses it, renderers that draw front sides only show the far inside, and its shading is
 wrong. It comes from a mirrored part or from a flip in the export. `urdfkit mesh repair` turns it.
+
+Sources:
+    STL: https://en.wikipedia.org/wiki/STL_(file_format)
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
 """
 
 from __future__ import annotations

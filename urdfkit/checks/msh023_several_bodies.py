@@ -3,6 +3,10 @@
 MuJoCo, Drake, Isaac and MoveIt's Bullet take the convex hull of a mesh, which fills that space: a
 gripper can then grasp nothing, and a frame has no opening. Give each piece a `<collision>` of its
 own, or let `urdfkit mesh decompose` do it.
+
+Sources:
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
+    MoveIt, bullet_utils.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/collision_detection_bullet/src/bullet_integration/bullet_utils.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 The robot works on this machine; whoever clones the repository gets it without the mesh. Most often
 a pattern for the output of compilers, such as `*.obj`, or for large files, hits it. `git add -f`
 takes the file in; a line such as `!meshes/*.obj` in .gitignore keeps it so.
+
+Sources:
+    gitignore: https://git-scm.com/docs/gitignore
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 Some readers drop the triangle in silence, others draw a spike to nowhere; a physics engine that
 meets it in a collision shape loses the whole body. It comes from a division by zero in whatever
 wrote the mesh: export it again, or remove the triangle in a mesh editor.
+
+Sources:
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
 """
 
 from __future__ import annotations

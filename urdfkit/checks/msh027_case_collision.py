@@ -2,6 +2,9 @@
 
 Linux keeps both. On Windows and macOS a clone of the repository, or an archive of it, has only one
 of them, and whichever came last stands for both. Rename one.
+
+Sources:
+    git, core.ignoreCase: https://git-scm.com/docs/git-config
 """
 
 from __future__ import annotations

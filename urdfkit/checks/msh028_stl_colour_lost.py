@@ -3,6 +3,9 @@
 Some CAD programs store a colour in two spare bytes of each triangle, in one of two ways that
 contradict each other. RViz, Gazebo and Python tools pass over them; the part is shown in the colour
 of its `<material>`, or grey. Give the visual a `<material>`, or export COLLADA.
+
+Sources:
+    STL: https://en.wikipedia.org/wiki/STL_(file_format)
 """
 
 from __future__ import annotations

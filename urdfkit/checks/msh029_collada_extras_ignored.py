@@ -3,6 +3,10 @@
 Lines, cameras, lights, bones and animations that a modelling program exports along are not shown by
 RViz, and old Gazebo has drawn the lines as thick wire frames. They cost time to load. Export the
 selected mesh only, or write the file again with `urdfkit mesh convert`, which keeps the triangles.
+
+Sources:
+    COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
+    Gazebo Classic, ColladaLoader.cc: https://github.com/gazebosim/gazebo-classic/blob/gazebo11/gazebo/common/ColladaLoader.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@ The part was exported in the coordinates of the whole assembly, or its `<origin>
 unit. When the joint moves, the mesh swings around the link at a distance; with it go the
 collisions, and the picture looks as if the robot had fallen apart. Export the part in its own
 coordinates, or correct the `<origin>` of the visual or collision.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
 from __future__ import annotations

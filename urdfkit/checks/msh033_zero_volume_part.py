@@ -2,6 +2,9 @@
 
 It has no volume. Simulators that take the convex hull of a mesh refuse it (MuJoCo: "volume too
 small") or make it a sheet through which fast parts tunnel. Use a thin `<box>`.
+
+Sources:
+    MuJoCo, user_mesh.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_mesh.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ A reference leads to nothing, a number is no number, a list is cut off. What RVi
 missing in Gazebo: trimesh and what builds on it drop a whole geometry over a bad colour, others
 show it white, or refuse the file. Export the mesh again, or let `urdfkit mesh convert` write what
 can be read.
+
+Sources:
+    RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
+    assimp, ColladaLoader.cpp: https://github.com/assimp/assimp/blob/master/code/AssetLib/Collada/ColladaLoader.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and PyBullet refuse the robot. It happens
 when a macro is called twice without a prefix, or a link is copied. Give one of them another name,
 and name it in the joints that mean it.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    MuJoCo, user_model.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_model.cc
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

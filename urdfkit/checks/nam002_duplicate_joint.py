@@ -2,6 +2,10 @@
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet refuse the robot. It happens when a
 macro is called twice without a prefix, or a joint is copied. Give one of them another name.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 URDF keeps the two apart, SDF does not: Gazebo (gz sim) reports that the name is not unique and
 does not load the model, and a `<gazebo reference>` of that name goes to both. Add `_joint` to the
 joint.
+
+Sources:
+    sdformat, FrameSemantics.cc: https://github.com/gazebosim/sdformat/blob/main/src/FrameSemantics.cc
+    stack-of-tasks/pinocchio#1771: https://github.com/stack-of-tasks/pinocchio/issues/1771
+    o3de/o3de-extras#476: https://github.com/o3de/o3de-extras/issues/476
 """
 
 from __future__ import annotations

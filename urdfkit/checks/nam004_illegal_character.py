@@ -4,6 +4,11 @@ White space: Gazebo's topics, command lines and parameter names break at it, and
 is a name that nobody finds. `::` separates scopes in SDF, and Gazebo refuses it in a name. `/` in
 the name of a joint that moves: ROS 1 parameters and MoveIt read it as a path. Keep to letters,
 digits and `_`.
+
+Sources:
+    ROS 1, names: http://wiki.ros.org/Names
+    ROS 2, names: https://design.ros2.org/articles/topic_and_service_names.html
+    sdformat, Utils.cc: https://github.com/gazebosim/sdformat/blob/main/src/Utils.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ In SDF `world` is the world itself, and names in double underscores belong to th
 therefore never makes a link called `world`: as the empty root that fixes the robot to the ground it
 is right, but its mass and shapes are lost, and as the child of a joint it makes Gazebo and MuJoCo
 refuse the robot.
+
+Sources:
+    sdformat, Utils.cc: https://github.com/gazebosim/sdformat/blob/main/src/Utils.cc
+    MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
 """
 
 from __future__ import annotations

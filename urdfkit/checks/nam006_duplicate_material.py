@@ -2,6 +2,11 @@
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake refuse the whole robot, even if both have the
 same colour. It happens when two included files define the same palette. Keep one of them.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    IntelRealSense/realsense-ros#2282: https://github.com/IntelRealSense/realsense-ros/issues/2282
+    ros-industrial/motoman#314: https://github.com/ros-industrial/motoman/issues/314
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 Links become frames of TF, and since tf2 a frame must not begin with `/`: every look-up of it fails,
 and `/base_link` and `base_link` are two frames. ROS 1's first TF allowed it. Leave the slash out.
+
+Sources:
+    tf2, migration: http://wiki.ros.org/tf2/Migration
+    robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
 from __future__ import annotations

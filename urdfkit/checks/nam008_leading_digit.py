@@ -2,6 +2,9 @@
 
 URDF, ROS and Gazebo take it, USD does not: Isaac Sim renames such links and joints, so that a
 script no longer finds them, and older importers fail. Put a letter first.
+
+Sources:
+    Isaac Sim, URDF importer: https://docs.isaacsim.omniverse.nvidia.com/latest/robot_setup/ext_isaacsim_asset_importer_urdf.html
 """
 
 from __future__ import annotations

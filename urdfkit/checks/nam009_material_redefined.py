@@ -3,6 +3,10 @@
 A material's name holds for the whole robot. urdfdom (RViz, MoveIt, Gazebo, Pinocchio) keeps the
 colour that it reads first, one defined below `<robot>` before all, and paints every part with it;
 other readers take each part's own. Give each colour its own name.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 urdfdom reads it, the next program does not: TF ignores a frame without a name, Drake refuses such a
 link and PyBullet crashes. In a xacro the name is mostly a prefix with nothing behind it.
+
+Sources:
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

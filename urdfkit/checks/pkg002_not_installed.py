@@ -3,6 +3,10 @@
 From the source tree everything works. After `colcon build` or `catkin_make install` the folder is
 not under `share/`, and `$(find ...)` and `package://` lead to files that are not there: RViz
 shows the robot without meshes, xacro stops. Install the folder.
+
+Sources:
+    REP 122, installed files: https://ros.org/reps/rep-0122.html
+    ros2/demos#353: https://github.com/ros2/demos/issues/353
 """
 
 from __future__ import annotations

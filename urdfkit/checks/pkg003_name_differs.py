@@ -4,6 +4,9 @@ ROS finds a package by the name in package.xml, and the build installs its files
 the CMake project. Where the two differ, `package://` and `$(find ...)` lead to folders that the
 build never makes, or catkin stops: "package name does not match project name". That a folder has
 another name than its package is no defect; a reference that takes it for the name is told there.
+
+Sources:
+    REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
 """
 
 from __future__ import annotations

@@ -5,6 +5,12 @@ RViz finds `package://arm_description/meshes/...` through ROS. Gazebo takes it f
 URI", and the robot is invisible. ROS 1's Gazebo resolves packages by itself; that of ROS 2 and
 gz-sim need the folder *around* the package in `GZ_SIM_RESOURCE_PATH` (or `GAZEBO_MODEL_PATH`), most
 simply by an export in package.xml, which gazebo_ros and ros_gz_sim read.
+
+Sources:
+    Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md
+    gazebo_ros_paths.py: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_ros/scripts/gazebo_ros_paths.py
+    ros_gz_sim, gz_sim.launch.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/launch/gz_sim.launch.py.in
+    gazebosim/ros_gz#132: https://github.com/gazebosim/ros_gz/issues/132
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 From ROS 2 Jazzy on the controller manager stops with an exception; the simulators of Humble leave
 the joint out. In ROS 1, one such transmission makes the whole hardware of gazebo_ros_control fail,
 so that no joint moves. Correct the name.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
+    PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Nothing can move it. From ROS 2 Jazzy on the controller manager stops with an ex
 the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then drives no
 joint at all. Give the joint the type that it has in reality, or leave it out. A transmission with a
 vendor's interface may stand for a model and drive nothing; it is not told.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    gazebo_ros_control_plugin.cpp: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_ros_control/src/gazebo_ros_control_plugin.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The parser of ROS 1 skips the joint and with it the transmission, so no controller finds the joint:
 "Could not find resource". Up to ROS Indigo the tag stood in `<actuator>`; only the one in `<joint>`
 counts now. Write `<hardwareInterface>` into the joint.
+
+Sources:
+    ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
+    ros-controls/ros_control#177: https://github.com/ros-controls/ros_control/issues/177
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Other names than `position`, `velocity` and `effort` are legal: hardware and con
 them. But a name that is nearly a standard one is a slip, and no controller finds it; and Gazebo's
 hardware plugins pass over every other one. A sensor with a misspelt name stops the simulator with
 an exception.
+
+Sources:
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The parser stops with an exception, and the controller manager does not start. Name the class of the
 hardware; `mock_components/GenericSystem` is one for tests without hardware.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The controller manager reads the block and loads nothing from it, without an error: the controllers
 then miss every interface. Capital letters count. A block without a type is an exception.
+
+Sources:
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 From ROS 2 Jazzy on the controller manager stops: "Tried to insert CommandInterface with already
 existing key". In Humble one of the two wins. The usual cause is that the block for the real
 hardware and the one for the simulation are both active: choose one by a xacro argument.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 From ROS 2 Jazzy on the narrower of the two counts; in Humble the hardware sees only `min` and `max`
 and may drive the joint past its limit. One of the two is wrong: usually the limits were changed
 and the block of ros2_control was forgotten.
+
+Sources:
+    ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Without the plugin nothing loads the hardware: the robot stands limp and the controller manager does
 not answer. Two of them in one namespace start two controller managers of one name, and both drive
 the joints.
+
+Sources:
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
+    gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
 from __future__ import annotations

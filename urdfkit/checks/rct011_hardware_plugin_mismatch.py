@@ -4,6 +4,10 @@ Each control plugin loads only its own kind of hardware. Another one is logged a
 controller manager then has no interfaces, and no controller can be activated. Gazebo Classic's
 plugin goes with `gazebo_ros2_control/GazeboSystem`, gz_ros2_control with
 `gz_ros2_control/GazeboSimSystem`.
+
+Sources:
+    gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
+    gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The plugin hands the file to the controller manager, which stops at it; no controller can be loaded,
 and Gazebo may stop as well. The file has another name or folder, or a package does not install it.
+
+Sources:
+    gz_ros2_control_plugin.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
+    gazebo_ros2_control_plugin.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_ros2_control_plugin.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ The controller finds no interface of that name, cannot be activated, and the rob
 "not in the list of available interfaces". Correct the name in the file. A controller none of whose
 joints is in the model is taken for one of another variant of the robot, if other controllers fit,
 or if the names differ in a prefix only.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+    ros-simulation/gazebo_ros_pkgs#1109: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1109
 """
 
 from __future__ import annotations

@@ -5,6 +5,9 @@ robot drives too fast or too slow, and measures too little or too much; with a w
 turns by the wrong angle. The model says where the wheels are and, if their collision is a cylinder
 or a sphere, how large. Write its numbers into the file of controllers, corrections into
 multipliers.
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 Nothing reads it: ros2_control has its own `<transmission>` inside `<ros2_control>`, and the
 simulators apply neither. Delete it, or move what it says into the block of ros2_control.
+
+Sources:
+    URDF, transmission: https://wiki.ros.org/urdf/XML/Transmission
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
 """
 
 from __future__ import annotations

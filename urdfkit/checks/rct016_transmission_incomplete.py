@@ -3,6 +3,10 @@
 The parser of ROS 1 writes an error into the log and leaves the transmission out, so no controller
 finds the joint: "Could not find resource". The type is an element, `<type>`; an attribute is the
 form of the PR2, which nothing else reads.
+
+Sources:
+    URDF, transmission: https://wiki.ros.org/urdf/XML/Transmission
+    ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The parser of ros2_control stops with an exception, "invalid tag name" or "no attribute name in
 tag", and the controller manager does not start. Correct the tag, or give the name.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 The controller manager keeps its hardware by name: it reports "Hardware name is duplicated" and
 starts without it. Only the control plugins of Gazebo do not look. A macro that is called for two
 arms must put its prefix into the name of the block, too.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
 from __future__ import annotations

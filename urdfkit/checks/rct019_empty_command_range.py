@@ -2,6 +2,9 @@
 
 From ROS 2 Jazzy on the resource manager clamps commands into that range, and refuses one that is
 empty; older ones hand the numbers to the hardware. The two were probably swapped.
+
+Sources:
+    ros2_control, joint limiting: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/joint_limiting.rst
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 Simulated and mock hardware put the joint at `initial_value`. Outside the limits the first command
 makes it jump, MoveIt refuses to plan from there ("start state out of bounds"), and Gazebo pushes
 the joint back with all its force.
+
+Sources:
+    ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
+    gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
+    MoveIt, check_start_state_bounds.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_bounds.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 The controller manager finds no such interface and the controller cannot be activated: "not in the
 list of available interfaces". Add the command interface to the joint, if the hardware has it, or
 take a controller for the interface that is there. Joints without any block are another rule's.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
 from __future__ import annotations

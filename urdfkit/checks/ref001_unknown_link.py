@@ -3,6 +3,10 @@
 Then there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and PyBullet refuse
 the robot. The name is misspelt, a prefix is missing, or the macro that makes the link was not
 called. `world` is no exception: it needs a `<link name="world"/>` like every other link.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

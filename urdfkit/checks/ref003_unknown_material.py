@@ -3,6 +3,10 @@
 `<material name="blue"/>` borrows the colour of a material defined below `<robot>`, or of an
 earlier visual with a material of that name. If there is none, urdfdom (RViz, MoveIt, Gazebo)
 warns and the part gets the viewer's own colour. Define the material once, below `<robot>`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

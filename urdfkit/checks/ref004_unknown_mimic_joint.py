@@ -2,6 +2,11 @@
 
 urdfdom does not look, and each program finds out on its own: Drake refuses the robot, MoveIt
 drops the coupling, joint_state_publisher stops with an exception. Correct the name.
+
+Sources:
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+    joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
 from __future__ import annotations

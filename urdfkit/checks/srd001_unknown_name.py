@@ -2,6 +2,11 @@
 
 MoveIt drops the group or the state that refers to it, and planning then fails with "group not
 found" or with joints that never move. The SRDF lags behind the robot, or the name is misspelt.
+
+Sources:
+    SRDF: https://wiki.ros.org/srdf
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

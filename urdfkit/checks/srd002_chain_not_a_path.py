@@ -2,6 +2,10 @@
 
 A chain goes from a base link down the tree to a tip link. MoveIt refuses one that does not, and the
 group has no joints. Base and tip are swapped, or one of them is on another branch.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 MoveIt prints "Group is empty" and leaves it out, so that whatever refers to it fails. Name the
 links, the joints or the chain that belong to it, or delete it.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 MoveIt refuses to plan to it: "goal state is out of bounds". The limits changed after the state was
 written, or the value is in degrees.
+
+Sources:
+    MoveIt, URDF and SRDF: https://moveit.picknik.ai/main/doc/examples/urdf_srdf/urdf_srdf_tutorial.html
 """
 
 from __future__ import annotations

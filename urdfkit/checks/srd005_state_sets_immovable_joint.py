@@ -2,6 +2,10 @@
 
 A fixed joint has no position: MoveIt ignores the value or refuses the state. Leave the joint out. A
 joint that mimics another may be set, to the value that it has anyway; maintained robots do so.
+
+Sources:
+    SRDF: https://wiki.ros.org/srdf
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 The links of the end effector's group must not be in the parent group, and the parent link must be
 in it. MoveIt loads the robot all the same, but takes the hand for a part of the arm, attaches it
 to another group that has the parent link, or to none.
+
+Sources:
+    SRDF: https://wiki.ros.org/srdf
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

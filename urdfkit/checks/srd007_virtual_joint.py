@@ -2,6 +2,11 @@
 
 It joins the root of the robot to a frame of the world, and is `fixed`, `planar` or `floating`.
 MoveIt ignores one of another type or on another link, and the robot cannot be placed.
+
+Sources:
+    SRDF: https://wiki.ros.org/srdf
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations

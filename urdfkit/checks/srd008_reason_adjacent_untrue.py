@@ -3,6 +3,10 @@
 The pair is then never checked, whatever the robot does. The matrix is of an older robot, or the
 reason was written by hand. Links between which only links without collision geometry lie count as
 adjacent, as do all links around one without collision geometry.
+
+Sources:
+    SRDF: https://wiki.ros.org/srdf
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ A joint holds the two links together, or only links without collision geometry l
 overlap where the robot begins. MoveIt checks them, finds the collision in every pose, and plans
 nothing. The links or their geometry are newer than the matrix; `urdfkit collisions --srdf` brings
 it up to date. Not told where the SRDF has no matrix at all.
+
+Sources:
+    MoveIt, URDF and SRDF: https://moveit.picknik.ai/main/doc/examples/urdf_srdf/urdf_srdf_tutorial.html
+    MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
 from __future__ import annotations

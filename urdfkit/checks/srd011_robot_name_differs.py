@@ -2,6 +2,9 @@
 
 MoveIt compares the names and logs an error, "Semantic description is not specified for the same
 robot as the URDF", but plans all the same. Give both the same name.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 MoveIt prints "Link is not known to URDF. Cannot disable collisions" and goes on; the line does
 nothing, and the pair that it was meant for may be checked in vain. The matrix lags behind the
 robot.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
+    moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
 from __future__ import annotations

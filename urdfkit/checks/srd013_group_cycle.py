@@ -1,6 +1,9 @@
 """Planning groups contain one another in a circle.
 
 MoveIt cannot resolve them and leaves all of them out.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 MoveIt passes over the entry without a word, and plans for the real joint with the limits of the
 URDF, without any bound on its acceleration. The joint was renamed, or has a prefix there.
+
+Sources:
+    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
 """
 
 from __future__ import annotations

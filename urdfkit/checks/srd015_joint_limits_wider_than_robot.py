@@ -3,6 +3,10 @@
 What joint_limits.yaml says wins over the URDF. MoveIt then plans motions that the robot cannot
 follow: controllers abort with a path tolerance, or the hardware stops. The limits of the URDF were
 lowered and the file was forgotten, or the other way round.
+
+Sources:
+    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
+    MoveIt, time parameterization: https://github.com/moveit/moveit2/blob/main/moveit_core/trajectory_processing/src/time_optimal_trajectory_generation.cpp
 """
 
 from __future__ import annotations

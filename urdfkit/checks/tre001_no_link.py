@@ -2,6 +2,9 @@
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and PyBullet refuse it. In a xacro the macro that makes
 the links is mostly defined, but never called.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
 Pinocchio) refuses a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
 the others with a joint, or remove it.
+
+Sources:
+    URDF, robot: https://wiki.ros.org/urdf/XML/robot
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

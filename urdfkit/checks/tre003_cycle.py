@@ -3,6 +3,11 @@
 URDF describes trees. urdfdom searches for the root of a loop for ever, or drops a loop that
 hangs on nothing without a word; MuJoCo, Drake and PyBullet refuse it. A closed mechanism is
 written as a tree: leave one joint of the loop out, and close it in the simulator.
+
+Sources:
+    URDF, robot: https://wiki.ros.org/urdf/XML/robot
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

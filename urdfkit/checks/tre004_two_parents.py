@@ -3,6 +3,10 @@
 URDF describes trees: every link hangs on one joint. MuJoCo refuses the robot, PyBullet crashes,
 urdfdom (RViz, MoveIt, Gazebo) keeps both, and the frame of the link jumps between two places.
 Mostly one `<child>` is a slip; a closed mechanism needs one joint left out.
+
+Sources:
+    URDF, robot: https://wiki.ros.org/urdf/XML/robot
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

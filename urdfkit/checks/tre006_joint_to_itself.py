@@ -2,6 +2,10 @@
 
 urdfdom loops for ever on it, Pinocchio crashes, and sdformat refuses the model. One of the two
 names is a slip: the child is the link that moves.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations

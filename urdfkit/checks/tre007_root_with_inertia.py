@@ -3,6 +3,10 @@
 KDL, and with it MoveIt's kinematics and every controller that computes with KDL, has no body for
 the root: it warns and leaves the root's inertia out. Simulators do not mind. Where it matters, add
 an empty link above the root and fix the root to it.
+
+Sources:
+    kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
+    ros/kdl_parser#27: https://github.com/ros/kdl_parser/issues/27
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ By convention (REP 120) it is the place of the robot on the floor, below `base_l
 takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
 below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
 the joint between the two the height of the lowest wheel or foot.
+
+Sources:
+    REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
+    REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
 from __future__ import annotations

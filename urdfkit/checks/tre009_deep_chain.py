@@ -3,6 +3,9 @@
 Programs walk the tree link by link and end at some depth: MuJoCo refuses more than 1024 moving
 joints in a row, PyBullet and Pinocchio crash at a few thousand, and the error of a computed pose
 grows with every joint. A rope or a chain is better made in the simulator.
+
+Sources:
+    MuJoCo, user_model.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_model.cc
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Every reader passes over it without a word, and over all that stands in it. Most
 a slip of the pen, or the tag belongs to another format (SDF, an old ROS tutorial, another
 simulator). A tag with a namespace prefix, such as `drake:proximity_properties`, is an extension
 and is not reported. Correct the name, or remove the element.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

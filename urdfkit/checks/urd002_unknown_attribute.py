@@ -2,6 +2,10 @@
 
 Every reader passes over it and takes the default of the attribute that was meant: a joint with
 `velocty="2"` has no velocity limit. Correct the name, or remove the attribute.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 In a joint, urdfdom (and with it RViz, MoveIt, Gazebo and Pinocchio) then refuses the whole robot.
 In a link it logs one line, drops every visual and collision of that link and goes on, so that the
 robot loads with holes in it. A `<dynamics>` needs at least one of its two attributes.
+
+Sources:
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

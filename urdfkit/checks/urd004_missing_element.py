@@ -4,6 +4,10 @@ A joint without `<parent>` or `<child>` makes urdfdom (RViz, MoveIt, Gazebo, Pin
 robot. An `<inertial>` without `<mass>` or `<inertia>`, and a visual or collision without
 `<geometry>`, make it drop the inertia, or all visuals and collisions, of the link: one line in the
 log, and a robot with holes in it.
+
+Sources:
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

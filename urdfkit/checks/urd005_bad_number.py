@@ -5,6 +5,11 @@ numbers. A decimal comma, a unit, `inf`, `nan`, a tab between two numbers and wh
 the last are all refused: in a joint urdfdom (RViz, MoveIt, Gazebo, Pinocchio) then rejects the
 whole robot, in a link it drops the inertia or every shape of that link. PyBullet goes on with a
 wrong number.
+
+Sources:
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
+    ros/urdfdom#98: https://github.com/ros/urdfdom/issues/98
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@
 too. urdfdom (RViz, MoveIt, Gazebo, Pinocchio) rejects the robot if it happens in a joint, drops all
 shapes of the link if it happens in a visual or collision, and paints a colour black. MuJoCo and
 Drake refuse the file.
+
+Sources:
+    urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet take the first and pass over the
 second without a word; MuJoCo refuses the file. A `<geometry>` holds one shape, an `<inertial>` one
 mass. Remove the one that is not meant, or put a second shape into a visual or collision of its own.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ Gazebo gets the robot through a URDF reader, and URDF readers pass over what is 
 (`mu1`, `mu2`), contact stiffness (`kp`, `kd`), `preserveFixedJoint`, sensors and plugins inside a
 link or joint never arrive, and nothing says so. Move the tag into `<gazebo reference="...">` with
 the name of the link or joint.
+
+Sources:
+    SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
+    gazebosim/gazebo-classic#3391: https://github.com/gazebosim/gazebo-classic/issues/3391
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ URDF's shapes are box, cylinder, sphere, mesh and, from version 1.1, capsule; re
 first element whatever it is. urdfdom (RViz, MoveIt, Gazebo, Pinocchio) logs one line and drops
 every visual and collision of the link, PyBullet refuses the robot. A plane is a thin box. A
 `<material>` belongs after the `<geometry>`.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

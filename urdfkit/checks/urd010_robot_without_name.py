@@ -2,6 +2,10 @@
 
 urdfdom (RViz, MoveIt, Gazebo, Pinocchio), Drake and PyBullet refuse it. Only a xacro file that
 others include can do without one.
+
+Sources:
+    URDF, robot: https://wiki.ros.org/urdf/XML/robot
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 `version` is that of the format, not that of your robot, and has the form `1.0`. urdfdom (RViz,
 MoveIt, Gazebo, Pinocchio) refuses the robot with any other text. Without the attribute it is 1.0.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 Readers pass over it without a word: a `<material>` inside `<geometry>` gives no colour, an
 `<origin>` directly in a link moves nothing, a `<mass>` outside `<inertial>` weighs nothing. Move it
 to where it belongs.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdf-usd-converter, benchmarks: so in 74 of 408 public models: https://github.com/newton-physics/urdf-usd-converter
 """
 
 from __future__ import annotations

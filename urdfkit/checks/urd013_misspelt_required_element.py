@@ -4,6 +4,10 @@ Readers pass over the unknown name and find the needed element missing. Without 
 leaves the link out, with all that hangs on it; without `<geometry>`, `<mass>` or a shape, urdfdom
 drops all shapes of the link; without `<parent>` or `<child>` it refuses the robot. Correct the
 name.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+    urdfdom, link.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/link.cpp
 """
 
 from __future__ import annotations

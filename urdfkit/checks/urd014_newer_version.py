@@ -3,6 +3,10 @@
 Version 1.1 brought capsules and quaternions, 1.2 more joint limits. urdfdom 6 reads them; urdfdom
 3.0.1, which Debian 12 has, refuses the whole robot. Keep to 1.0 unless the robot needs more and all
 your programs read it.
+
+Sources:
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
+    ros/urdfdom#238: https://github.com/ros/urdfdom/issues/238
 """
 
 from __future__ import annotations

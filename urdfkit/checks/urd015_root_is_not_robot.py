@@ -2,6 +2,10 @@
 
 It is another format (an SDF model, a launch file, a mesh), or the name is misspelt: XML tells
 capital letters from small ones. urdfdom, Drake, MuJoCo and PyBullet find no robot in it.
+
+Sources:
+    URDF, robot: https://wiki.ros.org/urdf/XML/robot
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ A `<capsule>` then counts as no shape, and urdfdom (RViz, MoveIt, Gazebo, Pinocc
 visual and collision of the link; a `quat_xyzw` is passed over, and the part is not turned. Build
 the capsule from a cylinder and two spheres and write `rpy`, which every reader knows, or ask for
 the version, which urdfdom 3 refuses.
+
+Sources:
+    ros/urdfdom#238: https://github.com/ros/urdfdom/issues/238
+    gazebosim/sdformat#1654: https://github.com/gazebosim/sdformat/issues/1654
 """
 
 from __future__ import annotations

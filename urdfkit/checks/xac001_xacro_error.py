@@ -4,6 +4,11 @@ A property that is not defined, a macro that is not there or is called with othe
 it has, an include that does not exist, an expression that Python cannot evaluate. xacro stops at
 the first of them and names no line; here all are listed, each at its expression. Where the
 expression is in a property, the place is the property's definition, with its use beside it.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    Albergo et al. 2021, misunderstandings of xacro: https://arxiv.org/abs/2109.09694
+    ros/xacro#267: https://github.com/ros/xacro/issues/267
 """
 
 from __future__ import annotations

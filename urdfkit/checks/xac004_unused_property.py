@@ -4,6 +4,9 @@ Nothing breaks, but a reader changes the number and wonders why the robot stays 
 use was deleted, or the name is misspelt where it was to be used. Files that
 others include, libraries of macros, and files with includes that this expansion leaves out are not
 judged: the property may be used elsewhere.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

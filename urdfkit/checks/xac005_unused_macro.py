@@ -2,6 +2,9 @@
 
 It may be left over. A macro of a library that other files include is no finding: the package is
 searched for files that include this one.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

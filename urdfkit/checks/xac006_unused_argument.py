@@ -3,6 +3,9 @@
 Whoever passes `name:=value` believes that it does something. Delete the declaration, or use
 `$(arg name)` where it was meant. Files that others include, and files with includes that this
 expansion leaves out, are not judged.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

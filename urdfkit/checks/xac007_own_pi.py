@@ -3,6 +3,9 @@
 Expressions have `pi` built in, exact to the last bit. A wheel that is turned by an own pi of eight
 digits is off by a few nanometres, which does no harm until somebody compares two frames; an own
 3.14 is off by a millimetre at one metre. Write `${pi}`.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

@@ -2,6 +2,10 @@
 
 The first definition has no effect, so one of the two is left over or was meant to have another
 name. A conditional default (`<xacro:if>`) and a property that is used in between are no findings.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 The expansion cannot go on without it. That the package is not on this machine does not mean that
 the model is wrong: the message lists what was searched. Name the folder, put the package into the
 workspace, or source the ROS installation that has it.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    ros/xacro#329: https://github.com/ros/xacro/issues/329
+    ros/xacro#359: https://github.com/ros/xacro/issues/359
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 A model from somebody else could read any file of this machine that way, and a model that reaches
 outside its package does not work anywhere else either.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

@@ -6,6 +6,10 @@ and gram-light links make the solver unstable. Compute the tensor from mass and 
 for a box of x, y, z it is `ixx="${mass / 12 * (y*y + z*z)}"`, for a cylinder about z
 `ixx="${mass / 12 * (3*r*r + l*l)}"` and `izz="${mass / 2 * r*r}"`, for a sphere
 `ixx="${2 / 5 * mass * r*r}"`.
+
+Sources:
+    Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
+    Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 xacro moved `load_yaml`, `sorted` and others into the name spaces `xacro` and `python`; the bare
 names print a warning today and will be gone one day.
+
+Sources:
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

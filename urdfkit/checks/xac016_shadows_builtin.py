@@ -3,6 +3,10 @@
 xacro knows `pi`, `e`, `radians`, `sin`, `min`, `len` and the other names of Python's math module.
 A property of the same name hides it in every file that is included afterwards; with `e` or `pi`
 that gives wrong numbers far from here. xacro prints "redefining global symbol".
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 An attribute that the xacro tag does not know, an include whose pattern matches no file, or a
 warning that the model's author wrote with `xacro.warning()`. xacro goes on, and the line is easily
 lost in the output of a launch.
+
+Sources:
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 Readers of URDF pass over `<xacro:...>` without a word: what the macro would have made, a camera or
 a sensor's plugin, is missing from the robot. Either the file is a piece of a xacro, which another
 file includes and which must declare `xmlns:xacro`, or the calls are left over from an expansion.
+
+Sources:
+    xacro: https://wiki.ros.org/xacro
 """
 
 from __future__ import annotations

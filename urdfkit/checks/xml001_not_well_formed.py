@@ -4,6 +4,10 @@ Most readers refuse the whole file, xacro and Python's XML readers among them; u
 stray `&` or a missing blank, and then may read something else than was meant. All errors are
 listed, each where it has to be mended and not where a parser gave up: a tag that is not closed, a
 missing quote, a stray `<` or `&`, an attribute given twice.
+
+Sources:
+    XML 1.0: https://www.w3.org/TR/REC-xml/
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

@@ -4,6 +4,10 @@ xacro stops with a UnicodeDecodeError, and strict XML readers refuse the file. I
 editor on Windows saves a comment as GBK, Latin-1 or CP-1252 while the file says UTF-8, which is
 also what XML assumes where nothing is declared; PowerShell's `>` writes UTF-16, which neither xacro
 nor urdfdom reads. Save the file as UTF-8.
+
+Sources:
+    XML 1.0: https://www.w3.org/TR/REC-xml/
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

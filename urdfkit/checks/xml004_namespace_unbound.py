@@ -2,6 +2,10 @@
 
 xacro reads XML with name spaces and stops with "unbound prefix". Mostly the root element of an
 included file lacks its `xmlns:xacro`. Declare the prefix on the root element.
+
+Sources:
+    Namespaces in XML: https://www.w3.org/TR/xml-names/
+    xacro, __init__.py: https://github.com/ros/xacro/blob/ros2/xacro/__init__.py
 """
 
 from __future__ import annotations

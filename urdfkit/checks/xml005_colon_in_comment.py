@@ -4,6 +4,11 @@ A launch file that passes the output of xacro as a parameter without saying that
 (`ParameterValue(..., value_type=str)`) has it parsed as YAML. A `: ` in a comment then ends the
 launch with "mapping values are not allowed here", far from the comment that caused it. Only
 packages built with ament are judged, and of a xacro only the comments that xacro passes on.
+
+Sources:
+    launch_ros, evaluate_parameters.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/utilities/evaluate_parameters.py
+    ros2/launch_ros#214: https://github.com/ros2/launch_ros/issues/214
+    UniversalRobots/Universal_Robots_ROS2_Driver#1103: https://github.com/UniversalRobots/Universal_Robots_ROS2_Driver/issues/1103
 """
 
 from __future__ import annotations

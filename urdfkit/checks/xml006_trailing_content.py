@@ -3,6 +3,10 @@
 An XML document has one root element. What stands behind `</robot>` is a second robot or the rest of
 an edit. Most readers refuse the whole file; urdfdom passes over the rest without a word, so that
 the links in it are missing.
+
+Sources:
+    XML 1.0: https://www.w3.org/TR/REC-xml/
+    urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ _NEEDS = {
 @click.argument("rule", metavar="RULE")
 @click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
 def command(rule: str, rules: tuple[str, ...]) -> int:
-    """Explain a rule: what it finds, why it matters, what to do, with examples.
+    """Explain a rule: what it finds, why it matters, what to do, with examples and sources.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
     """
@@ -60,6 +60,8 @@ def render(rule: Rule) -> str:
     for title, which in (("Bad", "BAD"), ("Good", "GOOD"), ("Fixed", "FIXED")):
         if example := rule.example(which):
             parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
+    if rule.sources:
+        parts.append("\n".join(["Sources:", "", *(f"    {source}" for source in rule.sources)]))
     return "\n\n".join(parts) + "\n"
 
 

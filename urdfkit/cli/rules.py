@@ -58,6 +58,7 @@ def _json(rules: Sequence[Rule]) -> str:
             "fixable": rule.fixable,
             "help": rule.help,
             "explanation": rule.explanation,
+            "sources": rule.sources,
         }
         for rule in rules
     ]
