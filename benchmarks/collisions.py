@@ -22,10 +22,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import pinocchio as pin
 
-from urdfkit.adjacency import Adjacency
 from urdfkit.collision.chain import chain
 from urdfkit.collision.sampling import collisions
 from urdfkit.loading import read
+from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.meshes.geometry import Floats
 from urdfkit.subject import Subject
 

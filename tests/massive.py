@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from urdfkit.examples import whole_robot
-from urdfkit.masses import Masses
-from urdfkit.resolve import Resolver
+from urdfkit.inertials.masses import Masses
+from urdfkit.inertials.weighed import Weighed
 from urdfkit.source import Source
 from urdfkit.subject import Subject
-from urdfkit.weighed import Weighed
+from urdfkit.workspace.resolve import Resolver
 
 BOX = '<box size="0.2 0.3 0.1"/>'
 BALL = '<sphere radius="0.1"/>'

@@ -16,10 +16,10 @@ import pytest
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
-from urdfkit.resolve import Resolver
 from urdfkit.schema import JOINT_TYPES
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 CHECK_URDF = shutil.which("check_urdf")
 needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is not installed")

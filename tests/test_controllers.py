@@ -9,9 +9,9 @@ from tests.controls import ROBOT, plugin
 from urdfkit.controllers import Controller, controllers, parameter_files, read
 from urdfkit.examples import whole_robot
 from urdfkit.placed_yaml import MAX_BYTES
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 DRIVE = "diff_drive_controller/DiffDriveController"
 PLAIN = f"""\

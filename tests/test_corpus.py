@@ -13,9 +13,9 @@ from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
 from urdfkit.errors import UrdfkitError
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 pytestmark = needs_corpus
 

@@ -15,9 +15,9 @@ from typing import Any
 import pytest
 
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 #: Missing without their neighbour, found with it.
 FROM_NEIGHBOURS = {("urdf_sim_tutorial", "urdf_tutorial")}

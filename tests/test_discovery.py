@@ -8,7 +8,7 @@ from urdfkit import check
 from urdfkit.config import Config, Robot
 from urdfkit.discovery import affected, discover
 from urdfkit.errors import UnreadableFile
-from urdfkit.resolve import Resolver
+from urdfkit.workspace.resolve import Resolver
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 

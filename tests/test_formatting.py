@@ -15,9 +15,9 @@ from urdfkit.config import ConfigError, load
 from urdfkit.document import Element
 from urdfkit.errors import UnreadableFile
 from urdfkit.formatting import format_files
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 UGLY = '<robot  name="r"><link name="a"></link></robot>'
 NEAT = '<robot name="r">\n  <link name="a"/>\n</robot>\n'

@@ -7,9 +7,9 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import examples, glance, rules
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 

@@ -10,11 +10,11 @@ import pytest
 from urdfkit import Report, Source, check, judge, rules
 from urdfkit.diagnostic import Confidence, Diagnostic, Related, Severity
 from urdfkit.document import Element
-from urdfkit.resolve import Resolver
 from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
 from urdfkit.subject import Subject
 from urdfkit.targets import Targets
+from urdfkit.workspace.resolve import Resolver
 
 BROKEN_XACRO = b"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

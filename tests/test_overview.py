@@ -16,9 +16,9 @@ from tests.massive import inertial, joint, link, shape
 from urdfkit.examples import whole_robot
 from urdfkit.loading import read
 from urdfkit.overview import summarise
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 

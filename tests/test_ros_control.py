@@ -7,7 +7,6 @@ from tests.controls import CLASSIC, ROBOT, control, driven, plugin, transmission
 from urdfkit import engine, rules
 from urdfkit.examples import whole_robot
 from urdfkit.judge import applicable
-from urdfkit.resolve import Resolver
 from urdfkit.ros_control import (
     components,
     control_plugins,
@@ -19,6 +18,7 @@ from urdfkit.ros_control import (
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import parse
+from urdfkit.workspace.resolve import Resolver
 
 PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
 

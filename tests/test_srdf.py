@@ -7,12 +7,12 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.srdfs import ROBOT
 from urdfkit import check
-from urdfkit.beside import srdf_files
 from urdfkit.reading import read_xml
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.srdf import Srdf, read
 from urdfkit.subject import Subject
+from urdfkit.workspace.beside import srdf_files
+from urdfkit.workspace.resolve import Resolver
 
 
 def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot(tmp_path):

@@ -10,10 +10,10 @@ import pytest
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.gazebos import BASE, plugin
 from urdfkit.examples import whole_robot
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import GAZEBO, TARGETS, Targets, UnknownTarget, parse
+from urdfkit.workspace.resolve import Resolver
 
 MOVE = "libgazebo_ros_planar_move.so"
 OLD, NEW = "<odometryFrame>o</odometryFrame>", "<odometry_frame>o</odometry_frame>"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from urdfkit import engine
 from urdfkit.diagnostic import Diagnostic
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.examples import whole_robot
-from urdfkit.fixer import apply_edits
 from urdfkit.source import Source
 
 

@@ -80,16 +80,16 @@ if TYPE_CHECKING:
     from urdfkit.expansion import Xacro
     from urdfkit.fixing import Fixes, fix
     from urdfkit.formatting import Formatted, format_files
-    from urdfkit.kinematics import frames, transform
     from urdfkit.loading import expand, load, read
     from urdfkit.mass_table import mass_properties
+    from urdfkit.mechanics.kinematics import frames, transform
+    from urdfkit.mechanics.stability import stand
     from urdfkit.model import RobotModel
     from urdfkit.overview import summarise
     from urdfkit.page.writing import report
     from urdfkit.poses import pose
     from urdfkit.rules import Rule, all_rules, find_rule
     from urdfkit.source import Source, Span
-    from urdfkit.stability import stand
     from urdfkit.subject import Subject
 
 _HOMES = {
@@ -104,16 +104,16 @@ _HOMES = {
     "expansion": "Xacro",
     "fixing": "Fixes fix",
     "formatting": "Formatted format_files",
-    "kinematics": "frames transform",
     "loading": "expand load read",
     "mass_table": "mass_properties",
+    "mechanics.kinematics": "frames transform",
+    "mechanics.stability": "stand",
     "model": "RobotModel",
     "overview": "summarise",
     "page.writing": "report",
     "poses": "pose",
     "rules": "Rule all_rules find_rule",
     "source": "Source Span",
-    "stability": "stand",
     "subject": "Subject",
 }
 

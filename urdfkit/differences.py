@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from math import asin, dist
 
-from urdfkit.inertia import rotated
+from urdfkit.mechanics.inertia import rotated
 from urdfkit.model import Body, Inertial, Joint, Limit, Link, Placed, RobotModel, Shape, length
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector

@@ -14,8 +14,8 @@ from collections.abc import Iterable, Iterator
 from urdfkit.config import Config, Robot, matches
 from urdfkit.errors import UnreadableFile
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 #: Files of one folder that are looked at.
 MAX_FILES = 20_000

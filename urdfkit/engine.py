@@ -11,10 +11,10 @@ from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.judge import Verdict, judge
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from typing import TypedDict

@@ -18,13 +18,13 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
 from urdfkit.diagnostic import Diagnostic, Edit
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.judge import diagnose
-from urdfkit.resolve import Resolver
 from urdfkit.rules import Rule
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import parse
+from urdfkit.workspace.resolve import Resolver
 
 #: In an example, the absolute path of the folder of the robot.
 FOLDER = "/home/student/arm_description"

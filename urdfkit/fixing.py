@@ -11,23 +11,23 @@ from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from urdfkit import rewriting
 from urdfkit.diagnostic import Diagnostic, Edit, Report
+from urdfkit.editing import rewriting
+from urdfkit.editing.fixer import apply_edits, encoded
+from urdfkit.editing.rewriting import Rewrite, on_disk, shown
 from urdfkit.engine import check, subjects
 from urdfkit.errors import UrdfkitError
-from urdfkit.fixer import apply_edits, encoded
 from urdfkit.harm import Key, Watch, harm, key_of, real_path, useless
-from urdfkit.ownership import OUTSIDE, Ownership
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
-from urdfkit.rewriting import Rewrite, on_disk, shown
 from urdfkit.source import Source
+from urdfkit.workspace.ownership import OUTSIDE, Ownership
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
+    from urdfkit.assets.stand_ins import StandIn, Undone
     from urdfkit.engine import Options
-    from urdfkit.stand_ins import StandIn, Undone
     from urdfkit.subject import Subject
 
 MAX_ROUNDS = 10
@@ -155,7 +155,7 @@ def _with_meshes(
         UrdfkitError: what makes meshes is not installed.
     """
     try:
-        from urdfkit.stand_ins import StandIn, Undone, generate_missing
+        from urdfkit.assets.stand_ins import StandIn, Undone, generate_missing
     except ImportError as error:
         text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error

@@ -5,17 +5,17 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit import rewriting
 from urdfkit.config import Config
 from urdfkit.discovery import descriptions
+from urdfkit.editing import rewriting
+from urdfkit.editing.fixer import encoded
+from urdfkit.editing.formatter import WIDTH, formatted
+from urdfkit.editing.rewriting import Rewrite, on_disk, shown
 from urdfkit.errors import UrdfkitError
-from urdfkit.fixer import encoded
-from urdfkit.formatter import WIDTH, formatted
-from urdfkit.ownership import Ownership
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
-from urdfkit.rewriting import Rewrite, on_disk, shown
 from urdfkit.source import Source
+from urdfkit.workspace.ownership import Ownership
+from urdfkit.workspace.resolve import Resolver
 
 
 class Formatted(Record):

@@ -12,8 +12,8 @@ from urdfkit.model import DEGREES_OF_FREEDOM
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint, RobotModel
-    from urdfkit.tree import KinematicTree
 
 #: Silent if links and joints form one tree.
 ABOUT_TREES = frozenset("NAM001 NAM002 REF001 TRE001 TRE002 TRE003 TRE004 TRE006".split())
@@ -124,7 +124,7 @@ def _about_statics(model: RobotModel, tree: KinematicTree) -> set[str]:
     moves = any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints)
     if not moves or not any(link.mass for link in model.links):
         return set(ABOUT_STATICS)
-    from urdfkit.loads import idle, light, overloadable
+    from urdfkit.mechanics.loads import idle, light, overloadable
 
     about = {"DYN003": overloadable, "DYN005": light, "DYN006": idle}
     codes = {code for code, doubtful in about.items() if not doubtful(tree)}

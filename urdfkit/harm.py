@@ -12,9 +12,9 @@ from urdfkit.config import Config
 from urdfkit.diagnostic import Diagnostic, Edit, Report
 from urdfkit.discovery import affected
 from urdfkit.errors import UnreadableFile
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 #: A finding in any round: its code, its file and its message, since places move.
 Key = tuple[str, str, str]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from urdfkit import glance, rules
-from urdfkit.beside import srdf_files
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
@@ -14,6 +13,7 @@ from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
+from urdfkit.workspace.beside import srdf_files
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -219,7 +219,7 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
     if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
         return {"PKG001", "PKG002", "PKG003", "PKG004"}
-    from urdfkit.mentions import silent  # it compiles a regular expression
+    from urdfkit.workspace.mentions import silent  # it compiles a regular expression
 
     return silent(sources, subject.resolver.packages)
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
 from urdfkit.reading import is_launch
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.expansion import Xacro

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from urdfkit.extent import WITHOUT_MESHES
-from urdfkit.inertia import MassProperties, combined, principal_axes
-from urdfkit.kinematics import frames
-from urdfkit.matter import Matter, matter
+from urdfkit.inertials.matter import Matter, matter
+from urdfkit.mechanics.extent import WITHOUT_MESHES
+from urdfkit.mechanics.inertia import MassProperties, combined, principal_axes
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.rigid import properties_of
 from urdfkit.model import Link
 from urdfkit.record import Record
-from urdfkit.rigid import properties_of
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.subject import Subject
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Diagnostic, Edit
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.engine import check
-from urdfkit.fixer import apply_edits
 from urdfkit.record import Record
 from urdfkit.source import Source
 

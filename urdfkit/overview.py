@@ -9,19 +9,19 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
-from urdfkit.extent import WITHOUT_MESHES, extent_of
-from urdfkit.inertia import MassProperties, combined
-from urdfkit.joints import driven
-from urdfkit.kinematics import frames
+from urdfkit.gazebo.sensors import Sensor, sensors
+from urdfkit.mechanics.extent import WITHOUT_MESHES, extent_of
+from urdfkit.mechanics.inertia import MassProperties, combined
+from urdfkit.mechanics.joints import driven
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.reach import Reach, reach
+from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.shapes import Box
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Body, RobotModel, Shape
-from urdfkit.reach import Reach, reach
 from urdfkit.record import Record
-from urdfkit.rigid import properties_of
-from urdfkit.sensors import Sensor, sensors
-from urdfkit.shapes import Box
 from urdfkit.spatial import Frame
 from urdfkit.subject import Subject
-from urdfkit.tree import KinematicTree
 
 #: How many numbers each type of joint takes in Pinocchio's configuration q and velocity v; an
 #: angle without limits is kept as its cosine and sine, a rotation as a quaternion.

@@ -13,16 +13,16 @@ from math import pi
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.joints import bounds, unit
-from urdfkit.kinematics import SLIDING, TURNING
+from urdfkit.mechanics.joints import bounds, unit
+from urdfkit.mechanics.kinematics import SLIDING, TURNING
 from urdfkit.model import DEGREES_OF_FREEDOM, number, numbers
 from urdfkit.nearest import did_you_mean
 from urdfkit.source import Source
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.srdf import Srdf
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 #: Larger files are no poses.
 MAX_BYTES = 1024 * 1024

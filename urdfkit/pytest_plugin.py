@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
+    from urdfkit.assets.measured import Use
     from urdfkit.diagnostic import Report
     from urdfkit.dynamics.robot import Dynamics
-    from urdfkit.measured import Use
     from urdfkit.model import RobotModel
     from urdfkit.testing import Description
 

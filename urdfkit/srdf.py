@@ -10,15 +10,15 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from urdfkit.beside import srdf_files
 from urdfkit.document import Attribute, Element
 from urdfkit.errors import UnreadableFile
 from urdfkit.reading import is_xacro, read_xml
+from urdfkit.workspace.beside import srdf_files
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 
 class Srdf:

@@ -12,27 +12,27 @@ from urdfkit.source import Source
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.assets.files import Files
+    from urdfkit.assets.measured import Measured
+    from urdfkit.assets.triangles import Meshes
     from urdfkit.collision.robot import Collisions
     from urdfkit.diagnostic import Diagnostic
     from urdfkit.dynamics.opinion import Opinion
     from urdfkit.dynamics.robot import Dynamics
     from urdfkit.expansion import Xacro
-    from urdfkit.files import Files
-    from urdfkit.gazebo import Conversion
+    from urdfkit.gazebo.conversion import Conversion
+    from urdfkit.gazebo.parameters import Unread
+    from urdfkit.gazebo.plugins import Use
     from urdfkit.grammar import Deviation
+    from urdfkit.inertials.masses import Masses
     from urdfkit.launch import FileUse, Launch
-    from urdfkit.masses import Masses
-    from urdfkit.measured import Measured
+    from urdfkit.mechanics.shapes import Lump
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Body, RobotModel
-    from urdfkit.parameters import Unread
-    from urdfkit.plugins import Use
-    from urdfkit.resolve import Resolver
-    from urdfkit.shapes import Lump
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
-    from urdfkit.tree import KinematicTree
-    from urdfkit.triangles import Meshes
+    from urdfkit.workspace.resolve import Resolver
 
 
 _WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
@@ -187,7 +187,7 @@ class Subject:
         That is a library of macros; or a description that another file includes and that lacks
         a name, or a link from which the others hang.
         """
-        from urdfkit.includes import is_included
+        from urdfkit.workspace.includes import is_included
 
         xacro = self.reading.xacro
         if (xacro is not None and xacro.is_library) or self.is_srdf:
@@ -210,7 +210,7 @@ class Subject:
     @cached_property
     def tree(self) -> KinematicTree:
         """The kinematic tree of the model."""
-        from urdfkit.tree import KinematicTree
+        from urdfkit.mechanics.tree import KinematicTree
 
         return KinematicTree(self.model)
 
@@ -236,21 +236,21 @@ class Subject:
     @cached_property
     def gazebo(self) -> Conversion:
         """What Gazebo makes of the model: merged, dropped and renamed links."""
-        from urdfkit.gazebo import Conversion
+        from urdfkit.gazebo.conversion import Conversion
 
         return Conversion(self.tree)
 
     @cached_property
     def plugins(self) -> tuple[Use, ...]:
         """The plugins that the model gives to Gazebo."""
-        from urdfkit.plugins import uses
+        from urdfkit.gazebo.plugins import uses
 
         return uses(self.model, self.targets)
 
     @cached_property
     def unread(self) -> tuple[tuple[Use, Unread], ...]:
         """The tags that those plugins are given and do not read."""
-        from urdfkit.parameters import unread
+        from urdfkit.gazebo.parameters import unread
 
         return tuple((use, found) for use in self.plugins for found in unread(use))
 
@@ -287,7 +287,7 @@ class Subject:
     @cached_property
     def masses(self) -> Masses:
         """The masses and inertias of the model, and what is doubtful about them."""
-        from urdfkit.masses import Masses
+        from urdfkit.inertials.masses import Masses
 
         return Masses(self.model, self.tree, self.lump)
 
@@ -319,7 +319,7 @@ class Subject:
     @cached_property
     def is_crowded(self) -> bool:
         """True if bodies of two links may overlap where the robot begins; no library is needed."""
-        from urdfkit.crowding import may_overlap
+        from urdfkit.mechanics.crowding import may_overlap
 
         return may_overlap(self.tree)
 
@@ -330,7 +330,7 @@ class Subject:
         Raises:
             Unavailable: coal is not installed, or the robot has too many bodies.
         """
-        from urdfkit.crowding import MAX_BODIES
+        from urdfkit.mechanics.crowding import MAX_BODIES
 
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
@@ -368,7 +368,7 @@ class Subject:
     @cached_property
     def files(self) -> Files:
         """The mesh files that the model names, found and sniffed."""
-        from urdfkit.files import Files
+        from urdfkit.assets.files import Files
 
         return Files(self.model, self.resolver)
 
@@ -379,7 +379,7 @@ class Subject:
         Raises:
             Unavailable: a library that measures them is not installed.
         """
-        from urdfkit.measured import Measured
+        from urdfkit.assets.measured import Measured
         from urdfkit.meshes import store
 
         missing = store.missing_library()
@@ -390,6 +390,6 @@ class Subject:
     @cached_property
     def meshes(self) -> Meshes:
         """The triangles of those files."""
-        from urdfkit.triangles import Meshes
+        from urdfkit.assets.triangles import Meshes
 
         return Meshes(self.files)

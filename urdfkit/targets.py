@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.manifest import manifest_of
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.manifest import manifest_of
 
 if TYPE_CHECKING:
     from urdfkit.document import Element

@@ -19,17 +19,17 @@ from urdfkit.diagnostic import Report, Severity
 from urdfkit.differences import Tolerances, differences
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint, RobotModel
-from urdfkit.resolve import Resolver
 from urdfkit.rules import matching
 from urdfkit.source import Source
-from urdfkit.states import as_it_was
 from urdfkit.subject import Subject, Unavailable
-from urdfkit.tree import KinematicTree
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.states import as_it_was
 
 if TYPE_CHECKING:
+    from urdfkit.assets.measured import Use
     from urdfkit.dynamics.robot import Dynamics
-    from urdfkit.measured import Use
 
 __all__ = [
     "Description",

@@ -6,7 +6,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, link
-from tests.test_loads import pendulum, swinging
+from tests.mechanics.test_loads import pendulum, swinging
 from tests.told import messages, places
 from urdfkit import engine
 from urdfkit.examples import whole_robot

@@ -89,7 +89,7 @@ def test_without_the_readers_of_meshes_it_is_skipped_where_it_matters(
     def lean(*_: object) -> None:
         raise ImportError("numpy")
 
-    monkeypatch.setattr("urdfkit.triangles.Meshes.mesh", lean)
+    monkeypatch.setattr("urdfkit.assets.triangles.Meshes.mesh", lean)
     sources = [
         Source("r.urdf", whole_robot(on_wheels(at, more=shape("collision", MESH))).encode())
         for at in ("-0.05 0 0", "0.5 0 0")

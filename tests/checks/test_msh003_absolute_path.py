@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.told import fixed, told
-from tests.workspace import add_file, add_package, mesh_link
+from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.diagnostic import Severity
 
 CODE = "MSH003"

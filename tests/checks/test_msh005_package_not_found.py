@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.told import fixed, messages, places, told
-from tests.workspace import add_file, add_package, mesh_link
+from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
 from urdfkit.examples import whole_robot

@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages, told
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.meshes.samples import box, collada, stl
 
 HUGE = stl(box((0, 0, 0), (80, 60, 300)))

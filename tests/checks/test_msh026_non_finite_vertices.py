@@ -6,7 +6,7 @@ import pytest
 
 from tests.meshes import made
 from tests.told import told
-from tests.workspace import add_file, mesh_link
+from tests.workspaces import add_file, mesh_link
 from urdfkit.diagnostic import Severity
 
 CODE = "MSH026"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 
 def link(name: str, *shapes: str) -> str:

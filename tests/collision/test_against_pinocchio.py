@@ -11,12 +11,12 @@ import pytest
 np = pytest.importorskip("numpy")
 pytest.importorskip("coal")
 
-from urdfkit.adjacency import Adjacency
 from urdfkit.collision.chain import chain
 from urdfkit.collision.examine import Examiner
 from urdfkit.collision.forms import MARGIN, form
 from urdfkit.collision.solids import solids
 from urdfkit.loading import read
+from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.meshes.geometry import Floats, Integers
 
 

@@ -15,9 +15,9 @@ import itertools
 from tests.collision.robots import joint, link, revolute, robot
 from tests.conftest import MODELS, manifest, model_id
 from tests.update_corpus_findings import arguments_of
-from urdfkit import kinematics
 from urdfkit.collision.chain import REACH, chain, matrix
 from urdfkit.loading import read
+from urdfkit.mechanics import kinematics
 from urdfkit.subject import Subject
 
 MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'

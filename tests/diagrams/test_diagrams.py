@@ -13,13 +13,13 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.jointed import joint, limit, mimic, robot
-from tests.test_kinematics import tree
+from tests.mechanics.test_kinematics import tree
 from urdfkit.diagrams import FORMATS, dot, mermaid, svg, text
 from urdfkit.diagrams import json as json_diagram
 from urdfkit.diagrams.rows import caption, rows
 from urdfkit.loading import load
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint
-from urdfkit.tree import KinematicTree
 
 RENDER = {
     "text": text.render,

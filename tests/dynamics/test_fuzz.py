@@ -14,12 +14,12 @@ from tests.test_overview import of
 from urdfkit.dynamics.conditioning import conditioning
 from urdfkit.dynamics.robot import Unsuitable
 from urdfkit.dynamics.statics import statics
-from urdfkit.kinematics import frames
 from urdfkit.mass_table import mass_properties
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.reach import reach
+from urdfkit.mechanics.stability import stand
 from urdfkit.overview import summarise
 from urdfkit.poses import PoseError, pose
-from urdfkit.reach import reach
-from urdfkit.stability import stand
 from urdfkit.subject import Subject, Unavailable
 
 plain = st.floats(-10, 10).map(str)

@@ -17,16 +17,16 @@ from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
 from tests.dynamics import oracle
 from tests.jointed import limit, mimic
 from tests.massive import inertial, joint, link
-from tests.test_kinematics import tree
-from urdfkit import inertia
+from tests.mechanics.test_kinematics import tree
 from urdfkit.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
-from urdfkit.kinematics import positions
 from urdfkit.loading import read
+from urdfkit.mechanics import inertia
+from urdfkit.mechanics.kinematics import positions
 from urdfkit.model import Tensor
 from urdfkit.overview import structure
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 G = 9.81
 
@@ -303,7 +303,7 @@ def test_torques_and_jacobians_are_slopes(path: str) -> None:
 
 
 def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
-    from urdfkit.kinematics import frames
+    from urdfkit.mechanics.kinematics import frames
     from urdfkit.overview import _weight
 
     return _weight(subject.model, frames(subject.tree, pose)).whole

@@ -10,8 +10,8 @@ from tests.expansion import models
 from urdfkit import engine
 from urdfkit.expansion import Xacro, expand
 from urdfkit.reading import Problem
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 
 def run(folder: Path, body: str, arguments: dict[str, str] | None = None, **parts: str) -> Xacro:

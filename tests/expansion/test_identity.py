@@ -13,8 +13,8 @@ from tests.conftest import CORPUS, manifest, model_id, needs_corpus
 from tests.expansion import models, stock
 from tests.expansion.stock import Outcome
 from urdfkit.expansion import expand
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 
 def ours(

@@ -21,8 +21,8 @@ from tests.conftest import CORPUS, manifest, needs_corpus
 from tests.expansion import models, stock
 from urdfkit.document import Element, Tag
 from urdfkit.expansion import expand
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 PLACE = "urdfkit_place"
 WAY = "urdfkit_way"

@@ -15,8 +15,8 @@ import pytest
 from tests.conftest import ROOT
 from tests.expansion import models, stock
 from urdfkit.expansion import Xacro, budget, expand
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 SECRET = "the secret of this machine"
 

@@ -13,7 +13,7 @@ import urdfkit
 from tests.conftest import MODELS
 from tests.formats.made import diagnostic, report, span
 from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.formats import rdjson, rdjsonl
 from urdfkit.source import Source, Span
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from urdfkit.launch import Launch, read_launch
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 HEAD = """
 import os

@@ -6,8 +6,8 @@ import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from urdfkit.launch import Launch, read_launch
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
+from urdfkit.workspace.resolve import Resolver
 
 
 @pytest.fixture

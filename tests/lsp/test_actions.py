@@ -8,7 +8,7 @@ import pytest
 
 from tests.lsp.edited import MISSION, Edited
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.lsp.actions import actions
 
 

@@ -9,7 +9,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited, mission
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.lsp.navigation import CannotRename, definitions, references, rename
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.source import Span

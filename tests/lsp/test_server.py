@@ -19,7 +19,7 @@ from pygls.lsp.client import LanguageClient
 import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
-from urdfkit.formatter import formatted
+from urdfkit.editing.formatter import formatted
 from urdfkit.lsp.text import to_bytes, to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.source import Source

@@ -12,8 +12,8 @@ import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.page.browsers import Page, browser, needs_browser
-from urdfkit.kinematics import TURNING, frames
 from urdfkit.loading import read
+from urdfkit.mechanics.kinematics import TURNING, frames
 from urdfkit.page.writing import report
 from urdfkit.spatial import Frame
 

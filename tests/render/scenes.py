@@ -7,9 +7,9 @@ import numpy as np
 from urdfkit.reading import read_xml
 from urdfkit.render import Camera, Scene, build, draw
 from urdfkit.render.arrays import Bytes
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 __all__ = ["alone", "colour_at", "corners", "link", "robot", "scene"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import remove_spans
+from urdfkit.editing.edits import remove_spans
 from urdfkit.rules import Finding, Written, matching, rule
 from urdfkit.static import TYPE_CHECKING
 

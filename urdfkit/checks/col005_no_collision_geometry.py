@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rigid import RigidBody, rigid_bodies
+from urdfkit.mechanics.rigid import RigidBody, rigid_bodies
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

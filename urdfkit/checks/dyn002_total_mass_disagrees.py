@@ -15,8 +15,8 @@ from collections.abc import Iterator
 from math import dist
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia import combined
-from urdfkit.rigid import properties_of
+from urdfkit.mechanics.inertia import combined
+from urdfkit.mechanics.rigid import properties_of
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -16,8 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import effort_unit
-from urdfkit.loads import overloadable
+from urdfkit.mechanics.joints import effort_unit
+from urdfkit.mechanics.loads import overloadable
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

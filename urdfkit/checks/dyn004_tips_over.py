@@ -15,18 +15,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.extent import WITHOUT_MESHES
-from urdfkit.joints import BOUNDED
-from urdfkit.rigid import rigid_bodies
+from urdfkit.mechanics.extent import WITHOUT_MESHES
+from urdfkit.mechanics.joints import BOUNDED
+from urdfkit.mechanics.rigid import rigid_bodies
+from urdfkit.mechanics.stability import Stability, stand
 from urdfkit.rules import Finding, Need, rule
-from urdfkit.stability import Stability, stand
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import RobotModel, Shape
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 _WHEEL = """
 <link name="{0}">

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from math import isinf
 
 from urdfkit.diagnostic import Severity
-from urdfkit.loads import light
+from urdfkit.mechanics.loads import light
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

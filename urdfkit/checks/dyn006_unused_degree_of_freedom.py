@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import driven
-from urdfkit.loads import idle
+from urdfkit.mechanics.joints import driven
+from urdfkit.mechanics.loads import idle
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

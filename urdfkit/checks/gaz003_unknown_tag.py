@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.extensions import copied, extensions, meant
 from urdfkit.diagnostic import Fix, Related, Severity
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.document import Element
-from urdfkit.edits import STEP, insert_after, lines_of, remove_element
+from urdfkit.editing.edits import STEP, insert_after, lines_of, remove_element
 from urdfkit.model import Joint
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

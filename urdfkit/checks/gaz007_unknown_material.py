@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.materials import materials
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_text
+from urdfkit.editing.edits import replace_text
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.plugins import GENERATIONS, find
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
-from urdfkit.plugins import Use, generations
+from urdfkit.editing.edits import replace_value
+from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.plugins import GENERATIONS
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.plugins import Use, generations
+from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

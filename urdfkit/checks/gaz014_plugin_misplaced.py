@@ -18,7 +18,7 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.plugins import Use
+    from urdfkit.gazebo.plugins import Use
     from urdfkit.subject import Subject
 
 BAD = """\

@@ -17,13 +17,13 @@ from collections.abc import Iterator
 from urdfkit.catalog.plugins import renames
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.catalog.plugins import Plugin
-    from urdfkit.plugins import Item
+    from urdfkit.gazebo.plugins import Item
     from urdfkit.subject import Subject
 
 BAD = """\

@@ -13,13 +13,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rewrite
+from urdfkit.editing.edits import rewrite
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.plugins import Reference
+    from urdfkit.gazebo.plugins import Reference
     from urdfkit.subject import Subject
 
 BAD = """\

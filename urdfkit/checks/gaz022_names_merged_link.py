@@ -18,8 +18,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.extensions import rewritten
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import from_macro, insert_before
-from urdfkit.plugins import Reference, Use, fate
+from urdfkit.editing.edits import from_macro, insert_before
+from urdfkit.gazebo.plugins import Reference, Use, fate
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.drives import drive_of, driven
+from urdfkit.gazebo.drives import drive_of, driven
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

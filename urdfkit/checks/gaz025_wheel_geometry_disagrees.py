@@ -16,13 +16,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.drives import Kind, Wheel, between, dot, drive_of, given, pairs, wheels
+from urdfkit.gazebo.drives import Kind, Wheel, between, dot, drive_of, given, pairs, wheels
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element
-    from urdfkit.plugins import Use
+    from urdfkit.gazebo.plugins import Use
     from urdfkit.subject import Subject
 
 #: Relative difference; real robots are calibrated within this.

@@ -15,12 +15,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.drives import Wheel, between, dot, drive_of, pairs, wheels
+from urdfkit.gazebo.drives import Wheel, between, dot, drive_of, pairs, wheels
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.plugins import Use
+    from urdfkit.gazebo.plugins import Use
     from urdfkit.subject import Subject
 
 _WHEEL = """\

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.document import Element
-from urdfkit.drives import driven
+from urdfkit.gazebo.drives import driven
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

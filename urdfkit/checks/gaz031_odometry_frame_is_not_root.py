@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rewrite
+from urdfkit.editing.edits import rewrite
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element
-    from urdfkit.plugins import Item, Use
+    from urdfkit.gazebo.plugins import Item, Use
     from urdfkit.subject import Subject
 
 BAD = """\

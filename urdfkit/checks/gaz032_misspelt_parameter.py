@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -14,14 +14,14 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.sensors import Sensor
+    from urdfkit.gazebo.sensors import Sensor
     from urdfkit.subject import Subject
 
 BAD = """\

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 

@@ -12,10 +12,10 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.catalog.sensors import children
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -13,9 +13,9 @@ from collections.abc import Iterator
 from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.edits import rewrite
+from urdfkit.editing.edits import rewrite
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import sensors
 from urdfkit.spatial import rotate
 from urdfkit.static import TYPE_CHECKING
 

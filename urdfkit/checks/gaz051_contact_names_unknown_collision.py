@@ -15,10 +15,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_text
+from urdfkit.editing.edits import replace_text
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

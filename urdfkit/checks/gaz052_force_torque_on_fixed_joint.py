@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import insert_before
+from urdfkit.editing.edits import insert_before
+from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, Need, rule
-from urdfkit.sensors import sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.sensors import types
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import Sensor, sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from math import prod
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.rules import Finding, rule
-from urdfkit.sensors import Sensor, sensors
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
+from urdfkit.mechanics.shapes import shaped, sizes
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import shaped, sizes
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

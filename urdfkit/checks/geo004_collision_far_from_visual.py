@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
-from urdfkit.edits import insert_first, remove_element
+from urdfkit.editing.edits import insert_first, remove_element
+from urdfkit.mechanics.shapes import Box, Lump, Solid, solid
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import Box, Lump, Solid, solid
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.shapes import shaped
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import shaped
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.colours import Colours
 from urdfkit.catalog.materials import materials
-from urdfkit.colours import Colours
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.colours import Colours
+from urdfkit.assets.colours import Colours
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.colours import Colours
+from urdfkit.assets.colours import Colours
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.shapes import SIZES
 from urdfkit.rules import Finding, rule
-from urdfkit.shapes import SIZES
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:

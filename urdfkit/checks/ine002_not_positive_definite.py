@@ -17,14 +17,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia_diagnosis import of_impossible, replacement, together, values
+from urdfkit.inertials.diagnosis import of_impossible, replacement, together, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.masses import Masses
+    from urdfkit.inertials.masses import Masses
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="arm">

@@ -17,13 +17,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rigid import mass_of
+from urdfkit.mechanics.rigid import mass_of
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:
-    from urdfkit.rigid import RigidBody
+    from urdfkit.mechanics.rigid import RigidBody
     from urdfkit.subject import Subject
 
 BAD = """\

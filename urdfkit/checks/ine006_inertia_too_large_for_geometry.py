@@ -18,14 +18,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertia_diagnosis import advice, as_solid, of_unlike_shape, replacement, together
+from urdfkit.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, together
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.masses import Masses
+    from urdfkit.inertials.masses import Masses
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="wheel">

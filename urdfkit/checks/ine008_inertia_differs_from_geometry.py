@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertia_diagnosis import advice, as_solid, of_unlike_shape, replacement, values
+from urdfkit.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

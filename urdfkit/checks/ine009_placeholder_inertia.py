@@ -15,13 +15,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertia_diagnosis import together, values
+from urdfkit.inertials.diagnosis import together, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="arm">

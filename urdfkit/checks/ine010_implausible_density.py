@@ -15,16 +15,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.edits import rewrite
-from urdfkit.inertia import scaled
-from urdfkit.inertia_claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
-from urdfkit.inertia_diagnosis import replacement, together
+from urdfkit.editing.edits import rewrite
+from urdfkit.inertials.claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
+from urdfkit.inertials.diagnosis import replacement, together
+from urdfkit.mechanics.inertia import scaled
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="wheel">

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertia_claims import center_is_outside
+from urdfkit.inertials.claims import center_is_outside
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -14,14 +14,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.inertia_diagnosis import values
-from urdfkit.masses import unlike
+from urdfkit.inertials.diagnosis import values
+from urdfkit.inertials.masses import unlike
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="hand"/>

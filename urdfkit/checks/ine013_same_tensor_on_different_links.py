@@ -14,13 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.inertia_diagnosis import MAX_RELATED, values
+from urdfkit.inertials.diagnosis import MAX_RELATED, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
-    from urdfkit.weighed import Weighed
 
 BAD = """\
 <link name="base">

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.masses import CARRIED
+from urdfkit.inertials.masses import CARRIED
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO

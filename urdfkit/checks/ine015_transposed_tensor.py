@@ -16,8 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.edits import from_macro
-from urdfkit.inertia_diagnosis import as_solid, replacement, values, written
+from urdfkit.editing.edits import from_macro
+from urdfkit.inertials.diagnosis import as_solid, replacement, values, written
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

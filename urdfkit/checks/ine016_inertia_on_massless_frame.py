@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.inertia_diagnosis import values
+from urdfkit.inertials.diagnosis import values
+from urdfkit.inertials.weighed import NOISE
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
-from urdfkit.weighed import NOISE
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

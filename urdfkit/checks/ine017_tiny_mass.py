@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.gazebo import OLD
+from urdfkit.gazebo.conversion import OLD
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -15,12 +15,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.inertia_diagnosis import MAX_RELATED
+from urdfkit.inertials.diagnosis import MAX_RELATED
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.masses import Masses
+    from urdfkit.inertials.masses import Masses
     from urdfkit.subject import Subject
 
 BAD = """\

@@ -16,8 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import swap
-from urdfkit.joints import bounds, unit
+from urdfkit.editing.edits import swap
+from urdfkit.mechanics.joints import bounds, unit
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import MOVING, driven, related, several, unit
+from urdfkit.mechanics.joints import MOVING, driven, related, several, unit
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -18,8 +18,8 @@ from collections.abc import Iterator
 from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Edit, Fix, Severity
-from urdfkit.edits import replace_value
-from urdfkit.joints import bounds
+from urdfkit.editing.edits import replace_value
+from urdfkit.mechanics.joints import bounds
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

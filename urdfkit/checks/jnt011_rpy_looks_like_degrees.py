@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import owner
 from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.joints import related, several
+from urdfkit.mechanics.joints import related, several
 from urdfkit.model import length
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.edits import remove_attribute
+from urdfkit.editing.edits import remove_attribute
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

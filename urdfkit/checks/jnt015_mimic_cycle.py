@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import related
+from urdfkit.mechanics.joints import related
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import bounds, related, several, soft_bounds, unit
+from urdfkit.mechanics.joints import bounds, related, several, soft_bounds, unit
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

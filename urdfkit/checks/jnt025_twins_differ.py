@@ -17,16 +17,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.joints import MOVING, bounds, effort_unit, unit
+from urdfkit.mechanics.joints import MOVING, bounds, effort_unit, unit
+from urdfkit.mechanics.twins import apart, numbered_pairs, pairs
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.twins import apart, numbered_pairs, pairs
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint, Placed
     from urdfkit.spatial import Vector
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 BAD = """\
 <link name="torso"/>

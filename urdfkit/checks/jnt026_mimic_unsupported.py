@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.joints import MOVING, related, several
+from urdfkit.mechanics.joints import MOVING, related, several
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO

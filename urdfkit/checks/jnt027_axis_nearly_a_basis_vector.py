@@ -16,8 +16,8 @@ from math import hypot
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Attribute
-from urdfkit.edits import replace_value
-from urdfkit.joints import MOVING
+from urdfkit.editing.edits import replace_value
+from urdfkit.mechanics.joints import MOVING
 from urdfkit.model import length
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

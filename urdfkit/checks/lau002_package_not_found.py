@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.manifest import manifest_of
-from urdfkit.ros_packages import comes_with_ros
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -13,15 +13,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.files import is_slip
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
-from urdfkit.files import is_slip
+from urdfkit.editing.edits import replace_value
 from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.files import MeshReference
+    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\

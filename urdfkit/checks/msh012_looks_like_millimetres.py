@@ -14,16 +14,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit import edits
+from urdfkit.assets.claims import rest_of_robot
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.document import Attribute
-from urdfkit.mesh_claims import rest_of_robot
+from urdfkit.editing import edits
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.measured import Use
+    from urdfkit.assets.measured import Use
     from urdfkit.subject import Subject
 
 BAD = """\

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.claims import DENSE_VISUAL
 from urdfkit.diagnostic import Severity
-from urdfkit.mesh_claims import DENSE_VISUAL
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING

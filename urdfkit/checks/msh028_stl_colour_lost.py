@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.claims import COLOURS
 from urdfkit.diagnostic import Severity
-from urdfkit.mesh_claims import COLOURS
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING

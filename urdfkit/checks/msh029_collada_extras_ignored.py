@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.claims import extras
 from urdfkit.diagnostic import Severity
-from urdfkit.mesh_claims import extras
 from urdfkit.meshes.samples import collada
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING

@@ -13,19 +13,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import insert_after, insert_last
+from urdfkit.editing.edits import insert_after, insert_last
 from urdfkit.errors import PackageNotFound
-from urdfkit.manifest import manifest_of
-from urdfkit.mentions import of_package
 from urdfkit.reading import read_xml
-from urdfkit.ros_packages import comes_with_ros
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.mentions import of_package
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
-    from urdfkit.resolve import Resolver
     from urdfkit.source import Source
     from urdfkit.subject import Subject
+    from urdfkit.workspace.resolve import Resolver
 
 NAME = "bot_description/bot.urdf"
 BAD = """\

@@ -15,10 +15,10 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.mentions import of_package
 from urdfkit.rules import Finding, Written, rule
-from urdfkit.shipping import Shipping
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.mentions import of_package
+from urdfkit.workspace.shipping import Shipping
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -18,13 +18,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.gazebo_paths import survey
+from urdfkit.gazebo.paths import survey
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.source import Source, Span
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.files import MeshReference
+    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 NAME = "urdf/bot.urdf"

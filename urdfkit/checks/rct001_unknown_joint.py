@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.ros_control import components, driven_joints, reads_transmissions

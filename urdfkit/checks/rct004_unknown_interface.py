@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import hardware, words
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rewrite
+from urdfkit.editing.edits import rewrite
 from urdfkit.nearest import nearest
 from urdfkit.ros_control import (
     components,

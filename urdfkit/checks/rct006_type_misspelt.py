@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import component_types
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.ros_control import components

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.joints import bounds, effort_unit, unit
+from urdfkit.mechanics.joints import bounds, effort_unit, unit
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -18,7 +18,7 @@ from urdfkit.catalog.ros_control import Measure
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.drives import Rolling, between, dot, rolling
+from urdfkit.gazebo.drives import Rolling, between, dot, rolling
 from urdfkit.model import length, number
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.spatial import Vector

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.catalog.ros_control import grammar
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

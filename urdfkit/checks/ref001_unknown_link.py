@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import from_macro, insert_before, replace_value
+from urdfkit.editing.edits import from_macro, insert_before, replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Attribute
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, rule

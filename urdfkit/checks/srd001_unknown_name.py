@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.adjacency import Adjacency
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.joints import bounds, unit
+from urdfkit.mechanics.joints import bounds, unit
 from urdfkit.moveit_limits import PlannedLimit, planned_limits
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING

@@ -18,9 +18,9 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Link
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 BAD = """\
 <link name="base"/>

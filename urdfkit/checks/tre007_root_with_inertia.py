@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import from_macro, insert_before
+from urdfkit.editing.edits import from_macro, insert_before
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 

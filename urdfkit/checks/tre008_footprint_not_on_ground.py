@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.edits import insert_before, replace_value
+from urdfkit.editing.edits import insert_before, replace_value
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.source import Span
@@ -25,10 +25,10 @@ from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Body, Joint
     from urdfkit.spatial import Frame, Rotation, Vector
     from urdfkit.subject import Subject
-    from urdfkit.tree import KinematicTree
 
 BAD = """\
 <link name="base_footprint"/>

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import remove_element, rename_element
+from urdfkit.editing.edits import remove_element, rename_element
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -18,7 +18,7 @@ from collections.abc import Iterator
 
 from urdfkit import schema
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import as_written, replace_value
+from urdfkit.editing.edits import as_written, replace_value
 from urdfkit.grammar import has_break, is_number, owner
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -16,7 +16,7 @@ from itertools import zip_longest
 
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
-from urdfkit.edits import remove_element
+from urdfkit.editing.edits import remove_element
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import SHAPES

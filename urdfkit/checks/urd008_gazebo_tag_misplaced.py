@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Element
-from urdfkit.edits import STEP, insert_after, insert_last, lines_of, remove_elements
+from urdfkit.editing.edits import STEP, insert_after, insert_last, lines_of, remove_elements
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.document import Element
-from urdfkit.edits import move_after
+from urdfkit.editing.edits import move_after
 from urdfkit.grammar import owner
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import places_of

@@ -14,10 +14,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import remove_spans
-from urdfkit.includes import is_included
+from urdfkit.editing.edits import remove_spans
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

@@ -13,9 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.includes import is_included
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

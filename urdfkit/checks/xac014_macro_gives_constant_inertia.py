@@ -17,8 +17,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.inertial_macros import computing
-from urdfkit.rigid import mass_of
+from urdfkit.inertials.macros import computing
+from urdfkit.mechanics.rigid import mass_of
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
 

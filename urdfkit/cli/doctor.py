@@ -17,11 +17,11 @@ from urdfkit.cli import options, output
 from urdfkit.config import Config, ConfigError
 from urdfkit.discovery import discover
 from urdfkit.engine import check
-from urdfkit.resolve import Resolver
 from urdfkit.rule_packages import installed
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import Targets, infer, parse
+from urdfkit.workspace.resolve import Resolver
 
 #: What is looked for, and what it is for.
 _PACKAGES = {

@@ -54,7 +54,7 @@ def command(
     Exit codes: 0 done, 2 it cannot be expanded, 3 a bug of urdfkit.
     """
     from urdfkit.expansion import expand
-    from urdfkit.resolve import Resolver
+    from urdfkit.workspace.resolve import Resolver
 
     values = {options.FILES: words, "package": package}
     files = options.files(values)

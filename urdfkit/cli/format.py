@@ -8,8 +8,8 @@ import sys
 import click
 
 from urdfkit.cli import options, output, stdin
+from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.formats._layout import printable
-from urdfkit.formatter import WIDTH, formatted
 from urdfkit.formatting import Formatted, format_files
 
 

@@ -10,10 +10,10 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.errors import UnreadableRobot
-from urdfkit.gazebo import NEW, OLD, Conversion, SimulatedLink
-from urdfkit.resolve import Resolver
+from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 VERSION = 1
 

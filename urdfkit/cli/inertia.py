@@ -8,13 +8,13 @@ from typing import Any
 
 import click
 
-from urdfkit import rewriting
 from urdfkit.cli import options, output
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.densities import DENSITIES
-from urdfkit.inertia import MassProperties
-from urdfkit.inertia_proposals import Proposal, propose, rewrites
-from urdfkit.matter import SOURCES
+from urdfkit.editing import rewriting
+from urdfkit.inertials.densities import DENSITIES
+from urdfkit.inertials.matter import SOURCES
+from urdfkit.inertials.proposals import Proposal, propose, rewrites
+from urdfkit.mechanics.inertia import MassProperties
 
 VERSION = 1
 

@@ -13,10 +13,10 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.inertia import principal_moments
+from urdfkit.gazebo.sensors import Sensor
+from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.meshes.facts import counted
 from urdfkit.overview import Overview, Shapes, Structure, summarise
-from urdfkit.sensors import Sensor
 
 VERSION = 1
 

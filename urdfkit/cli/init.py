@@ -13,10 +13,10 @@ from urdfkit.config import Config, nearest
 from urdfkit.discovery import Found, discover
 from urdfkit.engine import missing_arguments
 from urdfkit.errors import UnwritableFile
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import TARGETS
+from urdfkit.workspace.resolve import Resolver
 
 _FILE = "urdfkit.toml"
 

@@ -13,7 +13,7 @@ from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
-from urdfkit.kinematics import frames, transform
+from urdfkit.mechanics.kinematics import frames, transform
 from urdfkit.spatial import Frame, to_rpy
 from urdfkit.subject import Subject, Unavailable
 

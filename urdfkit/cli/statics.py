@@ -15,11 +15,11 @@ from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import wrap
-from urdfkit.joints import effort_unit
+from urdfkit.mechanics.joints import effort_unit
+from urdfkit.mechanics.rigid import rigid_bodies
+from urdfkit.mechanics.stability import Stability, stand
 from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
-from urdfkit.rigid import rigid_bodies
-from urdfkit.stability import Stability, stand
 from urdfkit.subject import Subject, Unavailable
 
 if TYPE_CHECKING:

@@ -42,7 +42,7 @@ def command(
     """
     from urdfkit.expansion import expand
     from urdfkit.places import find
-    from urdfkit.resolve import Resolver
+    from urdfkit.workspace.resolve import Resolver
 
     values = {options.FILES: (file, *arguments), "package": package}
     xacro = expand(

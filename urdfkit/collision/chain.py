@@ -1,6 +1,6 @@
 """Where the links are in many configurations at once.
 
-The same mathematics as `urdfkit.kinematics`, over arrays: frames are homogeneous matrices
+The same mathematics as `urdfkit.mechanics.kinematics`, over arrays: frames are homogeneous matrices
 (n, 4, 4) in the frame of the root link, for n configurations.
 """
 
@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.joints import bounds
-from urdfkit.kinematics import SLIDING, TURNING, Law, direction, laws
+from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.kinematics import SLIDING, TURNING, Law, direction, laws
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.meshes.geometry import Floats
 from urdfkit.model import Joint
 from urdfkit.spatial import Frame
-from urdfkit.tree import KinematicTree
 
 #: A sliding joint is sampled within so many metres of its zero, whatever its limits say.
 REACH = 1000.0

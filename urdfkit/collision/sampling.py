@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from urdfkit.adjacency import Adjacency
 from urdfkit.collision.chain import Chain, chain
 from urdfkit.collision.crew import CollisionError, Crew
 from urdfkit.collision.examine import Pair
 from urdfkit.collision.matrix import Matrix, Nearest, PairResult, Verdict
 from urdfkit.collision.solids import solids
 from urdfkit.collision.task import Approach, Found, Pose, Samples, Task
+from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.meshes.geometry import Floats
 from urdfkit.static import TYPE_CHECKING
 

@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from urdfkit.assets.triangles import Meshes
 from urdfkit.collision.chain import matrix
 from urdfkit.meshes.geometry import Floats, Integers
 from urdfkit.model import RobotModel, Shape
-from urdfkit.triangles import Meshes
 
 #: In m: bodies that are larger, or farther from their link, are left out.
 LARGEST = 1e6

@@ -11,8 +11,8 @@ from urdfkit.collision.crew import CollisionError
 from urdfkit.collision.matrix import Matrix, PairResult, Verdict
 from urdfkit.diagnostic import Edit
 from urdfkit.document import Attribute, Element
-from urdfkit.edits import insert_after, insert_last, remove_elements, replace_value
-from urdfkit.fixer import apply_edits
+from urdfkit.editing.edits import insert_after, insert_last, remove_elements, replace_value
+from urdfkit.editing.fixer import apply_edits
 from urdfkit.reading import is_xacro, read_xml
 from urdfkit.source import Source
 from urdfkit.srdf import Srdf, pair_of

@@ -12,16 +12,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.adjacency import Adjacency
+from urdfkit.assets.triangles import Meshes
 from urdfkit.collision.chain import chain
 from urdfkit.collision.examine import Examiner, Pair
 from urdfkit.collision.forms import TOUCH, Form, Gauge, form
 from urdfkit.collision.solids import NO_FACES, NO_VERTICES, THINNEST, Solid, solids
-from urdfkit.crowding import NEAR
+from urdfkit.mechanics.adjacency import Adjacency
+from urdfkit.mechanics.crowding import NEAR
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.meshes.geometry import Floats
 from urdfkit.model import RobotModel
-from urdfkit.tree import KinematicTree
-from urdfkit.triangles import Meshes
 
 #: Drawn poses that a pair which always collides must collide in, too.
 _SAMPLES = 50

@@ -14,10 +14,10 @@ from urdfkit.comparison.surfaces import changed_surfaces
 from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.differences import KINDS as OF_MODELS
 from urdfkit.differences import Difference, Tolerances, differences
-from urdfkit.inertia import MassProperties, combined
-from urdfkit.kinematics import frames
+from urdfkit.mechanics.inertia import MassProperties, combined
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.rigid import properties_of
 from urdfkit.record import Record
-from urdfkit.rigid import properties_of
 
 if TYPE_CHECKING:
     from urdfkit.config import Config

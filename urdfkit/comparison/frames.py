@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import dist
 
 from urdfkit.differences import Tolerances, angle_between
-from urdfkit.kinematics import frames
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, rotate, transposed
-from urdfkit.tree import KinematicTree
 
 
 class Moved(Record):

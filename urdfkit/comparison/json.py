@@ -7,7 +7,7 @@ from typing import Any
 
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.inertia import MassProperties
+from urdfkit.mechanics.inertia import MassProperties
 
 #: A change that could break a reader counts it up.
 VERSION = 1

@@ -12,11 +12,11 @@ from urdfkit.engine import check
 from urdfkit.errors import UnreadableRobot
 from urdfkit.loading import described
 from urdfkit.reading import is_launch
-from urdfkit.resolve import Resolver
-from urdfkit.revisions import locate
 from urdfkit.source import Source
-from urdfkit.states import OldFile, as_it_was
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.revisions import locate
+from urdfkit.workspace.states import OldFile, as_it_was
 
 if TYPE_CHECKING:
     from urdfkit.config import Config

@@ -6,10 +6,10 @@ import json
 from typing import Any
 
 from urdfkit.diagrams.rows import rows
-from urdfkit.joints import bounds
-from urdfkit.kinematics import direction
+from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.kinematics import direction
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import DEGREES_OF_FREEDOM, Joint
-from urdfkit.tree import KinematicTree
 
 VERSION = 1
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.diagrams.rows import caption, rows
-from urdfkit.tree import KinematicTree
+from urdfkit.mechanics.tree import KinematicTree
 
 
 def render(tree: KinematicTree) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.joints import bounds, effort_unit, unit
-from urdfkit.kinematics import direction
+from urdfkit.mechanics.joints import bounds, effort_unit, unit
+from urdfkit.mechanics.kinematics import direction
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.record import Record
-from urdfkit.tree import KinematicTree
 
 
 class Row(Record):

@@ -10,7 +10,7 @@ from unicodedata import east_asian_width
 from xml.sax.saxutils import escape
 
 from urdfkit.diagrams.rows import Row, caption, rows
-from urdfkit.tree import KinematicTree
+from urdfkit.mechanics.tree import KinematicTree
 
 #: In pixels: a row, a level of the tree, the margin, and a letter of the fixed-width font.
 ROW, LEVEL, MARGIN, LETTER = 30, 26, 16, 7.8

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagrams.rows import caption, rows
-from urdfkit.tree import KinematicTree
+from urdfkit.mechanics.tree import KinematicTree
 
 #: Deeper links are all drawn at this depth: no terminal is wider.
 MAX_DEPTH = 40

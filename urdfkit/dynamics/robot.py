@@ -20,13 +20,13 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.inertia import MassProperties, combined
-from urdfkit.kinematics import direction, laws
+from urdfkit.mechanics.inertia import MassProperties, combined
+from urdfkit.mechanics.kinematics import direction, laws
+from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
-from urdfkit.rigid import properties_of
 from urdfkit.spatial import Frame, Rotation, Vector, cross, transposed
-from urdfkit.tree import KinematicTree
 
 Floats = NDArray[np.float64]
 

@@ -13,9 +13,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 import numpy as np
 
 from urdfkit.dynamics.robot import Dynamics, Floats
-from urdfkit.joints import bounds
-from urdfkit.kinematics import SLIDING
-from urdfkit.loads import effort
+from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.kinematics import SLIDING
+from urdfkit.mechanics.loads import effort
 from urdfkit.model import Joint
 from urdfkit.record import Record
 

@@ -21,8 +21,8 @@ from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.expansion.trace import Origin
-    from urdfkit.resolve import Resolver
     from urdfkit.source import Source
+    from urdfkit.workspace.resolve import Resolver
 
 
 class Xacro:

@@ -17,8 +17,8 @@ from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.dom import Node
-    from urdfkit.resolve import Resolver
     from urdfkit.source import Source
+    from urdfkit.workspace.resolve import Resolver
 
 #: Failing tags of one file; every one costs another run.
 MAX_RUNS = 50

@@ -6,13 +6,13 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from urdfkit.includes import top_includer
 from urdfkit.reading import Problem
 from urdfkit.source import Span
+from urdfkit.workspace.includes import top_includer
 
 if TYPE_CHECKING:
-    from urdfkit.packages import Packages
     from urdfkit.source import Source
+    from urdfkit.workspace.packages import Packages
 
 #: Names that a message lists.
 _SHOWN = 3

@@ -14,7 +14,7 @@ from urdfkit.source import MAX_BYTES, Source
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.resolve import Resolver
+    from urdfkit.workspace.resolve import Resolver
 
 _WILDCARD = re.compile(r"[*?[]")
 

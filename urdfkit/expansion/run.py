@@ -27,8 +27,8 @@ from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from urdfkit.expansion.trace import Tracer
-    from urdfkit.resolve import Resolver
     from urdfkit.source import Source
+    from urdfkit.workspace.resolve import Resolver
 
 MAX_MACRO_DEPTH = 150
 #: Macro calls of one expansion; PR2 has 140.

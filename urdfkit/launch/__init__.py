@@ -15,7 +15,7 @@ from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.resolve import Resolver
+    from urdfkit.workspace.resolve import Resolver
 
 #: What a file of parameters is called in messages.
 PARAMETERS = "the parameter file"

@@ -9,8 +9,8 @@ from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
 from urdfkit.launch import Description, FileUse, Launch, PackageUse
 from urdfkit.reading import Problem
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 #: Stands for the folder of a package that was not found; files in it are not judged.
 UNKNOWN = "/package-not-found"

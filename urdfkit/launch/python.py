@@ -10,8 +10,8 @@ from urdfkit.document import Tag
 from urdfkit.launch import PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.reading import Problem
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 #: Expressions inside one another that are followed.
 MAX_DEPTH = 40

@@ -11,8 +11,8 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.launch import MAX_DEPTH, PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.reading import Problem, read_xml
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
 #: What launch refuses to read.

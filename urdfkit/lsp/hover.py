@@ -11,11 +11,11 @@ from urdfkit.diagnostic import Diagnostic
 from urdfkit.document import Attribute
 from urdfkit.errors import UnknownRule
 from urdfkit.expansion.trace import Origin
-from urdfkit.inertia import principal_moments
 from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
 from urdfkit.lsp.names import Name, path_in
 from urdfkit.lsp.workspace import Robot
+from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.meshes.sniff import sniff_file
 from urdfkit.model import Joint, Link
 from urdfkit.source import Span

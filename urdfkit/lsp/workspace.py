@@ -15,20 +15,20 @@ from urdfkit.config import Robot as EntryPoint
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.discovery import affected
 from urdfkit.document import Attribute, Document
+from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.expansion import Xacro, expand
 from urdfkit.fixing import fix
-from urdfkit.formatter import WIDTH, formatted
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import Names
 from urdfkit.model import RobotModel
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
 from urdfkit.rules import Need
 from urdfkit.source import Source
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8

@@ -22,10 +22,10 @@ from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.resolve import Resolver
 from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
 from urdfkit.targets import TARGETS
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.config import Config

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import MissingLibrary, UrdfkitError
-from urdfkit.joints import effort_unit
+from urdfkit.mechanics.joints import effort_unit
+from urdfkit.mechanics.stability import stand
 from urdfkit.page.tables import Row
-from urdfkit.stability import stand
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:

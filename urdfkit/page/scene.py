@@ -6,8 +6,8 @@ import gzip
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.joints import bounds
-from urdfkit.kinematics import SLIDING, TURNING, direction, laws
+from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.kinematics import SLIDING, TURNING, direction, laws
 from urdfkit.record import Record
 from urdfkit.spatial import Frame
 from urdfkit.subject import Unavailable
@@ -112,7 +112,7 @@ def _link(link: Link) -> dict[str, Any]:
 
 
 def _joints(subject: Subject, numbers: dict[str, int]) -> list[dict[str, Any]]:
-    """One joint for each link that hangs on another one, as `kinematics.frames` takes them."""
+    """One joint for each link that hangs on another, as `mechanics.kinematics.frames` has it."""
     joints = subject.model.joints_by_name
     every = laws(joints)
     order = {name: number for number, name in enumerate(joints)}

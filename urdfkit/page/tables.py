@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.inertia import combined, principal_moments
-from urdfkit.kinematics import frames
+from urdfkit.mechanics.inertia import combined, principal_moments
+from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.rigid import properties_of
 from urdfkit.overview import summarise
-from urdfkit.rigid import properties_of
 from urdfkit.source import Span
 from urdfkit.subject import Unavailable
 

@@ -10,9 +10,10 @@ from math import cos, pi, sin
 import numpy as np
 from PIL import Image
 
-from urdfkit import atomic, kinematics
+from urdfkit import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.joints import bounds
+from urdfkit.mechanics import kinematics
+from urdfkit.mechanics.joints import bounds
 from urdfkit.nearest import did_you_mean
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, looking

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import NamedTuple
 
-from urdfkit.adjacency import Adjacency
 from urdfkit.errors import MissingLibrary
+from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.subject import Subject
 
 

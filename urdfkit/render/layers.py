@@ -11,9 +11,10 @@ from math import pi
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.inertia import combined
-from urdfkit.joints import bounds
-from urdfkit.kinematics import SLIDING, TURNING, direction, positions
+from urdfkit.mechanics.inertia import combined
+from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.kinematics import SLIDING, TURNING, direction, positions
+from urdfkit.mechanics.rigid import properties_of
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
 from urdfkit.render import primitives
@@ -23,7 +24,6 @@ from urdfkit.render.contacts import overlaps
 from urdfkit.render.looks import Colour, Look
 from urdfkit.render.primitives import Triangles
 from urdfkit.render.scene import Item, Label, Scene, build, placed, turned
-from urdfkit.rigid import properties_of
 from urdfkit.spatial import Frame, Rotation, Vector
 from urdfkit.subject import Subject
 

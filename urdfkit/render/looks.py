@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from urdfkit.assets.colours import Colours
 from urdfkit.catalog.materials import materials
-from urdfkit.colours import Colours
 from urdfkit.meshes import geometry
 from urdfkit.model import Body, Material
 from urdfkit.subject import Subject

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit import kinematics
+from urdfkit.mechanics import kinematics
 from urdfkit.meshes.geometry import Part
 from urdfkit.model import Body, Link, Shape
 from urdfkit.render import arrays, primitives

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from urdfkit.assets.collision_shapes import Proposal, edited, propose
 from urdfkit.cli import options, output, progress
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.collision_shapes import Proposal, edited, propose
 
 
 @click.command("collision")

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import click
 
+from urdfkit.assets.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
 from urdfkit.cli import options, output
 from urdfkit.cli.robot import robot
 from urdfkit.meshes.parts import PARTS
 from urdfkit.spatial import Vector
-from urdfkit.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
 
 _PARTS = {part.module: part for part in PARTS}
 

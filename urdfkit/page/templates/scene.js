@@ -1,4 +1,4 @@
-// The robot in three dimensions. Links are placed by the same rule as urdfkit.kinematics.frames:
+// The robot in three dimensions. Links are placed by the same rule as urdfkit.mechanics.kinematics.frames:
 // world(child) = world(parent) * origin * motion(position), parents before children.
 (function () {
   "use strict";

@@ -1,0 +1,101 @@
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.diagnostic import Edit
+from urdfkit.document import Element
+from urdfkit.editing import edits
+from urdfkit.editing.fixer import apply_edits
+from urdfkit.reading import read_xml
+from urdfkit.source import Source
+
+
+def read(text: str) -> Element:
+    document, problems = read_xml(Source("a.urdf", text.encode()))
+    assert document is not None
+    assert problems == []
+    return document.root
+
+
+def after(element: Element, made: tuple[Edit, ...] | None) -> str:
+    assert made is not None
+    return apply_edits(element.tag_at.source.data, made).decode()
+
+
+@pytest.mark.parametrize(
+    ("text", "renamed"),
+    [
+        ("<a/>", "<b/>"),
+        ("<a></a>", "<b></b>"),
+        ("<a x='/>'><c/></a >", "<b x='/>'><c/></b >"),
+        ("<a\n><a></a>\n</a\n>", "<b\n><a></a>\n</b\n>"),
+    ],
+)
+def test_rename_element(text: str, renamed: str) -> None:
+    root = read(text)
+    assert after(root, edits.rename_element(root, "b")) == renamed
+
+
+def test_an_empty_element_before_the_end_of_its_parent() -> None:
+    root = read("<a><a/></a>")
+    (child,) = root.children
+    assert after(root, edits.rename_element(child, "b")) == "<a><b/></a>"
+    assert after(root, edits.remove_element(child)) == "<a></a>"
+
+
+@pytest.mark.parametrize("text", ["<a x='1' y = \"2\"/>", "<a x='1'\n\ty\n=\n'2'/>"])
+def test_rename_attribute(text: str) -> None:
+    root = read(text)
+    assert after(root, edits.rename_attribute(root.attributes["y"], "zz")) == (
+        text.replace("y", "zz")
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("<a x='1' y = \"2\" z='3'/>", "<a x='1' z='3'/>"),
+        ("<a x='1'\n\ty\n=\n'2'/>", "<a x='1'/>"),
+        ("<a y='y'/>", "<a/>"),
+        ("<a  y='2' ></a>", "<a ></a>"),
+    ],
+)
+def test_remove_attribute(text: str, left: str) -> None:
+    root = read(text)
+    assert after(root, edits.remove_attribute(root.attributes["y"])) == left
+
+
+@pytest.mark.parametrize(
+    ("written", "value", "new"),
+    [("1", "2", "2"), (" 1\t2", "1 2", "1 2"), ("x", "a\"b'<&", "a&quot;b&apos;&lt;&amp;")],
+)
+def test_replace_value(written: str, value: str, new: str) -> None:
+    root = read(f"<a x='{written}' y='{written}'/>")
+    made = edits.replace_value(root.attributes["x"], value)
+    assert after(root, made) == f"<a x='{new}' y='{written}'/>"
+
+
+def test_a_value_that_the_file_does_not_hold_is_not_replaced() -> None:
+    root = read("<a x='&lt;1'/>")
+    assert edits.replace_value(root.attributes["x"], "2") is None
+    assert edits.as_written(root.attributes["x"]) == "<1"
+    assert edits.as_written(read("<a x='1\t2'/>").attributes["x"]) == "1\t2"
+
+
+def test_insert_before_takes_the_indentation() -> None:
+    root = read("<a>\r\n\t<b/>\r\n</a>")
+    made = edits.insert_before(root.children[0], ("<c/>", "<d/>"))
+    assert after(root, made) == "<a>\r\n\t<c/>\r\n\t<d/>\r\n\t<b/>\r\n</a>"
+
+
+def test_insert_before_on_the_same_line() -> None:
+    root = read("<a><b/></a>")
+    assert after(root, edits.insert_before(root.children[0], ("<c/>",))) == "<a><c/>\n<b/></a>"
+
+
+def test_move_after() -> None:
+    root = read("<a>\n  <b>\n    <c>\n      <d/>\n    </c>\n  </b>\n</a>")
+    inner = root.children[0].children[0]
+    assert after(root, edits.move_after(inner, root.children[0])) == (
+        "<a>\n  <b>\n  </b>\n  <c>\n    <d/>\n  </c>\n</a>"
+    )

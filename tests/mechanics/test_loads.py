@@ -1,0 +1,84 @@
+"""The upper bound of what gravity asks: never under the truth, and cheap."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.massive import inertial, link
+from tests.mechanics.test_kinematics import tree
+from urdfkit.loading import read
+from urdfkit.mechanics.loads import effort, largest, overloadable
+
+
+def swinging(name: str, parent: str, effort: str, xyz: str = "0 0 0") -> str:
+    return (
+        f'<joint name="{name}_joint" type="revolute"><origin xyz="{xyz}"/><parent link="{parent}"/>'
+        f'<child link="{name}"/><axis xyz="0 1 0"/>'
+        f'<limit lower="-3" upper="3" effort="{effort}" velocity="1"/></joint>'
+    )
+
+
+def pendulum(effort: str) -> str:
+    bob = link("bob", inertial(2, (0.01, 0.01, 0.01), xyz="0 0 -0.7"))
+    return link("base") + bob + swinging("bob", "base", effort)
+
+
+def test_the_bound_of_a_pendulum_is_its_worst_pose() -> None:
+    assert largest(tree(pendulum("1"))) == {"bob_joint": pytest.approx(2 * 9.81 * 0.7, rel=1e-15)}
+
+
+@pytest.mark.parametrize(("limit", "found"), [("13.7", 1), ("13.8", 0), ("0", 0), ("-1", 0)])
+def test_joints_that_may_be_overloaded(limit: str, found: int) -> None:
+    assert len(overloadable(tree(pendulum(limit)))) == found
+
+
+def test_an_effort_of_zero_says_nothing() -> None:
+    joints = tree(pendulum("0")).model.joints_by_name
+    assert effort(joints["bob_joint"]) is None
+
+
+def test_what_is_no_tree_has_no_loads() -> None:
+    assert overloadable(tree(link("a") + link("b"))) == []
+
+
+def test_it_takes_linear_time() -> None:
+    number = 5000
+    row = link("l0") + "".join(
+        link(f"l{n + 1}", inertial(1, (1, 1, 1))) + swinging(f"l{n + 1}", f"l{n}", "1", "1 0 0")
+        for n in range(number)
+    )
+    deep = tree(row)
+    start = time.process_time()
+    assert len(overloadable(deep)) == number - 1  # the last one has no lever
+    assert time.process_time() - start < 2
+
+
+@needs_corpus
+@pytest.mark.parametrize(
+    "path",
+    [
+        "anymal_c_simple_description/urdf/anymal.urdf",
+        "nao_robot/nao_description/urdf/naoV50_generated_urdf/nao.urdf",
+        "gazebo_ros2_control/gazebo_ros2_control_demos/urdf/test_gripper_mimic_joint_effort.xacro.urdf",
+    ],
+)
+def test_no_pose_of_a_real_robot_asks_for_more(path: str) -> None:
+    pytest.importorskip("pinocchio")
+    from urdfkit.dynamics.statics import statics
+
+    robot = read(CORPUS / path)
+    bound = largest(robot.tree)
+    found = statics(robot.dynamics, samples=200)
+    assert found.loads
+    for load in found.loads:
+        assert load.worst <= bound[load.joint] * (1 + 1e-9) + 1e-9
+
+
+def test_of_a_model_of_our_own() -> None:
+    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    most = 9.81 * (1.5 * 0.15 + 0.7 * (0.36 + 0.125))
+    assert largest(arm.tree)["shoulder"] == pytest.approx(most)
+    assert overloadable(arm.tree) == []

@@ -1,0 +1,268 @@
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.workspaces import add_file, add_package, record_listings
+from urdfkit.workspace import packages as module
+from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.packages import Candidate, Packages
+
+
+@pytest.fixture
+def tmp_path(tmp_path: Path) -> Path:
+    """So deep that the neighbours of one test are not those of another."""
+    deep = tmp_path / "a" / "b" / "c" / "d"
+    deep.mkdir(parents=True)
+    return deep
+
+
+def finder(
+    environment: Mapping[str, str] | None = None, explicit: Mapping[str, str] | None = None
+) -> Packages:
+    return Packages(explicit or {}, environment or {}, Folders())
+
+
+def first(packages: Packages, name: str, near: Path) -> str | None:
+    candidate = next(packages.candidates(name, str(near)), None)
+    return candidate and candidate.folder
+
+
+def test_above_the_file(tmp_path: Path) -> None:
+    package = add_package(tmp_path / "any_folder", "arm")
+    assert first(finder(), "arm", package / "urdf" / "deep" / "arm.urdf") == str(package)
+    assert first(finder(), "wrong", package / "urdf" / "arm.urdf") is None
+
+
+def test_the_inner_of_two_nested_packages_wins(tmp_path: Path) -> None:
+    add_package(tmp_path / "outer", "arm")
+    inner = add_package(tmp_path / "outer" / "inner", "arm")
+    assert first(finder(), "arm", inner / "arm.urdf") == str(inner)
+
+
+def test_rosbuild(tmp_path: Path) -> None:
+    add_file(tmp_path / "old_arm" / "manifest.xml", b"<package><author>x</author></package>")
+    add_file(tmp_path / "android" / "manifest.xml", b"<manifest/>")
+    packages = finder()
+    assert packages.name_of(str(tmp_path / "old_arm")) == "old_arm"
+    assert packages.name_of(str(tmp_path / "android")) is None
+
+
+@pytest.mark.parametrize("marker", [b"", b"<package/>", b"<package><name/></package>", b"\xff"])
+def test_a_package_xml_without_a_name_is_no_package(tmp_path: Path, marker: bytes) -> None:
+    add_file(tmp_path / "package.xml", marker)
+    assert finder().name_of(str(tmp_path)) is None
+
+
+def test_explicit_wins_and_is_the_only_place(tmp_path: Path) -> None:
+    add_package(tmp_path / "a", "arm")
+    other = add_file(tmp_path / "b" / "arm.urdf").parent
+    near = tmp_path / "a" / "arm.urdf"
+    assert first(finder(explicit={"arm": str(other)}), "arm", near) == str(other)
+    none = finder(explicit={"arm": str(tmp_path / "none")})
+    assert first(none, "arm", near) is None
+    assert none.searched("arm", str(near)) == (
+        f"{tmp_path / 'none'} (given for arm; no such folder)",
+    )
+
+
+def test_ament_prefixes_in_order(tmp_path: Path) -> None:
+    near = tmp_path / "model" / "arm.urdf"
+    for prefix in ("one", "two"):
+        add_package(tmp_path / prefix / "share" / "arm", "arm")
+    path = os.pathsep.join(str(tmp_path / name) for name in ("none", "two", "one"))
+    found = next(finder({"AMENT_PREFIX_PATH": path}).candidates("arm", str(near)))
+    assert found == Candidate(str(tmp_path / "two" / "share" / "arm"), trusted=True)
+
+
+def test_ros_package_path(tmp_path: Path) -> None:
+    near = tmp_path / "model" / "arm.urdf"
+    source = tmp_path / "ws" / "src"
+    direct = add_package(source / "arm", "arm")
+    deep = add_package(source / "stack" / "renamed", "hand")
+    itself = add_package(tmp_path / "tool", "tool")
+    packages = finder({"ROS_PACKAGE_PATH": os.pathsep.join((str(source), str(itself)))})
+    assert first(packages, "arm", near) == str(direct)
+    assert first(packages, "hand", near) == str(deep)
+    assert first(packages, "tool", near) == str(itself)
+
+
+def test_the_own_package_wins_over_the_installed_one(tmp_path: Path) -> None:
+    installed = add_package(tmp_path / "prefix" / "share" / "arm", "arm")
+    own = add_package(tmp_path / "src" / "arm", "arm")
+    packages = finder({"AMENT_PREFIX_PATH": str(tmp_path / "prefix")})
+    assert first(packages, "arm", own / "urdf" / "arm.urdf") == str(own)
+    assert first(packages, "arm", tmp_path / "else" / "arm.urdf") == str(installed)
+
+
+@pytest.mark.parametrize("marker", [".git/HEAD", "src"])
+def test_a_repository_or_workspace_is_searched_to_its_outermost_folder(
+    tmp_path: Path, marker: str
+) -> None:
+    root = tmp_path / "src" if marker == "src" else tmp_path
+    if marker != "src":
+        add_file(tmp_path / marker)
+    near = add_package(root / "a" / "b" / "c" / "d" / "e" / "arm", "arm") / "arm.urdf"
+    far = add_package(root / "z" / "y" / "x" / "w" / "v" / "hand", "hand")
+    packages = finder()
+    assert first(packages, "hand", near) == str(far)
+    assert packages.workspace(str(near)) == str(root)
+
+
+def test_the_outermost_repository_counts(tmp_path: Path) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    add_file(tmp_path / "sub" / ".git", b"gitdir: ../.git/modules/sub")
+    near = add_package(tmp_path / "sub" / "arm", "arm") / "arm.urdf"
+    hand = add_package(tmp_path / "other" / "hand", "hand")
+    assert first(finder(), "hand", near) == str(hand)
+    assert finder().workspace(str(near)) == str(tmp_path)
+
+
+def test_build_results_are_passed_over(tmp_path: Path) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    for folder in ("build", "install", "log", "node_modules", ".hidden"):
+        add_package(tmp_path / folder / "hand", "hand")
+    assert first(finder(), "hand", near) is None
+
+
+def test_links_in_circles_end(tmp_path: Path) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    os.symlink("..", tmp_path / "arm" / "up")
+    elsewhere = add_package(tmp_path / "elsewhere" / "hand", "hand")
+    os.symlink(elsewhere, tmp_path / "arm" / "linked")
+    packages = finder()
+    assert first(packages, "none", near) is None
+    assert packages.searched("none", str(near))[3] == f"{tmp_path / 'arm'} (2 packages)"
+
+
+def test_neighbours_without_a_repository(tmp_path: Path) -> None:
+    """Three levels up: beside the package, beside its repository, and one more."""
+    at = tmp_path / "l4" / "l3" / "l2" / "l1"
+    near = add_package(at / "arm", "arm") / "urdf" / "arm.urdf"
+    found = {
+        name: add_package(folder / name, name)
+        for name, folder in (("one", at), ("two", at.parent), ("three", at.parent.parent))
+    }
+    add_package(tmp_path / "l4" / "package_4", "four")
+    packages = finder()
+    for name, folder in found.items():
+        assert first(packages, name, near) == str(folder)
+    assert first(packages, "four", near) is None
+    assert packages.workspace(str(near)) == str(at / "arm")
+
+
+def test_the_nearest_of_two_packages_of_a_name(tmp_path: Path) -> None:
+    near = add_package(tmp_path / "ros2" / "arm", "arm") / "arm.urdf"
+    add_package(tmp_path / "ros1" / "hand", "hand")
+    hand = add_package(tmp_path / "ros2" / "hand", "hand")
+    assert first(finder(), "hand", near) == str(hand)
+
+
+def test_nested_packages_of_neighbours_are_not_looked_for(tmp_path: Path) -> None:
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    add_package(tmp_path / "hand", "hand")
+    add_package(tmp_path / "hand" / "test" / "pack", "pack")
+    assert first(finder(), "pack", near) is None
+
+
+def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path))
+    add_file(tmp_path / ".git" / "HEAD")  # people keep their settings so
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    add_package(tmp_path / "private", "private")
+    packages = finder()
+    assert first(packages, "private", near) is None
+    assert packages.levels(str(near)) == ()
+    assert packages.workspace(str(near)) == str(near.parent)
+    for name in ("tmp", "home", "etc", "usr"):
+        assert first(packages, name, near) is None
+
+
+def test_a_folder_of_that_name_is_uncertain(tmp_path: Path) -> None:
+    near = add_file(tmp_path / "icub" / "robots" / "v2" / "model.urdf")
+    beside = add_file(tmp_path / "icub" / "meshes_pack" / "arm.stl").parent
+    packages = finder()
+    assert list(packages.candidates("icub", str(near))) == [
+        Candidate(str(tmp_path / "icub"), certain=False)
+    ]
+    assert list(packages.candidates("meshes_pack", str(near))) == [
+        Candidate(str(beside), certain=False)
+    ]
+    real = add_package(tmp_path / "x" / "icub_pack", "icub")
+    assert list(finder().candidates("icub", str(near))) == [
+        Candidate(str(tmp_path / "icub"), certain=False),
+        Candidate(str(real)),
+    ]
+
+
+@pytest.mark.parametrize("name", ["", ".", "..", "a/b", "a\\b", "\0"])
+def test_strange_names_are_no_packages(tmp_path: Path, name: str) -> None:
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    assert first(finder(), name, near) is None
+
+
+def test_what_was_searched_is_told(tmp_path: Path) -> None:
+    add_file(tmp_path / "repo" / ".git" / "HEAD")
+    near = add_package(tmp_path / "repo" / "arm", "arm") / "urdf" / "arm.urdf"
+    environment = {"AMENT_PREFIX_PATH": f"/opt/a{os.pathsep}/opt/b"}
+    assert finder(environment).searched("none", str(near)) == (
+        f"{near.parent} and the folders above it",
+        f"AMENT_PREFIX_PATH (/opt/a{os.pathsep}/opt/b)",
+        "ROS_PACKAGE_PATH (not set)",
+        f"{tmp_path / 'repo' / 'arm'} (1 package)",
+        f"{tmp_path / 'repo'} (1 package)",
+        f"{tmp_path} (1 package)",
+    )
+
+
+def test_scans_are_bounded_and_say_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MAX_FOLDERS", 10)
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
+    for number in range(30):
+        (tmp_path / f"folder_{number:02}").mkdir()
+    add_package(tmp_path / "zzz_folder", "zzz")
+    packages = finder()
+    assert first(packages, "zzz", near) is None
+    assert f"{tmp_path} (1 package, stopped after 10 folders)" in packages.searched(
+        "zzz", str(near)
+    )
+    monkeypatch.setattr(module, "MAX_FOLDERS", 1000)
+    monkeypatch.setattr(module, "MAX_SECONDS", 0.0)
+    assert first(finder(), "zzz", near) is None
+
+
+def test_the_same_folders_are_listed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "a" / "arm", "arm") / "arm.urdf"
+    for number in range(20):
+        add_package(tmp_path / "b" / f"p{number}", f"p{number}")
+    packages = finder()
+    listed = record_listings(monkeypatch)
+    for number in range(20):
+        assert first(packages, f"p{number}", near)
+        assert first(packages, f"none{number}", near) is None
+    assert len(listed) == len(set(listed))
+
+
+def test_known_packages_and_gazebo_model_paths(tmp_path: Path) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    arm = add_package(tmp_path / "arm", "arm")
+    sim = tmp_path / "sim"
+    add_file(
+        sim / "package.xml",
+        b"<package><name>sim</name><export>"
+        b'<!-- <gazebo_ros gazebo_model_path="${prefix}/old"/> -->'
+        b"<gazebo_ros plugin_path='x' gazebo_model_path='${prefix}/models:${prefix}/../b:/c'/>"
+        b"</export></package>",
+    )
+    packages = finder()
+    near = str(arm / "urdf" / "arm.urdf")
+    assert packages.known(near) == {"arm": str(arm), "sim": str(sim)}
+    assert list(packages.gazebo_model_paths(near)) == [(str(sim), "/models"), (str(sim), "/../b")]

@@ -1,0 +1,190 @@
+"""The mesh files of a robot, measured, and what is doubtful about them."""
+
+from __future__ import annotations
+
+import os
+from functools import cached_property
+
+from urdfkit.document import Attribute
+from urdfkit.mechanics.inertia import MassProperties, rotated
+from urdfkit.mechanics.shapes import Box, Lump
+from urdfkit.meshes.facts import READ
+from urdfkit.meshes.measures import Measures
+from urdfkit.meshes.sniff import MAX_BYTES
+from urdfkit.model import Body, Link, Placed, Shape
+from urdfkit.record import Record
+from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.assets.files import Files
+    from urdfkit.meshes.store import Store
+    from urdfkit.model import RobotModel
+
+
+class Use(Record):
+    """A mesh file in a visual or a collision of a link.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: the link.
+        role: ``visual`` or ``collision``.
+        body: the visual or collision.
+        shape: the mesh in it.
+        path: of the file.
+        measures: of its triangles.
+    """
+
+    at: Placed[str]
+    link: Link
+    role: str
+    body: Body
+    shape: Shape
+    path: str
+    measures: Measures
+
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link.name}': the {self.role} mesh '{self.at.value}'"
+
+    @property
+    def factors(self) -> Vector:
+        """From coordinates of the file to m along x, y and z, as RViz and Gazebo multiply."""
+        x, y, z = self.shape.scale
+        unit = self.measures.unit
+        return (x * unit, y * unit, z * unit)
+
+    @property
+    def edges(self) -> Vector:
+        """Of the bounding box along the axes of the file, in m."""
+        x, y, z = (abs(f) * e for f, e in zip(self.factors, self.measures.edges, strict=True))
+        return (x, y, z)
+
+    @property
+    def longest(self) -> float:
+        """The longest edge of that box, in m."""
+        return max(self.edges)
+
+    @property
+    def points(self) -> tuple[Vector, ...]:
+        """The extreme vertices in m, in the frame of the link."""
+        x, y, z = self.factors
+        apply = self.body.origin.apply
+        return tuple(apply((a * x, b * y, c * z)) for a, b, c in self.measures.points)
+
+    @property
+    def box(self) -> Box:
+        """The bounding box along the axes of the link, in m."""
+        columns = tuple(zip(*self.points, strict=True))
+        (a, b, c), (d, e, f) = map(min, columns), map(max, columns)
+        return Box((a, b, c), (d, e, f))
+
+    @property
+    def lump(self) -> Lump | None:
+        """The mesh as a solid in the frame of the link; None if it is flat."""
+        from urdfkit.inertials.matter import stretched
+
+        measures = self.measures
+        uniform, hull = measures.solid or measures.hull, measures.hull
+        if uniform is None or hull is None:
+            return None
+        whole = stretched(uniform, self.shape, measures.unit)
+        around = stretched(hull, self.shape, measures.unit)
+        if whole is None or around is None:
+            return None
+        mass, center, tensor = whole
+        origin = self.body.origin
+        matter = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
+        name = os.path.basename(self.path)
+        return Lump(name, matter, around.mass, measures.solid is not None, self.points)
+
+    @property
+    def scale_at(self) -> Attribute | None:
+        """The attribute ``scale``, if there is one."""
+        return self.shape.at.attributes.get("scale")
+
+
+class Unmeasured(Record):
+    """A mesh file that looks whole and gives no triangles.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: name of the link.
+        role: ``visual`` or ``collision``.
+        reason: a predicate whose subject is the file.
+    """
+
+    at: Placed[str]
+    link: str
+    role: str
+    reason: str
+
+
+class Measured:
+    """The meshes of one model that can be measured.
+
+    Args:
+        model: that names them.
+        files: finds them.
+        store: measures them.
+
+    Attributes:
+        uses: every use of a mesh that can be measured, in the order of the document.
+        unmeasured: the others whose files look whole.
+    """
+
+    def __init__(self, model: RobotModel, files: Files, store: Store) -> None:
+        self.model = model
+        self._files = files
+        self._store = store
+        self.uses: list[Use] = []
+        self.unmeasured: list[Unmeasured] = []
+        for link in model.links:
+            for role, bodies in (("visual", link.visuals), ("collision", link.collisions)):
+                for body in bodies:
+                    self._add(link, role, body)
+
+    @cached_property
+    def files(self) -> list[Use]:
+        """One use of each file: the first collision, else the first visual."""
+        first: dict[str, Use] = {}
+        for use in sorted(self.uses, key=lambda use: use.role):
+            first.setdefault(use.path, use)
+        return list(first.values())
+
+    def lump(self, body: Body) -> Lump | None:
+        """A visual or collision as a solid; None if it is no mesh, or not measured, or flat."""
+        use = self._by_body.get(id(body))
+        return use.lump if use else None
+
+    @cached_property
+    def _by_body(self) -> dict[int, Use]:
+        """The uses by the identity of their visual or collision."""
+        return {id(use.body): use for use in self.uses}
+
+    @cached_property
+    def claims(self) -> dict[str, list[Use]]:
+        """The doubtful meshes by the code of the rule that tells it."""
+        from urdfkit.assets.claims import claims
+
+        return claims(self)
+
+    @property
+    def told(self) -> set[str]:
+        """The codes of the rules that have something to say."""
+        return {*self.claims, *(("MSH034",) if self.unmeasured else ())}
+
+    def _add(self, link: Link, role: str, body: Body) -> None:
+        shape = body.shape
+        path = self._files.path(shape) if shape else None
+        if shape is None or shape.filename is None or path is None:
+            return
+        facts = self._files.facts(path)
+        if facts.defect or facts.format not in READ or facts.size > MAX_BYTES:
+            return  # which other rules tell
+        measures = self._store.measures(path, facts.format)
+        if isinstance(measures, str):
+            self.unmeasured.append(Unmeasured(shape.filename, link.name, role, measures))
+        else:
+            self.uses.append(Use(shape.filename, link, role, body, shape, path, measures))

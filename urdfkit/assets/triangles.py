@@ -1,0 +1,60 @@
+"""The triangles of the mesh files that a model names; every file is loaded once."""
+
+from __future__ import annotations
+
+from urdfkit.model import Shape
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.assets.files import Files
+    from urdfkit.meshes.geometry import Floats, Mesh
+
+
+class Meshes:
+    """The meshes of one model.
+
+    Args:
+        files: the mesh files that it names.
+    """
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+        self._loaded: dict[str, Mesh | str] = {}
+
+    def mesh(self, shape: Shape) -> Mesh | None:
+        """What the file of a shape holds, in its own units; None if it is not to be had."""
+        loaded = self._load(shape)
+        return None if isinstance(loaded, str) else loaded
+
+    def reason(self, shape: Shape) -> str:
+        """Why the mesh of a shape is not to be had; empty if it is."""
+        loaded = self._load(shape)
+        return loaded if isinstance(loaded, str) else ""
+
+    def vertices(self, shape: Shape, *, unit: bool = True) -> Floats | None:
+        """The vertices of a shape in m, (n, 3), in the frame of its visual or collision.
+
+        Args:
+            shape: a mesh.
+            unit: apply the unit of length that a COLLADA file states, as RViz and Gazebo do;
+                Pinocchio, coal and MoveIt do not.
+        """
+        mesh = self.mesh(shape)
+        if mesh is None:
+            return None
+        factor = mesh.unit if unit else 1.0
+        x, y, z = shape.scale
+        return mesh.vertices * (x * factor, y * factor, z * factor)
+
+    def _load(self, shape: Shape) -> Mesh | str:
+        path = self._files.path(shape)
+        if path is None:
+            return "the file is missing"
+        if path not in self._loaded:
+            from urdfkit.meshes.load import UnloadableMesh, load
+
+            try:
+                self._loaded[path] = load(path)
+            except UnloadableMesh as reason:
+                self._loaded[path] = str(reason)
+        return self._loaded[path]

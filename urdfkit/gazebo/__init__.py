@@ -1,0 +1,1 @@
+"""Gazebo: what it makes of a robot, its plugins and its sensors."""

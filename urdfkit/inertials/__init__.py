@@ -1,0 +1,1 @@
+"""Masses and inertia tensors as declared, beside those of shapes; what was meant."""

@@ -1,0 +1,129 @@
+"""What the shapes of a link enclose: volume, centre and moments at a density of 1 kg/m^3.
+
+Primitives by closed forms, meshes by exact integrals over their triangles. A mesh that does not
+enclose a solid counts with its convex hull, and that is said.
+"""
+
+from __future__ import annotations
+
+from urdfkit.mechanics.inertia import MassProperties, combined, rotated, scaled
+from urdfkit.mechanics.shapes import solid
+from urdfkit.meshes import store
+from urdfkit.model import Body, Link, Shape, Tensor
+from urdfkit.record import Record
+from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.meshes.measures import Uniform
+    from urdfkit.subject import Subject
+
+#: What the matter of a link can be taken from.
+SOURCES = ("auto", "collision", "visual", "hull")
+
+
+class Matter(Record):
+    """What some shapes enclose.
+
+    Attributes:
+        properties: in the frame of the link; the mass is the volume in m^3.
+        source: such as ``the collision`` or ``the hull of the visual``.
+        notes: what a reader should know, such as that shapes may overlap.
+    """
+
+    properties: MassProperties
+    source: str
+    notes: tuple[str, ...] = ()
+
+    def weighing(self, mass: float) -> MassProperties:
+        """The same with uniform density and a mass in kg."""
+        volume, center, tensor = self.properties
+        return MassProperties(mass, center, scaled(tensor, mass / volume))
+
+
+def matter(subject: Subject, link: Link, source: str) -> Matter | str:
+    """What the shapes of a link enclose, or why that is not known.
+
+    Args:
+        subject: the robot.
+        link: of it.
+        source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
+            convex hull of every mesh of those.
+    """
+    collisions = (link.collisions, "the collision")
+    visuals = (link.visuals, "the visual")
+    choices = {"collision": [collisions], "visual": [visuals]}.get(source, [collisions, visuals])
+    reason = "it has no shape"
+    for bodies, name in choices:
+        if not bodies:
+            continue
+        found = _enclosed(subject, bodies, name, hull=source == "hull")
+        if isinstance(found, Matter):
+            return found
+        reason = found
+    return reason
+
+
+def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bool) -> Matter | str:
+    parts: list[MassProperties] = []
+    notes: list[str] = []
+    hulls = 0
+    for body in bodies:
+        whole = solid((body,))
+        if whole is not None:
+            parts.append(whole.properties(whole.volume))
+            continue
+        if body.shape is None or body.shape.filename is None:
+            return f"a shape of {name} cannot be read"
+        found = _of_mesh(subject, body, hull=hull)
+        if isinstance(found, str):
+            return f"{name}: {found}"
+        properties, is_hull = found
+        hulls += is_hull
+        parts.append(properties)
+    if hulls and not hull:
+        notes.append("a mesh encloses no solid, so its convex hull is taken")
+    if len(parts) > 1:
+        notes.append(f"{len(parts)} shapes; where they overlap, matter counts twice")
+    return Matter(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
+
+
+def _of_mesh(subject: Subject, body: Body, *, hull: bool) -> tuple[MassProperties, bool] | str:
+    """The properties of a mesh in the frame of the link, and whether they are those of its hull."""
+    if missing := store.missing_library():
+        return f"meshes are not measured without {missing}: {store.INSTALL}"
+    from urdfkit.meshes.measuring import measure
+
+    assert body.shape is not None
+    mesh = subject.meshes.mesh(body.shape)
+    if mesh is None:
+        return subject.meshes.reason(body.shape)
+    measures = measure(mesh)
+    is_hull = hull or measures.solid is None
+    uniform = measures.hull if is_hull else measures.solid
+    if uniform is None:
+        return "all of the mesh lies in a plane"
+    whole = stretched(uniform, body.shape, measures.unit)
+    if whole is None:
+        return "the scale of the mesh is zero"
+    mass, center, tensor = whole
+    frame = body.origin
+    return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation)), is_hull
+
+
+def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:
+    """A solid after the scale of its shape, which may differ along x, y and z.
+
+    The moments of the matter are ``C = tr(I) / 2 - I``; stretched by ``D = diag(x, y, z)`` they
+    become ``|det D| D C D``, and the tensor is again ``tr(C) - C``.
+    """
+    x, y, z = (factor * unit for factor in shape.scale)
+    det = abs(x * y * z)
+    if det == 0:
+        return None
+    ixx, ixy, ixz, iyy, iyz, izz = uniform.tensor
+    half = (ixx + iyy + izz) / 2
+    xx, yy, zz = (half - ixx) * x * x, (half - iyy) * y * y, (half - izz) * z * z
+    tensor = Tensor(yy + zz, ixy * x * y, ixz * x * z, xx + zz, iyz * y * z, xx + yy)
+    center: Vector = (uniform.center[0] * x, uniform.center[1] * y, uniform.center[2] * z)
+    return MassProperties(uniform.volume * det, center, scaled(tensor, det))

@@ -1,0 +1,1 @@
+"""What mechanics alone tells of a model: tree, frames, rigid bodies, shapes, loads."""

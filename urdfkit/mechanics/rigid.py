@@ -1,0 +1,96 @@
+"""Rigid bodies: links that fixed joints make one.
+
+Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is the whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from urdfkit.mechanics.inertia import ZERO, MassProperties, combined, rotated
+from urdfkit.mechanics.tree import KinematicTree
+from urdfkit.model import Joint, Link
+from urdfkit.record import Record
+from urdfkit.spatial import Frame
+
+
+class RigidBody(Record):
+    """Links without a moving joint between them.
+
+    Attributes:
+        joint: that moves the body; None for one with a root link.
+        links: the topmost first, each with its frame in that of the topmost.
+    """
+
+    joint: Joint | None
+    links: tuple[tuple[Link, Frame], ...]
+
+    @property
+    def top(self) -> Link:
+        """The link that a merger keeps."""
+        return self.links[0][0]
+
+    @property
+    def is_ground(self) -> bool:
+        """True for what is fixed to the world: its mass and inertia have no effect."""
+        return self.joint is None and self.top.name == "world"
+
+    @property
+    def mass(self) -> float:
+        """In kg; what has no mass counts as nothing."""
+        return sum(mass_of(link) for link, _ in self.links)
+
+    @property
+    def properties(self) -> MassProperties:
+        """Of all links together, in the frame of the topmost."""
+        return combined(properties_of(link, frame) for link, frame in self.links)
+
+
+def mass_of(link: Link) -> float:
+    """The mass of a link in kg, as written; 0 without one."""
+    return link.inertial.mass.value if link.inertial and link.inertial.mass else 0.0
+
+
+def properties_of(link: Link, frame: Frame) -> MassProperties:
+    """Mass, centre and tensor of a link in another frame; what is not written is zero.
+
+    Args:
+        link: the link.
+        frame: of the link, in the frame in which they are wanted.
+    """
+    if link.inertial is None:
+        return MassProperties(0.0, frame.position, ZERO)
+    own = frame @ link.inertial.origin
+    tensor = link.inertial.tensor.value if link.inertial.tensor else ZERO
+    return MassProperties(mass_of(link), own.position, rotated(tensor, own.rotation))
+
+
+def rigid_bodies(tree: KinematicTree, preserved: Collection[str] = ()) -> tuple[RigidBody, ...]:
+    """The rigid bodies of a model, each before those that hang on it.
+
+    A link in a closed loop that no root leads to is in no body.
+
+    Args:
+        tree: of the model.
+        preserved: names of fixed joints that are kept as joints.
+    """
+    bodies: list[RigidBody] = []
+    seen: set[str] = set()
+    links = tree.model.links_by_name
+    tops: list[tuple[Joint | None, str]] = [(None, root.name) for root in tree.roots]
+    for joint, name in tops:  # grows while it is walked
+        if name in seen:
+            continue
+        seen.add(name)
+        group = [(links[name], Frame())]
+        for link, frame in group:  # grows, too
+            for below in tree.children[link.name]:
+                assert below.child is not None
+                child = below.child.value
+                if below.kind != "fixed" or below.name in preserved:
+                    tops.append((below, child))
+                elif child not in seen:
+                    seen.add(child)
+                    group.append((links[child], frame @ below.origin))
+        bodies.append(RigidBody(joint, tuple(group)))
+    return tuple(bodies)

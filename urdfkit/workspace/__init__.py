@@ -1,0 +1,1 @@
+"""The workspace around a robot: packages and files that belong to it, without ROS."""

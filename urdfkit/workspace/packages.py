@@ -1,0 +1,361 @@
+"""Finding ROS packages without ROS."""
+
+from __future__ import annotations
+
+import os
+import re
+import time
+from collections.abc import Iterator, Mapping
+
+from urdfkit.record import Record
+from urdfkit.workspace.folders import Folders
+
+#: A scan stops here and says so. Real workspaces have some thousand folders.
+MAX_FOLDERS = 20_000
+MAX_SECONDS = 2.0
+#: Depth of a scan inside a repository or workspace, and of one among its neighbours.
+DEPTH_INSIDE = 12
+DEPTH_OUTSIDE = 4
+#: How far above the package of a file its neighbours are looked for where nothing marks a
+#: repository, and how far above a repository.
+LEVELS_WITHOUT_REPOSITORY = 3
+LEVELS_ABOVE_REPOSITORY = 1
+
+_NOT_SOURCES = frozenset("build devel install log node_modules __pycache__ site-packages".split())
+_SHARED_BY_ALL = frozenset(
+    "/ /dev /etc /home /media /mnt /opt /private /proc /root /run /srv /sys /tmp /usr /usr/share "
+    "/usr/local /usr/src /var /var/tmp /Users /Volumes".split()
+)
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_NAME = re.compile(rb"<name>\s*([^<>\s]+)\s*</name>")
+_MODEL_PATH = re.compile(rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+
+
+class Candidate(Record):
+    """A folder that may be the package of a name.
+
+    Attributes:
+        folder: the package's folder.
+        certain: False if it only has the name of the package, without a ``package.xml``.
+        trusted: True if the environment of the user names it.
+    """
+
+    folder: str
+    certain: bool = True
+    trusted: bool = False
+
+
+class Level(Record):
+    """A folder that is scanned for packages.
+
+    Attributes:
+        root: the folder.
+        inside: True if it belongs to the same repository or workspace as the file.
+    """
+
+    root: str
+    inside: bool
+
+
+class Packages:
+    """Finds packages; everything is read once.
+
+    Args:
+        explicit: folders by package name, which win over every search.
+        environment: ``AMENT_PREFIX_PATH`` and ``ROS_PACKAGE_PATH`` are read from it.
+        folders: the listings to use.
+    """
+
+    def __init__(
+        self, explicit: Mapping[str, str], environment: Mapping[str, str], folders: Folders
+    ) -> None:
+        self.explicit = {name: os.path.abspath(folder) for name, folder in explicit.items()}
+        self.folders = folders
+        self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")
+        self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
+        self._too_wide = _too_wide(environment)
+        self._names: dict[str, str | None] = {}
+        self._levels: dict[str, tuple[Level, ...]] = {}
+        self._scans: dict[Level, _Scan] = {}
+        self._searched: dict[str, tuple[str, ...]] = {}
+
+    def candidates(self, name: str, near: str) -> Iterator[Candidate]:
+        """The folders that may be a package, the best first of those that are certain.
+
+        Args:
+            name: of the package.
+            near: path of the file that refers to it.
+        """
+        if name in self.explicit:
+            if os.path.isdir(self.explicit[name]):
+                yield Candidate(self.explicit[name])
+            return
+        if name in ("", ".", "..") or "/" in name or "\\" in name:
+            return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
+        start = os.path.dirname(os.path.abspath(near))
+        yield from (Candidate(at) for at in _upwards(start) if self.name_of(at) == name)
+        for folder in self._in_environment(name):
+            yield Candidate(folder, trusted=True)
+        # A build may install this folder under its name, whatever package.xml lies elsewhere.
+        yield from (Candidate(at, certain=False) for at in self._named(name, start))
+        for level in self.levels(near):
+            found = self._scan(level).find(name)
+            if found:
+                yield Candidate(found)
+        for folder in self._by_folder_name(name, near):
+            yield Candidate(folder, certain=False)
+
+    def searched(self, name: str, near: str) -> tuple[str, ...]:
+        """Where ``candidates`` looks, in words a user can check."""
+        if name in self.explicit:
+            return (f"{self.explicit[name]} (given for {name}; no such folder)",)
+        start = os.path.dirname(os.path.abspath(near))
+        if start not in self._searched:  # a robot may name a missing package a hundred times
+            self._searched[start] = self._search_of(start, near)
+        return self._searched[start]
+
+    def _search_of(self, start: str, near: str) -> tuple[str, ...]:
+        told = [f"{start} and the folders above it"]
+        for variable, paths in (
+            ("AMENT_PREFIX_PATH", self.prefixes),
+            ("ROS_PACKAGE_PATH", self.ros1_paths),
+        ):
+            told.append(f"{variable} ({os.pathsep.join(paths) or 'not set'})")
+        return (*told, *(self._scan(level).words() for level in self.levels(near)))
+
+    def known(self, near: str) -> dict[str, str]:
+        """The packages around a file: folders by name, the nearest of each name."""
+        found: dict[str, str] = {}
+        start = os.path.dirname(os.path.abspath(near))
+        for at in _upwards(start):
+            name = self.name_of(at)
+            if name:
+                found.setdefault(name, at)
+        for level in self.levels(near):
+            for name, folder in self._scan(level).all().items():
+                found.setdefault(name, folder)
+        return found
+
+    def enclosing(self, path: str) -> tuple[str, str] | None:
+        """Name and folder of the package that a file lies in."""
+        for folder in _upwards(os.path.dirname(os.path.abspath(path))):
+            name = self.name_of(folder)
+            if name:
+                return name, folder
+        return None
+
+    def workspace(self, near: str) -> str:
+        """The folder that a file belongs to.
+
+        The outermost repository or workspace around it, else its package, else its own folder.
+        """
+        start = os.path.dirname(os.path.abspath(near))
+        inside = [level.root for level in self.levels(near) if level.inside]
+        if inside:
+            return inside[-1]
+        package = self.enclosing(near)
+        return package[1] if package else start
+
+    def levels(self, near: str) -> tuple[Level, ...]:
+        """What is scanned for packages that a file refers to, from the inside out."""
+        start = os.path.dirname(os.path.abspath(near))
+        if start not in self._levels:
+            self._levels[start] = self._find_levels(start)
+        return self._levels[start]
+
+    def gazebo_model_paths(self, near: str) -> Iterator[tuple[str, str]]:
+        """What packages export as ``gazebo_model_path``, as package folder and path below it.
+
+        gazebo_ros adds these to Gazebo's model path.
+        """
+        for folder in self.known(near).values():
+            for match in _MODEL_PATH.finditer(_read_marker(folder, "package.xml")):
+                text = (match.group(1) or match.group(2) or b"").decode("utf-8", "replace")
+                for path in text.split(":"):
+                    prefix, prefixed, relative = path.partition("${prefix}")
+                    if prefixed and not prefix:
+                        yield folder, relative
+
+    def name_of(self, folder: str) -> str | None:
+        """The name of the package whose folder this is; None if it is no package's."""
+        if folder not in self._names:
+            self._names[folder] = _package_name(folder)
+        return self._names[folder]
+
+    def _find_levels(self, start: str) -> tuple[Level, ...]:
+        package = self.enclosing(os.path.join(start, "x"))
+        base = package[1] if package else start
+        above = [folder for folder in _upwards(base) if folder not in self._too_wide]
+        limit = workspace = -1
+        for number, folder in enumerate(above):
+            if os.path.basename(folder) == "src" and folder != base:
+                limit, workspace = number, number
+            elif os.path.exists(os.path.join(folder, ".git")):
+                limit = number
+        inside = above[: limit + 1]
+        if limit < 0:
+            # The package itself is no level: what is nested in it is found from its parent.
+            levels = LEVELS_WITHOUT_REPOSITORY + (0 if package else 1)
+            outside = above[1 if package else 0 :][:levels]
+        elif limit == workspace:
+            outside = []
+        else:
+            outside = above[limit + 1 :][:LEVELS_ABOVE_REPOSITORY]
+        return (
+            *(Level(folder, True) for folder in inside),
+            *(Level(folder, False) for folder in outside),
+        )
+
+    def _scan(self, level: Level) -> _Scan:
+        if level not in self._scans:
+            depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
+            self._scans[level] = _Scan(self, level.root, depth, nested=level.inside)
+        return self._scans[level]
+
+    def _in_environment(self, name: str) -> Iterator[str]:
+        for prefix in self.prefixes:
+            folder = os.path.join(prefix, "share", name)
+            if os.path.isdir(folder):
+                yield folder
+        for path in self.ros1_paths:
+            if self.name_of(path) == name:
+                yield path
+            direct = os.path.join(path, name)
+            if self.name_of(direct) == name:
+                yield direct
+            found = self._scan(Level(path, False)).find(name)
+            if found:
+                yield found
+
+    def _named(self, name: str, start: str) -> list[str]:
+        """The folders of that name around a file, the innermost first."""
+        return [
+            folder
+            for folder in _upwards(start)
+            if name and os.path.basename(folder) == name and folder not in self._too_wide
+        ]
+
+    def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
+        """Folders of that name beside those above a file."""
+        start = os.path.dirname(os.path.abspath(near))
+        above = [folder for folder in _upwards(start) if folder not in self._too_wide]
+        for folder in above:
+            beside = os.path.join(folder, name)
+            if beside not in above and os.path.isdir(beside):
+                yield beside
+
+
+class _Scan:
+    """The packages below a folder, breadth first, no further than has been asked for.
+
+    Of two packages with one name, the nearest to the root counts, then the first by path.
+    """
+
+    def __init__(self, packages: Packages, root: str, depth: int, *, nested: bool) -> None:
+        self.root = root
+        self._packages = packages
+        self._depth = depth
+        self._nested = nested
+        self._queue: list[tuple[str, int]] = [(root, 0)]
+        self._next = 0
+        self._seconds = 0.0
+        self._found: dict[str, str] = {}
+        self._linked: set[str] = set()
+
+    def find(self, name: str) -> str | None:
+        started = time.monotonic()
+        while name not in self._found and self._more(started):
+            self._visit(*self._queue[self._next])
+            self._next += 1
+        self._seconds += time.monotonic() - started
+        return self._found.get(name)
+
+    def all(self) -> dict[str, str]:
+        """Folders of all packages by name."""
+        self.find("")
+        return self._found
+
+    def words(self) -> str:
+        """What was scanned, and how far."""
+        self.find("")
+        count = len(self._found)
+        stopped = "" if self._next == len(self._queue) else f", stopped after {self._next} folders"
+        return f"{self.root} ({count} package{'' if count == 1 else 's'}{stopped})"
+
+    def _more(self, started: float) -> bool:
+        return (
+            self._next < min(len(self._queue), MAX_FOLDERS)
+            and self._seconds + time.monotonic() - started < MAX_SECONDS
+        )
+
+    def _visit(self, folder: str, depth: int) -> None:
+        entries = self._packages.folders.entries(folder) or {}
+        if "package.xml" in entries or "manifest.xml" in entries:
+            name = self._packages.name_of(folder)
+            if name:
+                self._found.setdefault(name, folder)
+                if not self._nested and depth:
+                    return
+        if depth >= self._depth:
+            return
+        for entry in sorted(entries):
+            if entries[entry] and entry[0] != "." and entry not in _NOT_SOURCES:
+                path = os.path.join(folder, entry)
+                if not self._in_a_circle(path):
+                    self._queue.append((path, depth + 1))
+
+    def _in_a_circle(self, path: str) -> bool:
+        """True if a symbolic link leads to where another led, or to a folder around it."""
+        if not os.path.islink(path):
+            return False
+        real = os.path.realpath(path)
+        if real in self._linked or (path + os.sep).startswith(real + os.sep):
+            return True
+        self._linked.add(real)
+        return False
+
+
+def _package_name(folder: str) -> str | None:
+    data = _read_marker(folder, "package.xml")
+    if data:
+        match = _NAME.search(data)
+        return match.group(1).decode("utf-8", "replace") if match else None
+    # rosbuild: the name is that of the folder.
+    if b"<package" in _read_marker(folder, "manifest.xml"):
+        return os.path.basename(folder)
+    return None
+
+
+def _read_marker(folder: str, name: str) -> bytes:
+    """A package.xml or manifest.xml without its comments; empty if there is none."""
+    path = os.path.join(folder, name)
+    try:
+        if not os.path.isfile(path):
+            return b""
+        with open(path, "rb") as file:
+            return _COMMENT.sub(b"", file.read(65_536))
+    except (OSError, ValueError):
+        return b""
+
+
+def _upwards(folder: str) -> list[str]:
+    """A folder and those above it, the innermost first."""
+    found = [folder]
+    while os.path.dirname(found[-1]) != found[-1]:
+        found.append(os.path.dirname(found[-1]))
+    return found
+
+
+def path_list(environment: Mapping[str, str], variable: str) -> list[str]:
+    """The folders that a variable such as ``AMENT_PREFIX_PATH`` names."""
+    parts = environment.get(variable, "").split(os.pathsep)
+    return [os.path.abspath(part) for part in parts if part]
+
+
+def _too_wide(environment: Mapping[str, str]) -> frozenset[str]:
+    """Folders that hold more than one project's things: never scanned, never a workspace."""
+    folders = set(_SHARED_BY_ALL)
+    for shared in (os.path.expanduser("~"), environment.get("HOME"), environment.get("TMPDIR")):
+        if shared:
+            folders.update(_upwards(os.path.abspath(shared)))
+    return frozenset(folders)

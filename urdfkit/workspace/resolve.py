@@ -1,0 +1,339 @@
+"""From the references of a robot to files: package://, model://, file://, relative paths.
+
+A missing package and a missing file are two different things: the first says nothing about the
+file, only that this machine does not have the package.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from stat import S_ISDIR, S_ISREG
+
+from urdfkit.errors import PackageNotFound
+from urdfkit.record import Record
+from urdfkit.source import Source
+from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.packages import Candidate, Packages, path_list
+
+_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
+_DRIVE = re.compile(r"/?[A-Za-z]:/")
+_BUILD_FILES = ("CMakeLists.txt", "setup.py")
+_MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
+
+
+class Located(Record):
+    """What a reference leads to.
+
+    Attributes:
+        reference: as written.
+        scheme: ``package``, ``model``, ``absolute`` (a path or ``file://``), ``relative``, or
+            another one in small letters.
+        package: name of the package that is referred to, or None.
+        folder: of that package, or None if it is not found.
+        relative: the path below the package, or below the file that refers to it.
+        path: the file, or None if there is none.
+        tried: the paths that were tried, in order.
+        searched: where the package was searched, if it is not found.
+    """
+
+    reference: str
+    scheme: str
+    package: str | None = None
+    folder: str | None = None
+    relative: str = ""
+    path: str | None = None
+    tried: tuple[str, ...] = ()
+    searched: tuple[str, ...] = ()
+
+    @property
+    def attempts(self) -> str:
+        """The paths that were tried, for a message; those below the current folder from there."""
+        try:
+            here = os.path.join(os.getcwd(), "")
+        except OSError:  # the current folder is gone
+            here = ""
+        return ", ".join(path.removeprefix(here) for path in self.tried)
+
+
+class Resolver:
+    """Finds packages and files; everything is read once.
+
+    Args:
+        packages: folders of ROS packages by name; they win over every search.
+        environment: that of the process unless given.
+        texts: files whose bytes are not those on disk, by path: fixes that are not written yet,
+            the buffers of an editor.
+    """
+
+    def __init__(
+        self,
+        packages: Mapping[str, str] | None = None,
+        environment: Mapping[str, str] | None = None,
+        texts: Mapping[str, bytes] | None = None,
+    ) -> None:
+        environment = os.environ if environment is None else environment
+        self.folders = Folders()
+        self.packages = Packages(packages or {}, environment, self.folders)
+        self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
+        self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
+        self._located: dict[tuple[str, str, str], Located] = {}
+        self._texts = _by_real_path(texts or {})
+
+    def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
+        """One for other texts, which knows what this one has found of packages and folders."""
+        other = Resolver.__new__(Resolver)
+        vars(other).update(vars(self))
+        other._texts = _by_real_path(texts)
+        return other
+
+    def text(self, path: str) -> bytes | None:
+        """The bytes that stand for those of a file on disk; None if nothing does."""
+        return self._texts.get(os.path.realpath(path)) if self._texts else None
+
+    def read(self, path: str) -> Source:
+        """A text file, by the bytes that stand for it if some do.
+
+        Raises:
+            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+        """
+        data = self.text(path)
+        return Source.read(path) if data is None else Source(path, data)
+
+    def package(self, name: str, near: str) -> str:
+        """The folder of a ROS package.
+
+        Args:
+            name: of the package.
+            near: path of the file in which the reference stands.
+
+        Raises:
+            PackageNotFound: with what was searched.
+        """
+        candidate = self._choose(name, near, None)
+        if candidate is None:
+            raise PackageNotFound(name, self.packages.searched(name, near))
+        return candidate.folder
+
+    def in_package(self, name: str, relative: str, near: str) -> Located:
+        """A file of a package, by its path in the installed package.
+
+        Args:
+            name: of the package.
+            relative: with forward slashes, below ``share/<name>``.
+            near: path of the file in which the reference stands.
+        """
+        return self._in_package(f"package://{name}/{relative}", "package", name, relative, near)
+
+    def locate(self, reference: str, near: str, top: str | None = None) -> Located:
+        """The file that a mesh or texture reference leads to.
+
+        Args:
+            reference: the value of the ``filename`` attribute.
+            near: path of the file in which the reference stands.
+            top: path of the checked file, if another; relative references start there first.
+        """
+        near, top = os.path.abspath(near), os.path.abspath(top or near)
+        key = (reference, os.path.dirname(near), os.path.dirname(top))
+        if key not in self._located:
+            self._located[key] = self._locate(reference, near, top)
+        return self._located[key]
+
+    def installed(self, path: str) -> str | None:
+        """The file in the source tree that a build would install at a path, if there is one.
+
+        ``$(find pkg)/urdf/x`` is a plain path once the package is found; where the package is
+        a source tree that installs its files in another layout, nothing is there.
+        """
+        package = self.packages.enclosing(path)
+        if package is None:
+            return None
+        name, folder = package
+        relative = os.path.relpath(os.path.abspath(path), folder).replace(os.sep, "/")
+        return next(self._as_installed(name, folder, relative), None)
+
+    def allows(self, path: str, near: str) -> bool:
+        """True if a model may read a file: one of its workspace or of a package.
+
+        Symbolic links count as what they lead to, except in packages that the user's
+        environment names: ``colcon build --symlink-install`` fills those with links. Devices
+        and pipes, which may have no end, are refused.
+
+        Args:
+            path: the file, which need not exist.
+            near: path of the checked file.
+        """
+        path = os.path.abspath(path)
+        if "\0" in path:
+            return False
+        try:
+            mode = os.stat(path).st_mode
+            if not S_ISREG(mode) and not S_ISDIR(mode):
+                return False
+        except OSError:
+            pass  # missing: only its place counts
+        real = os.path.realpath(path)
+        chosen = [candidate for found in self._candidates.values() for candidate in found]
+        roots = [self.packages.workspace(near), self.packages.workspace(os.path.realpath(near))]
+        roots += [candidate.folder for candidate in chosen if candidate.certain]
+        if any(_within(real, os.path.realpath(root)) for root in roots):
+            return True
+        if any(_within(path, candidate.folder) for candidate in chosen if candidate.trusted):
+            return True
+        package = self.packages.enclosing(real)
+        around = [package[1]] if package else []
+        around += [candidate.folder for candidate in chosen if _within(real, candidate.folder)]
+        levels = [os.path.realpath(level.root) for level in self.packages.levels(near)]
+        return any(_within(folder, level) for folder in around for level in levels)
+
+    def _locate(self, reference: str, near: str, top: str) -> Located:
+        text = reference.replace("\\", "/")
+        match = _SCHEME.match(text)
+        scheme = match.group(1).lower() if match else ""
+        rest = text[match.end() :] if match else text
+        if scheme in ("package", "model"):
+            name, _, relative = rest.partition("/")
+            if scheme == "model":
+                return self._in_models(reference, name, rest, near)
+            return self._in_package(reference, scheme, name, relative, near)
+        if scheme == "file" or text.startswith("file:/"):
+            rest = rest if scheme else text[len("file:") :]
+            rest = rest.removeprefix("localhost")
+        elif scheme:
+            return Located(reference, scheme)
+        if rest.startswith("/") or _DRIVE.match(rest):
+            return self._absolute(reference, rest)
+        return self._relative(reference, rest, near, top)
+
+    def _in_package(
+        self, reference: str, scheme: str, name: str, relative: str, near: str
+    ) -> Located:
+        candidate = self._choose(name, near, relative) if name else None
+        if candidate is None:
+            searched = self.packages.searched(name, near) if name else ()
+            return Located(reference, scheme, name, None, relative, searched=searched)
+        tried: list[str] = []
+        path = self._find(name, candidate.folder, relative, tried)
+        return Located(reference, scheme, name, candidate.folder, relative, path, tuple(tried))
+
+    def _in_models(self, reference: str, name: str, rest: str, near: str) -> Located:
+        """As Gazebo finds it: below its model path, which packages may add to."""
+        tried: list[str] = []
+        below = [(folder, rest) for paths in self._model_paths.values() for folder in paths]
+        exported = self.packages.gazebo_model_paths(near)
+        below += [(folder, f"{path}/{rest}".lstrip("/")) for folder, path in exported]
+        for folder, relative in below:
+            tried.append(_join(folder, relative))
+            path = self.folders.find(folder, relative)
+            if path:
+                return Located(reference, "model", name, folder, rest, path, tuple(tried))
+        located = self._in_package(reference, "model", name, rest.partition("/")[2], near)
+        searched: tuple[str, ...] = ()
+        if located.folder is None:
+            searched = tuple(
+                f"{variable} ({os.pathsep.join(paths) or 'not set'})"
+                for variable, paths in self._model_paths.items()
+            )
+        return located._replace(
+            tried=(*tried, *located.tried), searched=(*searched, *located.searched)
+        )
+
+    def _absolute(self, reference: str, text: str) -> Located:
+        tried: list[str] = []
+        for spelt in _spellings(text):
+            path = os.path.normpath(spelt.lstrip("/") if _DRIVE.match(spelt) else spelt)
+            tried.append(path)
+            found = self.folders.find(*os.path.split(path)) or self.installed(path)
+            if found:
+                return Located(reference, "absolute", None, None, text, found, tuple(tried))
+        return Located(reference, "absolute", None, None, text, None, tuple(tried))
+
+    def _relative(self, reference: str, text: str, near: str, top: str) -> Located:
+        tried: list[str] = []
+        for folder in dict.fromkeys((os.path.dirname(top), os.path.dirname(near))):
+            for relative in _spellings(text):
+                tried.append(_join(folder, relative))
+                path = self.folders.find(folder, relative)
+                if path:
+                    return Located(reference, "relative", None, None, text, path, tuple(tried))
+        return Located(reference, "relative", None, None, text, None, tuple(tried))
+
+    def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
+        """The folder of a package: one with its ``package.xml``, else one that is called so.
+
+        Where some are only called so, the first that has the wanted file.
+        """
+        key = (name, os.path.dirname(os.path.abspath(near)))
+        if key not in self._candidates:
+            found = _until_certain(self.packages.candidates(name, near))
+            self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
+        candidates = self._candidates[key]
+        if relative is not None and not all(candidate.certain for candidate in candidates):
+            for candidate in candidates:
+                if self._find(name, candidate.folder, relative, []):
+                    return candidate
+        return candidates[0] if candidates else None
+
+    def _find(self, name: str, folder: str, relative: str, tried: list[str]) -> str | None:
+        """A file of a package; the paths looked at are added to ``tried``."""
+        for spelt in _spellings(relative):
+            tried.append(_join(folder, spelt))
+            path = self.folders.find(folder, spelt)
+            if path:
+                return path
+        for spelt in _spellings(relative):
+            for path in self._as_installed(name, folder, spelt):
+                return path
+        return None
+
+    def _as_installed(self, name: str, folder: str, relative: str) -> Iterator[str]:
+        """The files that a build would install at a path of the package."""
+        from urdfkit.workspace.installs import source_paths  # needed by few packages only
+
+        for source in source_paths(folder, name, relative):
+            path = self.folders.find(folder, source)
+            if path:
+                yield path
+        if not any(self.folders.find(folder, file) for file in _BUILD_FILES):
+            yield from self._one_level_down(folder, relative)
+
+    def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
+        """The only file at this path in a subfolder, where no build file tells the layout.
+
+        ``description/urdf`` and ``bringup/launch`` are the usual folders that a build removes.
+        """
+        entries = self.folders.entries(folder) or {}
+        inside = sorted(name for name, is_folder in entries.items() if is_folder)
+        found = [self.folders.find(folder, f"{name}/{relative}") for name in inside]
+        paths = [path for path in found if path]
+        if len(paths) == 1:
+            yield paths[0]
+
+
+def _by_real_path(texts: Mapping[str, bytes]) -> dict[str, bytes]:
+    return {os.path.realpath(path): data for path, data in texts.items()}
+
+
+def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
+    for candidate in candidates:
+        yield candidate
+        if candidate.certain:
+            return
+
+
+def _spellings(text: str) -> Iterator[str]:
+    """The path as written, and with its percent escapes resolved."""
+    yield text
+    if "%" in text:
+        data = text.encode("utf-8", "replace")
+        data = re.sub(rb"%([0-9A-Fa-f]{2})", lambda m: bytes([int(m.group(1), 16)]), data)
+        yield data.decode("utf-8", "replace")
+
+
+def _join(folder: str, relative: str) -> str:
+    return os.path.normpath(os.path.join(folder, relative))
+
+
+def _within(path: str, folder: str) -> bool:
+    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)

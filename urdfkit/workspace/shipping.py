@@ -1,0 +1,94 @@
+"""What the build of a package ships: whether a path of the source tree is installed.
+
+The answer is "yes" wherever the build file says something that is not understood here.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from functools import cached_property
+
+from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
+
+#: Commands that may install what is not told here: other files, and functions of the package.
+_UNCLEAR = re.compile(
+    r"\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
+    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\(",
+    re.IGNORECASE,
+)
+_COMMAND = re.compile(r"\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)", re.IGNORECASE)
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+#: Words of a setup.py that lists its files at build time.
+_WALK = re.compile(r"\b(?:walk|rglob|scandir|recursive)\b|\*\*")
+
+
+class Shipping:
+    """The install rules of a package.
+
+    Args:
+        folder: of the package.
+        package: its name.
+    """
+
+    def __init__(self, folder: str, package: str) -> None:
+        self._folder = folder
+        self._package = package
+
+    @cached_property
+    def file(self) -> str:
+        """The build file; empty if there is none."""
+        for name in ("CMakeLists.txt", "setup.py"):
+            path = os.path.join(self._folder, name)
+            if os.path.isfile(path):
+                return path
+        return ""
+
+    def installs(self, relative: str) -> bool:
+        """True if a path below the package is installed, or if that is not clear."""
+        if not self.file:
+            return True
+        if self.file.endswith(".py"):
+            return _WALK.search(self._text) is not None or relative.partition("/")[0] in self._text
+        return self._is_unclear or any(_overlap(relative, target) for target in self._targets)
+
+    def remedy(self, top: str) -> str:
+        """How to install a folder."""
+        if self.file.endswith(".py"):
+            return f"add the files of {top} to data_files in setup.py"
+        return f"write install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}})"
+
+    @cached_property
+    def _text(self) -> str:
+        try:
+            with open(self.file, "rb") as file:
+                return file.read(MAX_BYTES).decode("utf-8", "replace")
+        except OSError:
+            return ""
+
+    @cached_property
+    def _targets(self) -> list[str]:
+        """What is installed, below the package's folder under ``share``."""
+        share = f"share/{self._package}"
+        targets = [rule.target for rule in read_rules(self._folder, self._package)]
+        return [t[len(share) + 1 :] for t in targets if t == share or t.startswith(f"{share}/")]
+
+    @cached_property
+    def _is_unclear(self) -> bool:
+        """True if the CMake file installs nothing that is known, or something else as well."""
+        if not self._targets or _UNCLEAR.search(self._text):
+            return True
+        known = set(known_variables(self._package))
+        for command, first, rest in _COMMAND.findall(self._text):
+            if not known.issuperset(_VARIABLE.findall(rest)):
+                return True
+            if command.lower() != "install":
+                known.add(first)
+        return False
+
+
+def _overlap(path: str, target: str) -> bool:
+    """True if one of two paths holds the other."""
+    if not target or path == target:
+        return True
+    return path.startswith(f"{target}/") or target.startswith(f"{path}/")
