@@ -58,6 +58,42 @@ def test_many_sensors_and_plugins_are_counted_by_kind(
     assert "links       2, 0 roots\n" in page
 
 
+def test_a_name_that_occurs_often_is_told_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plugins = '<plugin name="same" filename="libx.so"/><plugin name="other" filename="libx.so"/>'
+    text = f'<robot name="r"><link name="a"/><gazebo>{plugins * 4}</gazebo></robot>'
+    (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
+    assert main(["info", str(tmp_path / "r.urdf")]) == 0
+    assert "plugin      libx.so: same (4x), other (4x)\n" in capsys.readouterr().out
+
+
+def test_a_corner_that_is_but_rounding_is_zero(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    box = '<origin xyz="0.1 0.1 0.0500000000001"/><geometry><box size="0.2 0.2 0.1"/></geometry>'
+    text = f'<robot name="r"><link name="a"><visual>{box}</visual></link></robot>'
+    (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
+    assert main(["info", str(tmp_path / "r.urdf")]) == 0
+    assert "0.2 x 0.2 x 0.1 m, from 0 0 0 to 0.2 0.2 0.1\n" in capsys.readouterr().out
+
+
+def test_a_robot_that_cannot_be_read_says_why(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "r.xacro"
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<link name="${nothing}"/><link name="${less}"/></robot>',
+        encoding="utf-8",
+    )
+    assert main(["info", str(file)]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith(f"error: {file}:1:")
+    assert "'nothing'" in told
+    assert told.endswith(f", and 1 more; see 'urdfkit check {file}'\n")
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from pathlib import Path
 
 import pytest
 
@@ -55,3 +56,17 @@ def test_a_pose(capsys: pytest.CaptureFixture[str]) -> None:
     opened = json.loads(run(capsys, *words))["total"]["principal_moments"]
     closed = json.loads(run(capsys, *words[:3]))["total"]["principal_moments"]
     assert opened[2] > closed[2]
+
+
+def test_what_is_not_known_fits_a_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    names = [f"a_frame_with_a_name_{number}" for number in range(8)]
+    links = "".join(f'<link name="{name}"><inertial/></link>' for name in names)
+    (tmp_path / "frames.urdf").write_text(f'<robot name="r">{links}</robot>', encoding="utf-8")
+    lines = run(capsys, str(tmp_path / "frames.urdf")).splitlines()
+    notes = lines[-3:]
+    assert notes[0].startswith(f"{names[0]}, {names[1]}")
+    assert notes[-1].endswith(f"{names[-1]}: it has no shape")
+    assert max(map(len, notes)) <= 80
+    assert all(line == line.rstrip() for line in lines)

@@ -44,6 +44,16 @@ def test_what_the_world_holds_cannot_tip_over(
     assert max(map(len, page.splitlines())) <= 80
 
 
+def test_what_it_stands_on_fits_a_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("pinocchio")
+    text = Path(ARM).read_text(encoding="utf-8").replace('"base"', f'"{"base_" * 15}"')
+    (tmp_path / "arm.urdf").write_text(text, encoding="utf-8")
+    assert main(["statics", str(tmp_path / "arm.urdf"), "--contact", "base_" * 15]) == 0
+    assert f"stands on\n  {'base_' * 15}\n" in capsys.readouterr().out
+
+
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pinocchio")
     words = ["--format", "json", "--samples", "10", "--contact", "base", "--joint", "shoulder=1.4"]

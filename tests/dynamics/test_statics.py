@@ -117,6 +117,19 @@ def test_a_chain_of_a_hundred_joints_is_bounded() -> None:
     assert all(done < total for done, total in told)
 
 
+def test_the_worst_pose_names_what_matters_to_it() -> None:
+    """A lever on one side, whose torque no other joint changes; one of them cannot be at 0."""
+    ball = inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    text = link("base", inertial(1, (1, 1, 1))) + link("a", ball) + link("b", ball) + link("c")
+    text += moving("base", "a", "continuous", "0 1 0") + moving("base", "b", "continuous", "0 1 0")
+    bounded = moving("base", "c", "revolute", "0 1 0")
+    text += bounded.replace('lower="-3"', 'lower="0.5"')
+    assert 'lower="0.5"' in text
+    for load in statics(dynamics(text), {"b_joint": 1.0}).loads:
+        assert set(load.pose) <= {load.joint, "c_joint"}
+        assert load.pose["c_joint"] == 0.5
+
+
 def test_nothing_to_hold() -> None:
     found = statics(dynamics(link("base", inertial(1, (1, 1, 1)))))
     assert (found.loads, found.weakest) == ((), None)

@@ -8,22 +8,17 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output
-from urdfkit.errors import UnreadableRobot
+from urdfkit.cli import output
+from urdfkit.cli.robot import one_robot, robot
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
-from urdfkit.source import Source
-from urdfkit.subject import Subject
-from urdfkit.workspace.resolve import Resolver
 
 VERSION = 1
 
 
 @click.command("gazebo")
-@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
 def command(
     words: tuple[str, ...], form: str, old: bool, package: tuple[str, ...], trust: bool
 ) -> int:
@@ -35,16 +30,7 @@ def command(
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    values = {options.FILES: words, "package": package}
-    files = options.files(values)
-    if len(files) != 1:
-        raise options.UsageError("gazebo takes one file; xacro arguments are written name:=value")
-    resolver = Resolver(options.packages(values))
-    source = Source.read(files[0])
-    subject = Subject(source, resolver, options.arguments(values), trust=trust)
-    if subject.reading.document is None:
-        raise UnreadableRobot(f"{files[0]} cannot be read; 'urdfkit check' tells why")
-    conversion = Conversion(subject.tree, OLD if old else NEW)
+    conversion = Conversion(robot(words, package, trust).tree, OLD if old else NEW)
     if form == "json":
         text = json.dumps(as_json(conversion), ensure_ascii=False, indent=2)
     else:
@@ -86,8 +72,9 @@ def _row(conversion: Conversion, name: str, mass: float) -> tuple[str, str, str]
 
 def _link(link: SimulatedLink) -> Iterator[str]:
     mass = link.properties
-    x, y, z = mass.center
-    yield f"{link.name}: {mass.mass:g} kg, centre of mass at {x:.4g} {y:.4g} {z:.4g} m"
+    noise = 1e-9 * max(map(abs, mass.center))
+    x, y, z = (f"{0.0 if abs(value) <= noise else value:.4g}" for value in mass.center)
+    yield f"{link.name}: {mass.mass:g} kg, centre of mass at {x} {y} {z} m"
     tensor = mass.tensor
     yield f"  ixx {tensor.ixx:.4g}, iyy {tensor.iyy:.4g}, izz {tensor.izz:.4g} kg m^2"
     for name, _ in link.collisions:

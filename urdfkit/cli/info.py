@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import textwrap
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -72,7 +73,7 @@ def render(found: Overview) -> Iterator[str]:
         yield ""
     yield from _sensors(found.sensors)
     for filename, names in _grouped(found.plugins).items():
-        yield from _entry("plugin", f"{filename or '(no file)'}: {_list(names)}")
+        yield from _entry("plugin", f"{filename or '(no file)'}: {_list(_repeated(names))}")
     if found.skipped:
         yield ""
     for reason in found.skipped:
@@ -123,7 +124,8 @@ def _size(found: Overview, where: str) -> Iterator[str]:
         yield from _entry("size", "not known")
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
-        yield from _entry("size", f"{edges} m, from {_vector(box.low)} to {_vector(box.high)}")
+        low, high = (_vector(corner, max(box.edges)) for corner in (box.low, box.high))
+        yield from _entry("size", f"{edges} m, from {low} to {high}")
     if left_out:
         reasons = dict.fromkeys(left_out.values())
         names = _list(left_out)
@@ -155,7 +157,7 @@ def _sensors(found: Sequence[Sensor]) -> Iterator[str]:
         return
     kinds = _grouped((sensor.type or "without type", sensor.name) for sensor in found)
     for kind, names in kinds.items():
-        yield from _entry("sensors", f"{len(names)} {kind}: {_list(names)}")
+        yield from _entry("sensors", f"{len(names)} {kind}: {_list(_repeated(names))}")
 
 
 def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
@@ -191,10 +193,15 @@ def _list(names: Iterable[str]) -> str:
     return ", ".join(every[:MOST] if more else every) + more
 
 
-def _vector(values: Iterable[float]) -> str:
-    """Three numbers; what is nothing beside the largest is 0."""
+def _repeated(names: Iterable[str]) -> list[str]:
+    """Names once each, with how often they occur."""
+    return [f"{name} ({many}x)" if many > 1 else name for name, many in Counter(names).items()]
+
+
+def _vector(values: Iterable[float], size: float = 0.0) -> str:
+    """Three numbers; what is nothing beside the largest, or beside ``size``, is 0."""
     every = list(values)
-    noise = 1e-6 * max(map(abs, every))
+    noise = 1e-6 * max(size, *map(abs, every))
     return " ".join(f"{0.0 if abs(value) <= noise else value:.4g}" for value in every)
 
 

@@ -13,6 +13,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.formats._layout import wrap
 from urdfkit.mass_table import MassRow, MassTable, mass_properties
 from urdfkit.spatial import Rotation
 
@@ -69,7 +70,7 @@ def _masses(found: MassTable) -> Iterator[str]:
         yield (
             f"{row.link:<{width}} {row.properties.mass:>10.5g} {share:>6.1%}"
             f" {_three(row.properties.center)} {density:>8}"
-        )
+        ).rstrip()
     place = f"  in {found.root}" if found.root else ""
     total = f"{found.whole.mass:>10.6g} {'':>6} {_three(found.whole.center)}"
     yield f"{'total':<{width}} {total}{place}"
@@ -96,7 +97,7 @@ def _unknown(found: MassTable) -> Iterator[str]:
     if reasons:
         yield ""
     for reason, names in reasons.items():
-        yield f"{', '.join(names)}: {reason}"
+        yield from wrap(f"{', '.join(names)}: {reason}", output.width(), indent=2).split("\n")
 
 
 def _axes(axes: Rotation) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
 
@@ -11,6 +11,9 @@ from urdfkit.cli import options
 from urdfkit.errors import UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.subject import Subject
+
+if TYPE_CHECKING:
+    from urdfkit.reading import Problem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -49,5 +52,14 @@ def robot(words: tuple[str, ...], package: tuple[str, ...], trust: bool) -> Subj
             trust=trust,
         )
     except UnreadableRobot as error:
-        text = f"{files[0]} cannot be read; 'urdfkit check' tells why"
-        raise UnreadableRobot(text, error.problems) from error
+        raise _first_of(error, files[0]) from error
+
+
+def _first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
+    """The first of many reasons: a package that is missing is often missing in every file."""
+    problems = cast("tuple[Problem, ...]", error.problems)
+    if not problems:
+        return error
+    first, more = problems[0], "" if len(problems) == 1 else f", and {len(problems) - 1} more"
+    text = f"{first.span}: {first.message}{more}; see 'urdfkit check {file}'"
+    return UnreadableRobot(text, problems)

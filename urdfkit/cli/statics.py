@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import degrees, isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -76,7 +76,7 @@ def command(
         roots = {root.name for root in subject.tree.roots}
         lines = render(loads, subject.model, posed=bool(given))
         ground = ["fixed to the world: it cannot tip over"] if base.is_ground else None
-        output.page((*lines, "", *(ground or standing(stands, roots))))
+        output.page((*lines, "", *_wrapped(ground or standing(stands, roots))))
     return 0
 
 
@@ -157,12 +157,16 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
         yield ""
-        text = f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"
-        yield from wrap(text, output.width(), indent=2).split("\n")
+        yield from _wrapped([f"weakest: {weakest.joint}, at {', '.join(pose) or 'zero'}"])
     for load in found.loads:
         if load.is_exceeded:
             unit = effort_unit(model.joints_by_name[load.joint])
             yield f"{load.joint} cannot hold: an effort of {load.worst:.4g} {unit} would suffice"
+
+
+def _wrapped(lines: Iterable[str]) -> Iterator[str]:
+    for line in lines:
+        yield from wrap(line, output.width(), indent=2).split("\n")
 
 
 def _small(value: float) -> str:

@@ -26,6 +26,9 @@ SAMPLES, SEED, ROUNDS = 1000, 0, 50
 #: a hundred joints is no robot that is worth minutes.
 BUDGET = 200_000
 
+#: A pose is told without what changes its torque by less than this part.
+ASIDE = 1e-4
+
 
 class Load(Record):
     """What gravity asks of one joint.
@@ -36,7 +39,8 @@ class Load(Record):
         at_zero: what it holds with all joints at zero; the sign is that of its axis.
         at_pose: what it holds at the pose that was asked for; that at zero if none was.
         worst: the largest that any pose asks of it, without sign: what effort would suffice.
-        pose: in which it does, in rad or m.
+        pose: in which it does, in rad or m; joints that hardly matter there are at rest, and
+            those at 0 are left out.
     """
 
     joint: str
@@ -119,6 +123,7 @@ def statics(
             progress(len(poses) + len(found), len(poses) + len(columns))
         start = poses[int(np.argmax(np.abs(torques[:, column])))]
         worst, x = search.climb(column, start)
+        x = search.rested(column, x, worst)
         where = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
         held = float(torques[0, column]), float(asked[column])
         found.append(Load(name, effort(by_name[name]), *held, worst, where))
@@ -143,6 +148,7 @@ class _Search:
         ranges = [span(by_name.get(name)) for name in robot.columns]
         self.low = np.array([low for low, _ in ranges])
         self.high = np.array([high for _, high in ranges])
+        self.rest = np.clip(np.zeros(robot.nv), self.low, self.high)
         slides = {name for name, joint in by_name.items() if joint.kind in SLIDING}
         self.slides = np.array([name in slides for name in robot.columns], dtype=bool)
         led = np.count_nonzero(robot.selection, axis=0) > 1
@@ -150,14 +156,13 @@ class _Search:
 
     def corners(self) -> Iterator[Floats]:
         """Zero, or what is nearest to it; each joint at its ends; all at their ends."""
-        zero = np.clip(np.zeros(self.robot.nv), self.low, self.high)
         yield np.zeros(self.robot.nv)
-        yield zero
+        yield self.rest
         yield self.low
         yield self.high
         for column in range(self.robot.nv):
             for end in (self.low, self.high):
-                pose = zero.copy()
+                pose = self.rest.copy()
                 pose[column] = end[column]
                 yield pose
 
@@ -181,6 +186,15 @@ class _Search:
             if abs(best) <= before * (1 + 1e-12) or self.computed > self.budget:
                 break
         return abs(best), x
+
+    def rested(self, column: int, pose: Floats, worst: float) -> Floats:
+        """A pose with every coordinate at rest that its torque does not depend on."""
+        x: Floats = pose.copy()
+        for other in range(self.robot.nv):
+            kept, x[other] = x[other], self.rest[other]
+            if abs(self._torque(x, column)) < (1 - ASIDE) * worst:
+                x[other] = kept
+        return x
 
     def _improve(self, x: Floats, column: int, other: int, sign: float, best: float) -> float:
         """Move one coordinate to where it makes the torque largest; keep it if it does."""
