@@ -149,6 +149,34 @@ def test_a_picture_without_a_name_is_refused(capsys: pytest.CaptureFixture[str])
     assert "-o" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ('<robot name="r"/>', "it has no links"),
+        ('<robot name="r"><link name="a"/></robot>', "--layers frames,names"),
+    ],
+)
+def test_a_picture_of_nothing_is_refused(
+    content: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "r.urdf"
+    path.write_text(content)
+    assert main(["render", str(path), "-o", str(tmp_path / "r.png")]) == 2
+    assert said in capsys.readouterr().err
+    assert not (tmp_path / "r.png").exists()
+
+
+def test_letters_that_no_font_has_are_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "r.urdf"
+    shape = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    path.write_text(f'<robot name="r"><link name="robot_🤖">{shape}</link></robot>')
+    target = ["-o", str(tmp_path / "r.png"), "--layers", "visual,names", *SMALL]
+    assert main(["render", str(path), *target]) == 0
+    assert "note: no font here has" in capsys.readouterr().err
+
+
 def test_layers_findings_and_a_sheet_go_together(tmp_path: Path) -> None:
     path = tmp_path / "robot.png"
     words = ["--view", "iso,top", "--layers", "visual,collision,frames,names", "--findings"]

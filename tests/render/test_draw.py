@@ -203,3 +203,25 @@ def test_progress_goes_from_the_first_step_to_the_last() -> None:
         progress=lambda done, total: told.append((done, total)),
     )
     assert sorted(told) == [(done, told[-1][1]) for done in range(1, told[-1][1] + 1)]
+
+
+@pytest.mark.parametrize("tilt", [-0.6, 0.0, 0.6])
+def test_a_wall_that_nothing_shades_is_of_one_brightness(tilt: float) -> None:
+    of = scene(link("a", '<box size="0.02 1 1"/>', rpy=f"0 {tilt} 0", rgba="0.8 0.8 0.8 1"))
+    camera = looking(of.points(), "front", size=SIZE, orthographic=True)
+    pixels = draw(of, camera, floor=False).astype(int)
+    assert np.ptp(pixels[60:140, 110:210, :3], axis=(0, 1)).max() <= 1
+
+
+def test_corners_are_darker_evenly_along_their_edge() -> None:
+    of = scene(
+        link("wall", '<box size="0.1 2 1"/>', "0 0 0.5", rgba="0.8 0.8 0.8 1"),
+        link("plate", '<box size="1 2 0.1"/>', "0.5 0 0", rgba="0.8 0.8 0.8 1"),
+    )
+    camera = looking(of.points(), "front", elevation=30, size=SIZE, orthographic=True)
+    rows = draw(of, camera, floor=False).astype(int)[40:160, 120:200, 1]
+    assert np.ptp(rows, axis=1).max() <= 1
+    wall = rows[:78, 40]
+    assert np.ptp(wall[:60]) == 0
+    assert wall[0] - wall[-1] > 25
+    assert np.diff(wall).max() <= 0

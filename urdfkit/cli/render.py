@@ -12,10 +12,11 @@ import click
 
 from urdfkit.cli import options
 from urdfkit.cli.progress import on_terminal
+from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import printable
 
 if TYPE_CHECKING:
-    from urdfkit.render import Background, Missing, Scene
+    from urdfkit.render import Background, Scene
     from urdfkit.subject import Subject
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
@@ -64,16 +65,17 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     if not (values["output"] or values["turntable"]):
         raise options.UsageError("render needs -o FILE, such as -o robot.png")
     if values["diff"]:
-        missing = _difference(files, values)
+        scene = _difference(files, values)
     else:
         robot = _read(files[0], values)
         scene = _scene(robot, values)
-        missing = scene.missing
+        if not scene.items:
+            raise UrdfkitError(_nothing(files[0], robot))
         if values["turntable"] or values["sweep"]:
             _animation(robot, scene, values)
         else:
             _picture(scene, values)
-    _tell(missing)
+    _tell(scene)
     return 0
 
 
@@ -161,8 +163,8 @@ def _animation(robot: Subject, scene: Scene, values: dict[str, Any]) -> None:
     render.save_animation(images, path)
 
 
-def _difference(files: Sequence[str], values: dict[str, Any]) -> tuple[Missing, ...]:
-    """Both states beside one another; what is missing in the second one."""
+def _difference(files: Sequence[str], values: dict[str, Any]) -> Scene:
+    """Both states beside one another; the second one."""
     from urdfkit import render
     from urdfkit.comparison.states import read
 
@@ -192,7 +194,7 @@ def _difference(files: Sequence[str], values: dict[str, Any]) -> tuple[Missing, 
             **_camera(values),
         )
     render.save(image, values["output"])
-    return after.missing
+    return after
 
 
 def _camera(values: dict[str, Any]) -> dict[str, Any]:
@@ -234,8 +236,19 @@ def _background(word: str | None) -> Background | None:
     return rgb, rgb
 
 
-def _tell(missing: tuple[Missing, ...]) -> None:
-    """Say on standard error which meshes are boxes in the picture."""
-    for mesh in missing:
+def _nothing(file: str, robot: Subject) -> str:
+    if not robot.model.links:
+        return f"{file}: nothing to draw: it has no links; perhaps it defines macros only"
+    return f"{file}: nothing to draw: its links have no such shapes; try --layers frames,names"
+
+
+def _tell(scene: Scene) -> None:
+    """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
+    from urdfkit import render
+
+    for mesh in scene.missing:
         text = f"drawn as a striped box: the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
         print(printable(f"note: {text} ({mesh.reason})"), file=sys.stderr)
+    if letters := render.unwritable(label.text for label in scene.labels):
+        text = f"no font here has {letters}; install one, such as fonts-noto-cjk"
+        print(printable(f"note: {text}"), file=sys.stderr)

@@ -28,6 +28,7 @@ try:
     from urdfkit.render.difference import difference
     from urdfkit.render.draw import QUALITIES, draw
     from urdfkit.render.findings import marked
+    from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.looks import Look
     from urdfkit.render.picture import PictureError, colour, picture, save
@@ -67,4 +68,5 @@ __all__ = [
     "save_animation",
     "sweep",
     "swept_circle",
+    "unwritable",
 ]

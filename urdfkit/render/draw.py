@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import FAR, Bools, Bytes, Floats, Integers, Keys, turned
+from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground
@@ -33,9 +33,9 @@ from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.rays import Tracer
 from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
-from urdfkit.render.soup import CHUNK, Soup, cut, extent, rows, soup
+from urdfkit.render.soup import Soup, cut, extent, rows, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
-from urdfkit.render.work import Workers
+from urdfkit.render.work import CHUNK, Workers
 
 #: Rows of pixels of a band.
 BAND = 60
@@ -133,22 +133,25 @@ class _Drawing:
         workers.each(
             sorted({look.texture for look in self.looks if look.texture}, key=str), texture
         )
-        kind = self._kind(everything)
+        self.kinds = [_kind(look) for look in self.looks]
+        pieces = list(zip(everything.pieces, self.kinds, strict=True))
+        solid = [piece for piece, kind in pieces if kind == _OPAQUE]
+        robot = [piece for piece, kind in pieces if kind != _SIGN]
+        casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
         world = self._world(everything)
-        lowest, highest = extent(world, rows(everything.faces, kind != _SIGN))
+        lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
-        self.sun: ShadowMap = shadow_map(everything, kind == _OPAQUE, self.rig, workers)
+        self.sun: ShadowMap = shadow_map(everything, casts, solid, self.rig, workers)
         self.tracer: Tracer | None = None
         if quality.rays:
-            self.tracer = _tracer(everything, kind == _OPAQUE, self.size)
+            self.tracer = _tracer(everything.points, casts, self.size)
         self.floor: Ground | None = None
-        if floor and (kind == _OPAQUE).any():
-            casts = rows(everything.faces, kind == _OPAQUE)
-            self.floor = ground(world, casts, self.sun, camera, level)
+        if floor and len(casts):
+            self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
         everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
         self.screen: Projected
-        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0])
+        self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0], workers)
         self.soup: Soup = everything
         if len(chosen) < len(everything.faces):
             self.soup = everything._replace(
@@ -156,7 +159,10 @@ class _Drawing:
                 item=everything.item[chosen],
                 flat=everything.flat[chosen],
             )
-        self.kind = self._kind(self.soup)
+        kind = self._kind(self.soup)
+        self.opaque, self.clear, self.signs = (
+            np.flatnonzero(kind == one) for one in (_OPAQUE, _CLEAR, _SIGN)
+        )
         self.offsets = rooks(quality.samples)
 
     def picture(self, background: Background | None, progress: Callable[[int, int], None]) -> Bytes:
@@ -190,11 +196,7 @@ class _Drawing:
 
     def _kind(self, some: Soup) -> Integers:
         """What each triangle is: opaque, seen through, or a sign, (m,)."""
-        kinds = [
-            _SIGN if look.sign else _OPAQUE if look.rgba[3] > SOLID else _CLEAR
-            for look in self.looks
-        ]
-        result: Integers = np.array(kinds, dtype=np.int8)[some.item]
+        result: Integers = np.array(self.kinds, dtype=np.int8)[some.item]
         return result
 
     def _world(self, everything: Soup) -> Floats:
@@ -214,14 +216,14 @@ class _Drawing:
     def _see(self, first: int, last: int, depth: Floats) -> _Band:
         """The surfaces of a band; their depth goes to the picture's."""
         grid = Grid(self.camera.size[0], first, last, self.offsets)
-        opaque = nearest(self.screen, np.flatnonzero(self.kind == _OPAQUE), grid)
+        opaque = nearest(self.screen, self.opaque, grid)
         found = self._surfaces(fragments(opaque, grid, self.soup, self.camera))
         dark = np.zeros((0,), dtype=np.float32)
         if self.floor is not None:
             depth[first:last], dark = self.floor.seen(self.camera, first, last)
         self._fill(*found, depth)
-        clear = self._peeled(np.flatnonzero(self.kind == _CLEAR), grid, opaque)
-        signs = self._peeled(np.flatnonzero(self.kind == _SIGN), grid, np.zeros_like(opaque))
+        clear = self._peeled(self.clear, grid, opaque)
+        signs = self._peeled(self.signs, grid, np.zeros_like(opaque))
         return _Band(found, clear, signs, dark.reshape(-1))
 
     def _peeled(
@@ -295,9 +297,9 @@ class _Drawing:
         width, height = self.camera.size
         some, there = band.opaque
         start, count = first * width, (last - first) * width
-        near = self._near(depth[first:last])
-        place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], near)
-        lit = Lit(*(means(image, depth, first, last, near)[place] for image in (sun, sky)))
+        place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], self._near)
+        light_there = means((sun, sky), depth, first, last, self._near)
+        lit = Lit(*(image[place] for image in light_there))
         light, cover = summed(some, self._shade(some, there, lit), start, count)
         free = 1 - cover
         dark = band.dark if len(band.dark) else np.zeros_like(free)
@@ -353,6 +355,8 @@ class _Drawing:
         if image is None:
             return np.ones((len(of_it), 3), dtype=np.float32)
         faces = self.soup.faces[some.number[of_it]]
+        assert self.soup.uv is not None
+        assert there.uv is not None
         uv = [self.soup.uv[faces[:, corner]] for corner in range(3)]
         xy = [
             np.stack((self.screen.x[faces[:, i]], self.screen.y[faces[:, i]]), axis=1)
@@ -369,11 +373,16 @@ class _Drawing:
         return near
 
 
-def _tracer(everything: Soup, hides: Bools, size: float) -> Tracer | None:
+def _kind(look: Look) -> int:
+    if look.sign:
+        return _SIGN
+    return _OPAQUE if look.rgba[3] > SOLID else _CLEAR
+
+
+def _tracer(points: Floats, faces: Integers, size: float) -> Tracer | None:
     """Rays among some triangles; None where Embree is not installed."""
-    faces = rows(everything.faces, hides)
     try:
-        return Tracer(everything.points, faces, size) if len(faces) else None
+        return Tracer(points, faces, size) if len(faces) else None
     except ImportError:
         return None
 

@@ -41,14 +41,14 @@ class Surface(NamedTuple):
         position: (k, 3).
         normal: (k, 3), unit vectors, turned to the viewer.
         flat: (k, 3), of the face itself, likewise.
-        uv: (k, 2).
+        uv: (k, 2); None if no vertex has any.
         color: (k, 4); None if no vertex has any.
     """
 
     position: Floats
     normal: Floats
     flat: Floats
-    uv: Floats
+    uv: Floats | None
     color: Floats | None
 
 
@@ -203,7 +203,7 @@ def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> 
         position,
         normal,
         flat,
-        blend(whole.uv),
+        None if whole.uv is None else blend(whole.uv),
         None if whole.colors is None else blend(whole.colors),
     )
 

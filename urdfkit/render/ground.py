@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import extent
+from urdfkit.render.work import Workers
 
 #: Cells of the edge of the floor's map.
 CELLS = 320
@@ -80,18 +82,26 @@ def _rays(camera: Camera, first: int, last: int) -> tuple[list[Floats], list[Flo
 
 
 def ground(
-    points: Floats, faces: Integers, map_: ShadowMap, camera: Camera, level: float | None
+    points: Floats,
+    faces: Integers,
+    pieces: Iterable[slice],
+    map_: ShadowMap,
+    camera: Camera,
+    level: float | None,
+    workers: Workers,
 ) -> Ground:
     """The floor under a robot.
 
     Args:
         points: (n, 3), vertices in the world.
         faces: (m, 3), of what casts shadows.
+        pieces: where their vertices are.
         map_: what the sun sees.
         camera: in whose frame that is given.
         level: height of the floor; that of the robot's lowest point if None.
+        workers: that do it.
     """
-    lowest, highest = extent(points, faces)
+    lowest, highest = extent(points, pieces)
     height = float(lowest[2]) if level is None else level
     size = float((highest - lowest).max())
     edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * size
@@ -102,7 +112,8 @@ def ground(
     along = origin[1] + (np.arange(CELLS, dtype=np.float32) + np.float32(0.5)) * np.float32(cell)
     x, y = np.meshgrid(across, along)
     floor = np.stack((x, y, np.full_like(x, height)), axis=-1).reshape(-1, 3)
-    shade = 1 - (1 - CONTACT * _contact(points, faces, origin, cell, height, size)) * (
+    contact = _contact(points, faces, origin, cell, height, size, workers)
+    shade = 1 - (1 - CONTACT * contact) * (
         1 - SUN * _sun(floor, map_, camera, size).reshape(CELLS, CELLS)
     )
     return Ground(height, origin, cell, (shade * _fade()).astype(np.float32))
@@ -115,11 +126,12 @@ def _contact(
     cell: float,
     height: float,
     size: float,
+    workers: Workers,
 ) -> Floats:
     """How much of the sky the robot hides from the floor, roughly: heights, blurred."""
     x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
     top = height + 2 * size
-    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS)
+    screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS, workers)
     grid = Grid(CELLS, 0, CELLS, np.array((0.5,), dtype=np.float32))
     numbers, nearness = split(nearest(screen, np.arange(len(screen.top)), grid))
     above = np.where(numbers >= 0, np.float32(top - height) - nearness, np.float32(np.inf))

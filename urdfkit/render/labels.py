@@ -1,14 +1,15 @@
-"""Words in pictures, in the font that comes with Pillow; pictures on white."""
+"""Words in pictures; pictures on white."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
 from urdfkit.render.arrays import turned
 from urdfkit.render.camera import Camera
+from urdfkit.render.fonts import writing
 from urdfkit.render.scene import Scene, placed
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
@@ -35,11 +36,6 @@ class Box(NamedTuple):
         )
 
 
-def font(size: float) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
-    """The font at a size in pixels."""
-    return ImageFont.load_default(size)
-
-
 def opaque(image: Image.Image) -> Image.Image:
     """A picture for formats that have no transparency: on white."""
     if image.mode != "RGBA":
@@ -50,7 +46,8 @@ def opaque(image: Image.Image) -> Image.Image:
 def caption(image: Image.Image, text: str) -> None:
     """Write a word in the upper left corner of a picture."""
     size = max(11, min(22, image.height // 22))
-    ImageDraw.Draw(image).text((size * 0.7, size * 0.5), text, fill=INK, font=font(size))
+    font, written = writing(text, size)
+    ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
 
 
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
@@ -60,15 +57,14 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     none.
     """
     size = max(10.0, min(20.0, image.height / 52))
-    letters = font(size)
     anchors = _anchors(scene, camera)
     boxes: list[Box] = []
     layer = Image.new("RGBA", image.size, (0, 0, 0, 0))
     draw = ImageDraw.Draw(layer)
     for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
         x, y = anchors[number]
-        text = _printable(scene.labels[number].text)
-        wide, high = draw.textlength(text, font=letters) + 0.6 * size, 1.35 * size
+        font, text = writing(printable(scene.labels[number].text), size)
+        wide, high = draw.textlength(text, font=font) + 0.6 * size, 1.35 * size
         box = _free(x, y, wide, high, size, image.size, boxes)
         if box is None:
             continue
@@ -78,7 +74,8 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
         spot = size / 7
         draw.ellipse((x - spot, y - spot, x + spot, y + spot), fill=LEADER)
         draw.rounded_rectangle(box, radius=size / 4, fill=PAPER)
-        draw.text((box.left + 0.3 * size, box.top + 0.1 * size), text, fill=INK, font=letters)
+        start = (box.left + 0.3 * size, (box.top + box.bottom) / 2)
+        draw.text(start, text, fill=INK, font=font, anchor="lm")
     image.alpha_composite(layer)
 
 
@@ -118,7 +115,7 @@ def _free(
     return None
 
 
-def _printable(text: str) -> str:
+def printable(text: str) -> str:
     """A name from anywhere in one short line."""
     line = "".join(letter if letter.isprintable() else "?" for letter in text)
     return line if len(line) <= 60 else f"{line[:59]}…"

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, dot, turned
+from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
-from urdfkit.render.soup import Soup, extent, rows
+from urdfkit.render.soup import Soup, extent
 from urdfkit.render.work import Workers
 
 #: Texels of the edge of the shadow map.
 TEXELS = 1024
 #: Radius of the blur of a shadow's edge, as a part of the map.
 SOFTNESS = 0.009
+#: Planes along the sun's rays are taken for less steep ones (the sine of the angle between).
+LEAST_TILT = 0.15
 #: Places of a pixel in a square of so many, each with a pattern of samples of its own.
 LATTICE = 4
 
@@ -66,19 +69,21 @@ class ShadowMap(NamedTuple):
         return x * factor, y * factor, z
 
 
-def shadow_map(whole: Soup, casts: Bools, rig: Rig, workers: Workers) -> ShadowMap:
+def shadow_map(
+    whole: Soup, faces: Integers, pieces: Iterable[slice], rig: Rig, workers: Workers
+) -> ShadowMap:
     """The shadow map of some triangles.
 
     Args:
         whole: the triangles.
-        casts: (m,), which of them cast a shadow.
+        faces: (m, 3), those that cast a shadow.
+        pieces: where their vertices are.
         rig: the lamps.
         workers: that do it.
     """
     axes = _axes(rig)
     seen = turned(whole.points, axes)
-    faces = rows(whole.faces, casts)
-    lowest, highest = extent(seen, faces)
+    lowest, highest = extent(seen, pieces)
     edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
     origin = np.array((middle[0] - edge / 2, middle[1] - edge / 2, lowest[2]))
@@ -88,7 +93,7 @@ def shadow_map(whole: Soup, casts: Bools, rig: Rig, workers: Workers) -> ShadowM
         axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
     )
     x, y, z = result.coordinates(whole.points)
-    screen, _ = projected(x, y, z, faces, TEXELS)
+    screen, _ = projected(x, y, z, faces, TEXELS, workers)
     everything = np.arange(len(screen.top))
     offsets = np.array((0.5,), dtype=np.float32)
 
@@ -123,17 +128,22 @@ def sunlight(
     """
     texel = np.float32(1 / map_.scale)
     column, row, height = map_.coordinates(points + normals * (2 * texel))
-    slope = np.float32(1.5) * texel * np.float32(SOFTNESS * TEXELS)
-    height += slope * np.float32(0.35)
+    # Around a point its own surface is as high as its plane: tilted ones do not shade themselves.
+    across, along, towards = (dot(normals, axis) for axis in map_.axes)
+    towards = np.maximum(towards, np.float32(LEAST_TILT)) * np.float32(-map_.scale)
+    across /= towards
+    along /= towards
     offsets = spiral(taps) * np.float32(SOFTNESS * TEXELS)
     place = lattice(pixel, width)
     lit = np.zeros(len(points), dtype=np.float32)
     limit = np.float32(TEXELS - 1)
     flat = map_.nearness.reshape(-1)
     for tap in range(taps):
-        x = np.clip(column + offsets[place, tap, 0], 0, limit).astype(np.int32)
-        y = np.clip(row + offsets[place, tap, 1], 0, limit).astype(np.int32)
-        lit += flat[y * np.int32(TEXELS) + x] <= height
+        right, up = offsets[place, tap].T
+        x = np.clip(column + right, 0, limit).astype(np.int32)
+        y = np.clip(row + up, 0, limit).astype(np.int32)
+        plane = height + right * across + up * along
+        lit += flat[y * np.int32(TEXELS) + x] <= plane
     part: Floats = lit / np.float32(taps)
     return part
 
@@ -146,7 +156,10 @@ def lattice(pixel: Integers, width: int) -> Integers:
 
 
 def spiral(taps: int, power: float = 0.5) -> Floats:
-    """Points of a disc of radius 1, one turn of them for each place of a lattice.
+    """Points of a disc of radius 1, some of them for each place of a lattice.
+
+    Those of all places together are one sunflower, so a square of pixels sees every part of the
+    disc, though each of them takes few samples.
 
     Args:
         taps: how many.
@@ -155,9 +168,8 @@ def spiral(taps: int, power: float = 0.5) -> Floats:
     Returns:
         (16, taps, 2)
     """
-    golden = np.pi * (3 - np.sqrt(5))
-    radius = ((np.arange(taps) + 0.5) / taps) ** power
-    # Neighbours in the lattice are turned by unlike angles.
-    turn = (np.arange(LATTICE**2) * 7 % LATTICE**2) * (2 * np.pi / LATTICE**2)
-    angle = np.arange(taps) * golden + turn[:, None]
+    places = LATTICE**2
+    number = np.arange(taps) * places + (np.arange(places) * 7 % places)[:, None]
+    radius = ((number + 0.5) / (taps * places)) ** power
+    angle = number * np.pi * (3 - np.sqrt(5))  # the golden angle
     return np.stack((radius * np.cos(angle), radius * np.sin(angle)), axis=-1).astype(np.float32)

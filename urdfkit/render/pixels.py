@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
 from urdfkit.render.arrays import Bytes, Floats, Integers
@@ -14,50 +16,76 @@ Background = tuple[tuple[float, float, float], tuple[float, float, float]]
 STUDIO: Background = ((0.965, 0.97, 0.978), (0.862, 0.878, 0.9))
 
 
-def means(image: Floats, depth: Floats, first: int, last: int, near: Floats) -> Floats:
-    """The means of light over the lattice square around each pixel of a band, (p,).
+def means(
+    images: Sequence[Floats], depth: Floats, first: int, last: int, near: Callable[[Floats], Floats]
+) -> list[Floats]:
+    """Means of light around each pixel of a band, (p,) of each image.
+
+    Two means over a lattice square, one of them shifted by a pixel, make a tent of 7x7 pixels: it
+    takes away all grain that the lattice makes.
 
     Args:
-        image: (h, w), light that is grainy within the squares.
+        images: (h, w) each, light that is grainy within the squares.
         depth: (h, w), in m.
         first: row of the band.
         last: row after it.
-        near: (rows, w), how far apart in depth what belongs to one surface may be.
+        near: of depths, how far apart in depth what belongs to one surface may be.
     """
-    height, width = depth.shape
-    total = np.ones((last - first, width), dtype=np.float32)
-    rows = np.clip(np.arange(first - LATTICE // 2, last + LATTICE // 2), 0, height - 1)
-    shown = np.flatnonzero((image[rows] < 1).any(axis=0))
-    if not len(shown):
-        return total.reshape(-1)
-    start, end = max(int(shown[0]) - LATTICE, 0), min(int(shown[-1]) + 1 + LATTICE, width)
-    columns = np.clip(np.arange(start - LATTICE // 2, end + LATTICE // 2), 0, width - 1)
-    values, distances = image[rows][:, columns], depth[rows][:, columns]
-    own, bound = depth[first:last, start:end], near[:, start:end]
-    mean, count = np.zeros_like(own), np.zeros_like(own)
-    for down in range(LATTICE):
-        for across in range(LATTICE):
-            window = np.s_[down : down + last - first, across : across + end - start]
-            alike = np.abs(distances[window] - own) < bound
-            count += alike
-            mean += values[window] * alike
-    total[:, start:end] = mean / count
-    return total.reshape(-1)
+    above, below = max(first - LATTICE + 1, 0), last + LATTICE - 1
+    shown = np.flatnonzero(sum((image[above:below] < 1).any(axis=0) for image in images))
+    band = [np.ones_like(image[first:last]) for image in images]
+    if len(shown):
+        start, end = max(int(shown[0]) - LATTICE, 0), int(shown[-1]) + 1 + LATTICE
+        some = np.s_[above:below, start:end]
+        values, distances = [image[some] for image in images], depth[some]
+        bound = near(distances)
+        for axis in (1, 0):
+            values = _tents(values, distances, bound, axis)
+        for result, value in zip(band, values, strict=True):
+            result[:, start:end] = value[first - above : last - above]
+    return [result.reshape(-1) for result in band]
 
 
-def matching(pixel: Integers, own: Floats, depth: Floats, near: Floats) -> Integers:
+def _tents(values: Sequence[Floats], distances: Floats, bound: Floats, axis: int) -> list[Floats]:
+    """Two means of images along an axis, over what is near to each pixel in depth."""
+    half = LATTICE // 2
+    alike = {}
+    for offset in range(-half, half + 1):
+        here, there = _beside(offset, axis)
+        alike[offset] = np.abs(distances[there] - distances[here]) < bound[here]
+    for offsets in (range(-half, half), range(1 - half, half + 1)):
+        totals, count = [np.zeros_like(value) for value in values], np.zeros_like(distances)
+        for offset in offsets:
+            here, there = _beside(offset, axis)
+            count[here] += alike[offset]
+            for total, value in zip(totals, values, strict=True):
+                total[here] += value[there] * alike[offset]
+        values = [total / count for total in totals]
+    return list(values)
+
+
+def _beside(offset: int, axis: int) -> tuple[tuple[slice, ...], tuple[slice, ...]]:
+    """The pixels that have one beside them so far along an axis, and those."""
+    back, on = slice(max(-offset, 0), -offset if offset > 0 else None), slice(None)
+    away = slice(max(offset, 0), offset if offset < 0 else None)
+    return ((back, on), (away, on)) if axis == 0 else ((on, back), (on, away))
+
+
+def matching(
+    pixel: Integers, own: Floats, depth: Floats, near: Callable[[Floats], Floats]
+) -> Integers:
     """The pixel beside each fragment whose depth is nearest to that; its own if that is near.
 
     Args:
         pixel: (k,), of the fragments, from the first of the band.
         own: (k,), depth of the fragments, in m.
         depth: (rows, w), of the pixels of the band.
-        near: (rows, w), what is near.
+        near: of depths, what is near.
     """
     flat, width = depth.reshape(-1), depth.shape[1]
     place: Integers = pixel.copy()
     gap = np.abs(flat[place] - own)
-    off = np.flatnonzero(gap > near.reshape(-1)[place])
+    off = np.flatnonzero(gap > near(flat[place]))
     for step in (-1, 1, -width, width):
         beside = np.clip(pixel[off] + step, 0, len(flat) - 1)
         distance = np.abs(flat[beside] - own[off])

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys
+from urdfkit.render.work import CHUNK, Workers
 
 #: Samples that are worked on at a time: bounds memory whatever lies on top of what.
 MAX_SAMPLES = 1 << 20
@@ -44,18 +45,29 @@ class Projected(NamedTuple):
 
 
 def projected(
-    x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int
+    x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int, workers: Workers
 ) -> tuple[Projected, Integers]:
     """Triangles that may be in a picture of some width, and their numbers among all."""
-    a, b, c = (np.ascontiguousarray(faces[:, corner]) for corner in range(3))
-    xa, xb, xc = x[a], x[b], x[c]
-    inside = (np.minimum(np.minimum(xa, xb), xc) < width) & (np.maximum(np.maximum(xa, xb), xc) > 0)
-    ya, yb, yc = y[a], y[b], y[c]
-    top, bottom = np.minimum(np.minimum(ya, yb), yc), np.maximum(np.maximum(ya, yb), yc)
-    inside &= bottom > top
-    chosen = np.flatnonzero(inside)
-    corners = (a[chosen], b[chosen], c[chosen])
-    return Projected(x, y, nearness, corners, top[chosen], bottom[chosen]), chosen
+    found: dict[int, tuple[Integers, ...]] = {}
+
+    def some(first: int, last: int) -> None:
+        a, b, c = (np.ascontiguousarray(faces[first:last, corner]) for corner in range(3))
+        xa, xb, xc = x[a], x[b], x[c]
+        inside = np.minimum(np.minimum(xa, xb), xc) < width
+        inside &= np.maximum(np.maximum(xa, xb), xc) > 0
+        ya, yb, yc = y[a], y[b], y[c]
+        top, bottom = np.minimum(np.minimum(ya, yb), yc), np.maximum(np.maximum(ya, yb), yc)
+        inside &= bottom > top
+        kept = np.flatnonzero(inside)
+        found[first] = (a[kept], b[kept], c[kept], top[kept], bottom[kept], kept + first)
+
+    workers.bands(len(faces), CHUNK, some)
+    pieces = [found[first] for first in sorted(found)]
+    if not pieces:
+        none, nowhere = np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.float32)
+        return Projected(x, y, nearness, (none, none, none), nowhere, nowhere), none
+    a, b, c, top, bottom, chosen = (np.concatenate(column) for column in zip(*pieces, strict=True))
+    return Projected(x, y, nearness, (a, b, c), top, bottom), chosen
 
 
 class Grid(NamedTuple):
@@ -168,19 +180,18 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     (x0, y0, n0), (x1, y1, n1), (x2, y2, n2) = upper, middle, lower
     height = y2 - y0
     long_slope = (x2 - x0) / height
-    with np.errstate(divide="ignore", invalid="ignore"):
-        upper_slope = np.nan_to_num((x1 - x0) / (y1 - y0), posinf=0, neginf=0)
-        lower_slope = np.nan_to_num((x2 - x1) / (y2 - y1), posinf=0, neginf=0)
-        # The nearness is linear: its gradient along a row, from where the middle's row crosses
-        # the long edge to the middle.
-        across = x1 - (x0 + (y1 - y0) * long_slope)
-        rise = n1 - (n0 + (y1 - y0) * ((n2 - n0) / height))
-        gradient = np.nan_to_num(rise / across, posinf=0, neginf=0)
+    upper_slope = _quotient(x1 - x0, y1 - y0)
+    lower_slope = _quotient(x2 - x1, y2 - y1)
+    # The nearness is linear: its gradient along a row, from where the middle's row crosses
+    # the long edge to the middle.
     along = (n2 - n0) / height
+    across = x1 - (x0 + (y1 - y0) * long_slope)
+    gradient = _quotient(n1 - (n0 + (y1 - y0) * along), across)
     least, most = np.minimum(np.minimum(n0, n1), n2), np.maximum(np.maximum(n0, n1), n2)
 
     which = np.repeat(np.arange(len(numbers)), rows)
-    row = np.arange(len(which)) + np.repeat(first - (np.cumsum(rows) - rows), rows)
+    row = np.arange(len(which), dtype=np.int32)
+    row += np.repeat((first - (np.cumsum(rows) - rows)).astype(np.int32), rows)
     at = row.astype(np.float32)
     down = at - y0[which]
     long_x = x0[which] + down * long_slope[which]
@@ -189,7 +200,7 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
         x0[which] + down * upper_slope[which],
         x1[which] + (at - y1[which]) * lower_slope[which],
     )
-    offset = grid.offsets[row % count]
+    offset = grid.offsets[row % np.int32(count)]
     limit = np.float32(grid.width)
     start = np.clip(np.ceil(np.minimum(long_x, short_x) - offset), 0, limit)
     end = np.clip(np.ceil(np.maximum(long_x, short_x) - offset), 0, limit)
@@ -201,9 +212,17 @@ def _spans(triangles: Projected, numbers: Integers, grid: Grid, count: int) -> S
     length = end - start
     here = np.clip(base + slope * first_x, lowest, highest)
     there = np.clip(base + slope * (first_x + length - 1), lowest, highest)
-    place = (row - grid.first * count) * grid.width + start.astype(np.intp)
+    place = (row.astype(np.intp) - grid.first * count) * grid.width + start.astype(np.intp)
     step = (there - here) / np.maximum(length - 1, 1)
     return Spans(place, length.astype(np.intp), here, step, numbers[which].astype(np.int32))
+
+
+def _quotient(dividend: Floats, divisor: Floats) -> Floats:
+    """A quotient; 0 where there is none."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        result: Floats = dividend / divisor
+    result[~np.isfinite(result)] = 0
+    return result
 
 
 def _samples(spans: Spans) -> tuple[Integers, Keys]:

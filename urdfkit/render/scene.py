@@ -191,14 +191,19 @@ def _is_near(frame: Frame) -> bool:
 
 
 def _sound(item: Item) -> Item | None:
-    """An item without the faces that a bad or absurd number in a file has sent far away."""
-    good: Bools = np.abs(item.vertices).max(axis=1) < LIMIT
-    if good.all():
-        return item if len(item.faces) else None
-    faces = item.faces[good[item.faces].all(axis=1)]
+    """An item of which every vertex is one of a face, and none is far away.
+
+    A bad or absurd number in a file sends vertices there; their faces are left out.
+    """
+    faces, vertices = item.faces, item.vertices
+    good: Bools = np.abs(vertices).max(axis=1) < LIMIT
+    if not good.all():
+        faces = faces[good[faces].all(axis=1)]
     if not len(faces):
         return None
-    vertices = np.where(good[:, None], item.vertices, item.vertices[faces[0, 0]])
+    used = np.zeros(len(vertices), dtype=bool)
+    used[faces] = True
+    vertices = np.where(used[:, None], vertices, vertices[faces[0, 0]])
     return item._replace(vertices=vertices, faces=faces)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -9,10 +11,7 @@ import numpy as np
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.scene import Item, Scene
-from urdfkit.render.work import Workers
-
-#: Vertices or faces that one thread works on at a time.
-CHUNK = 1 << 16
+from urdfkit.render.work import CHUNK, Workers
 
 
 class Soup(NamedTuple):
@@ -21,43 +20,46 @@ class Soup(NamedTuple):
     Attributes:
         points: (n, 3), vertices in the frame of the camera.
         normals: (n, 3), unit vectors there; 0 where faces are flat.
-        uv: (n, 2); 0 where there are none.
+        uv: (n, 2), 0 where there are none; None if nothing has any.
         colors: (n, 4), 1 where there are none; None if nothing has any.
         faces: (m, 3), indices of the vertices.
         item: (m,), the index of the item in the scene.
         flat: (m, 3), the normals of the faces.
+        pieces: where in the list the vertices of each item are.
     """
 
     points: Floats
     normals: Floats
-    uv: Floats
+    uv: Floats | None
     colors: Floats | None
     faces: Integers
     item: Integers
     flat: Floats
+    pieces: tuple[slice, ...]
 
 
 def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
     """The triangles of a scene as a camera sees them."""
-    counts = [len(item.vertices) for item in scene.items]
     faces = [item.faces for item in scene.items]
-    total = sum(counts)
+    ends = list(accumulate((len(item.vertices) for item in scene.items), initial=0))
+    total = ends[-1]
     colored = any(item.colors is not None for item in scene.items)
+    textured = any(item.uv is not None for item in scene.items)
     whole = Soup(
         np.empty((total, 3), dtype=np.float32),
         np.zeros((total, 3), dtype=np.float32),
-        np.zeros((total, 2), dtype=np.float32),
+        np.zeros((total, 2), dtype=np.float32) if textured else None,
         np.ones((total, 4), dtype=np.float32) if colored else None,
         np.empty((sum(map(len, faces)), 3), dtype=np.int32),
         np.repeat(np.arange(len(faces), dtype=np.int32), [len(some) for some in faces]),
         np.zeros((0, 3), dtype=np.float32),
+        tuple(slice(*edges) for edges in pairwise(ends)),
     )
-    start = row = 0
-    for item, count, some in zip(scene.items, counts, faces, strict=True):
+    row = 0
+    for item, start, some in zip(scene.items, ends[:-1], faces, strict=True):
         _place(item, scene, camera, workers, whole, start)
-        whole.faces[row : row + len(some)] = some
-        whole.faces[row : row + len(some)] += np.int32(start)
-        start, row = start + count, row + len(some)
+        np.add(some, np.int32(start), out=whole.faces[row : row + len(some)])
+        row += len(some)
     return _with_flat(whole, workers)
 
 
@@ -76,7 +78,7 @@ def _place(
 
     workers.bands(len(item.vertices), CHUNK, some)
     here = slice(start, start + len(item.vertices))
-    if item.uv is not None:
+    if item.uv is not None and whole.uv is not None:
         whole.uv[here] = item.uv
     if item.colors is not None and whole.colors is not None:
         whole.colors[here] = item.colors
@@ -87,11 +89,10 @@ def rows(values: Integers, chosen: Bools) -> Integers:
     return values if chosen.all() else values[chosen]
 
 
-def extent(points: Floats, faces: Integers) -> tuple[Floats, Floats]:
-    """The least and the greatest coordinates of the points that belong to faces."""
-    used = np.zeros(len(points), dtype=bool)
-    used[faces] = True
-    return bounds(points if used.all() else points[used])
+def extent(points: Floats, pieces: Iterable[slice]) -> tuple[Floats, Floats]:
+    """The least and the greatest coordinates of some pieces of a list of points."""
+    ends = [end for piece in pieces if len(points[piece]) for end in bounds(points[piece])]
+    return bounds(np.array(ends, dtype=np.float32).reshape(-1, 3))
 
 
 def _with_flat(whole: Soup, workers: Workers) -> Soup:
@@ -160,6 +161,6 @@ def _between(kept: Soup, start: Integers, end: Integers, plane: np.float32) -> S
     return kept._replace(
         points=added(kept.points),
         normals=added(kept.normals),
-        uv=added(kept.uv),
+        uv=None if kept.uv is None else added(kept.uv),
         colors=None if kept.colors is None else added(kept.colors),
     )

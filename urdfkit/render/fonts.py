@@ -1,0 +1,92 @@
+"""Fonts for words in pictures: Pillow's own, and the system's for letters that it has not.
+
+What Pillow's font can write looks the same on every machine. For Chinese, Japanese and Korean
+names, for instance, a font of the system is taken if one is found, else the letters are escaped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+from PIL import ImageFont
+
+Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
+
+#: Files that Pillow looks for in the folders of the system, with the number of the face in each:
+#: of Noto's faces the simplified Chinese one, which has the other scripts as well.
+_FILES = (
+    ("NotoSansCJK-Regular.ttc", 2),
+    ("NotoSansCJKsc-Regular.otf", 0),
+    ("NotoSansSC-Regular.otf", 0),
+    ("SourceHanSansSC-Regular.otf", 0),
+    ("wqy-microhei.ttc", 0),
+    ("wqy-zenhei.ttc", 0),
+    ("DroidSansFallbackFull.ttf", 0),
+    ("Hiragino Sans GB.ttc", 0),  # macOS
+    ("STHeiti Light.ttc", 0),
+    ("Arial Unicode.ttf", 0),
+    ("msyh.ttc", 0),  # Windows
+    ("malgun.ttf", 0),
+    ("YuGothR.ttc", 0),
+    ("arial.ttf", 0),
+    ("DejaVuSans.ttf", 0),
+    ("NotoSans-Regular.ttf", 0),
+)
+#: No letter, so every font draws it as what it has not.
+_NO_LETTER = "\uffff"
+
+
+def writing(text: str, size: float) -> tuple[Font, str]:
+    """A font at a size in pixels, and the text as it can write it."""
+    face, missing = _best(text)
+    written = "".join(_escape(letter) if letter in missing else letter for letter in text)
+    font = _font(face, size)
+    assert font is not None
+    return font, written
+
+
+def unwritable(texts: Iterable[str]) -> str:
+    """The letters that are escaped, for want of a font."""
+    return "".join(sorted(set().union(*(_best(text)[1] for text in texts))))
+
+
+def _best(text: str) -> tuple[tuple[str, int] | None, frozenset[str]]:
+    """The first of the fonts that lack least, None for Pillow's own, and what it lacks."""
+    letters = frozenset(text)
+    best, least = None, _lacking(None, letters)
+    for face in _FILES if least else ():
+        lacking = _lacking(face, letters)
+        if len(lacking) < len(least):
+            best, least = face, lacking
+    return best, least
+
+
+def _lacking(face: tuple[str, int] | None, letters: frozenset[str]) -> frozenset[str]:
+    return frozenset(letter for letter in letters if not _has(face, letter))
+
+
+@cache
+def _has(face: tuple[str, int] | None, letter: str) -> bool:
+    if letter.isascii() and face is None:
+        return True
+    font = _font(face, 16)
+    if font is None:
+        return False
+    drawn, nothing = font.getmask(letter), font.getmask(_NO_LETTER)
+    return drawn.size != nothing.size or bytes(drawn) != bytes(nothing)
+
+
+@cache
+def _font(face: tuple[str, int] | None, size: float) -> Font | None:
+    """None if there is no such font here."""
+    if face is None:
+        return ImageFont.load_default(size)
+    try:
+        return ImageFont.truetype(face[0], size, index=face[1])
+    except OSError:
+        return None
+
+
+def _escape(letter: str) -> str:
+    return letter.encode("unicode_escape").decode("ascii")
