@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+
+import numpy as np
 import trimesh
 
 from tests.meshes.shapes_made import as_mesh

@@ -9,6 +9,8 @@ from pathlib import Path
 import click
 import pytest
 
+pytest.importorskip("trimesh", reason="the commands about meshes need the extra meshes")
+
 from docs import transcripts
 from urdfkit.cli.group import group
 from urdfkit.cli.lazy import LazyGroup

@@ -6,8 +6,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import numpy as np
 from PIL import Image
 
 from tests.conftest import MODELS, ROOT

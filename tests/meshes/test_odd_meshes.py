@@ -8,8 +8,12 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-import numpy as np
 import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+
+import numpy as np
 
 from tests.meshes.made import ascii_stl
 from tests.meshes.shapes_made import cube

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+
+import numpy as np
 import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
 import numpy as np
 
 from tests.render.scenes import link, scene

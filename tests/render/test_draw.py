@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from itertools import product
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import numpy as np
 from PIL import Image, ImageDraw
 
 from tests.render.scenes import alone, colour_at, corners, link, robot, scene

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
 from tests.conftest import MODELS
 from urdfkit.diagnostic import Severity
 from urdfkit.engine import check

@@ -8,8 +8,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import numpy as np
 from PIL import Image
 
 from tests.conftest import MODELS

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from math import pi
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import numpy as np
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.render import LAYERS, build, explained, looking, picture

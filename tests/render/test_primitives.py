@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from math import pi
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import numpy as np
 
 from urdfkit.render import primitives
 from urdfkit.render.normals import smooth

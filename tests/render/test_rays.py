@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+pytest.importorskip("embreex")
+
+import numpy as np
 
 from urdfkit.render.primitives import box
 from urdfkit.render.rays import Tracer
-
-pytest.importorskip("embreex")
 
 
 def wall() -> Tracer:

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+pytest.importorskip("trimesh")
+
 from tests.conftest import MODELS
 from urdfkit.cli import main
 

@@ -5,6 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+
+pytest.importorskip("trimesh")
+
 import trimesh
 
 from tests.meshes.shapes_made import as_mesh

@@ -6,8 +6,12 @@ from functools import cache
 from pathlib import Path
 from unittest.mock import patch
 
-import numpy as np
 import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+
+import numpy as np
 import trimesh
 
 from tests.conftest import CORPUS, needs_corpus

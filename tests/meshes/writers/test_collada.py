@@ -5,9 +5,16 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
+import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("PIL")
+pytest.importorskip("collada")
+pytest.importorskip("lxml")
+pytest.importorskip("trimesh")
+
 import collada
 import numpy as np
-import pytest
 import trimesh
 from collada.schema import ColladaValidator
 from lxml import etree

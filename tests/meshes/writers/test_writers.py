@@ -6,8 +6,12 @@ import os
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("trimesh")
+
+import numpy as np
 import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh, cube
