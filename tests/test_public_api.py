@@ -32,7 +32,7 @@ SIGNATURES = {
     "fix": "files unsafe force generate_meshes options".split(),
     "format_files": "files width force config".split(),
     "load": "file arguments packages trust".split(),
-    "read": "file arguments packages trust".split(),
+    "read": "file arguments packages trust cache progress".split(),
 }
 
 

@@ -118,7 +118,8 @@ def check(
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
         jobs: processes that check at the same time.
-        progress: called with the number of descriptions done and of all.
+        progress: called with the number of descriptions done and of all; of a single one, with
+            those of its mesh files.
         texts: files whose bytes are not those on disk, by path, such as an editor's buffers.
         cache: keep what is measured of mesh files for the next run.
         resolver: what an earlier check with these packages has found of packages and folders;
@@ -324,6 +325,8 @@ def _verdicts(
     processes: int,
     progress: Callable[[int, int], None] | None,
 ) -> list[Verdict]:
+    if len(jobs) == 1:
+        return [_run(jobs[0], settings, resolver, progress)]
     verdicts: list[Verdict] = []
     for verdict in _each(jobs, settings, resolver, processes):
         verdicts.append(verdict)
@@ -335,7 +338,7 @@ def _verdicts(
 def _each(
     jobs: list[Job], settings: Settings, resolver: Resolver, processes: int
 ) -> Iterable[Verdict]:
-    if processes <= 1 or len(jobs) <= 1:
+    if processes <= 1:
         return (_run(job, settings, resolver) for job in jobs)
     return _in_processes(jobs, settings, processes)
 
@@ -352,7 +355,12 @@ def _run_alone(job: Job, settings: Settings) -> Verdict:
     return _run(job, settings, Resolver(settings.packages, texts=settings.texts))
 
 
-def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
+def _run(
+    job: Job,
+    settings: Settings,
+    resolver: Resolver,
+    progress: Callable[[int, int], None] | None = None,
+) -> Verdict:
     subject = Subject(
         job.source,
         resolver,
@@ -362,6 +370,7 @@ def _run(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
         frame=job.frame,
         parameters=job.parameters,
         cache=settings.cache,
+        progress=progress,
     )
     verdict = judge(subject, settings.chosen, settings.config)
     return _without_arguments(verdict, job) if job.found else verdict

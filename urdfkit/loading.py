@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableRobot
@@ -24,6 +24,8 @@ def read(
     arguments: Mapping[str, str] | None = None,
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
+    cache: bool = True,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Subject:
     """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
 
@@ -36,6 +38,8 @@ def read(
         arguments: xacro arguments, as ``name:=value`` gives them on the command line.
         packages: folders of ROS packages by name; they win over every search.
         trust: let expressions of the model run unfenced and read any file.
+        cache: keep what is measured of mesh files for the next run.
+        progress: called with the number of mesh files read and of all, when they are asked for.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
@@ -45,7 +49,7 @@ def read(
     resolver, given = Resolver(packages), dict(arguments or {})
     if is_launch(source.path):
         source, given = described(source, resolver, given)
-    subject = Subject(source, resolver, given, trust=trust)
+    subject = Subject(source, resolver, given, trust=trust, cache=cache, progress=progress)
     if subject.reading.document is None:
         raise _unreadable(source, subject.reading.problems)
     return subject

@@ -12,6 +12,8 @@ from urdfkit.source import Source
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.assets.files import Files
     from urdfkit.assets.measured import Measured
     from urdfkit.assets.triangles import Meshes
@@ -28,7 +30,9 @@ if TYPE_CHECKING:
     from urdfkit.launch import FileUse, Launch
     from urdfkit.mechanics.shapes import Lump
     from urdfkit.mechanics.tree import KinematicTree
-    from urdfkit.model import Body, RobotModel
+    from urdfkit.meshes.measures import Measures
+    from urdfkit.model import Body, RobotModel, Shape
+    from urdfkit.resolve import Resolver
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
@@ -80,6 +84,7 @@ class Subject:
         frame: the launch file that asks for it; None if it was named itself.
         parameters: the files of parameters that this launch file loads.
         cache: True if measures of meshes may be kept for the next run.
+        progress: is told how many of the model's mesh files have been read, and how many it has.
         outcome: what the rules before the present one found; set by the engine alone.
     """
 
@@ -94,10 +99,12 @@ class Subject:
         frame: Frame | None = None,
         parameters: tuple[FileUse, ...] = (),
         cache: bool = False,
+        progress: Callable[[int, int], None] | None = None,
     ) -> None:
         self.frame = frame
         self.parameters = parameters
         self.cache = cache
+        self.progress = progress
         self._given_targets = targets
         self.outcome = Outcome()
         self.source = source
@@ -385,11 +392,24 @@ class Subject:
         missing = store.missing_library()
         if missing:
             raise Unavailable(f"meshes are not measured without {missing}: {store.INSTALL}")
-        return Measured(self.model, self.files, store.shared(cached=self.cache))
+        kept = store.shared(cached=self.cache)
+        return Measured(self.model, self.files, kept, self.progress)
+
+    def measures(self, shape: Shape) -> Measures | str:
+        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
+
+        Args:
+            shape: a mesh.
+        """
+        from urdfkit.meshes import store
+
+        if missing := store.missing_library():
+            return f"is not measured without {missing}: {store.INSTALL}"
+        return self.measured.measures(shape)
 
     @cached_property
     def meshes(self) -> Meshes:
         """The triangles of those files."""
         from urdfkit.assets.triangles import Meshes
 
-        return Meshes(self.files)
+        return Meshes(self.files, self.progress)

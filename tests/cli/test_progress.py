@@ -12,7 +12,9 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS, ROOT
+from urdfkit.cli import progress
 from urdfkit.cli.progress import Progress, on_terminal
+from urdfkit.meshes.samples import box, stl
 
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows")
 
@@ -72,19 +74,19 @@ PROGRAM = """
 import sys
 from urdfkit.cli import main, progress
 progress.DELAY = 0.0
-sys.exit(main(["check", *sys.argv[1:]]))
+sys.exit(main(sys.argv[1:]))
 """
 
 
-def on_a_terminal(*words: str | Path) -> tuple[str, str]:
+def on_a_terminal(*words: str | Path, command: str = "check") -> tuple[str, str]:
     """Standard output, and what a terminal as standard error is sent."""
     import pty  # not on Windows
 
     ours, theirs = pty.openpty()
     process = subprocess.Popen(
-        [sys.executable, "-c", PROGRAM, *map(str, words)],
+        [sys.executable, "-c", PROGRAM, command, *map(str, words)],
         cwd=ROOT,
-        env={**os.environ, "TERM": "xterm"},
+        env={**os.environ, "TERM": "xterm", "URDFKIT_CACHE_DIR": ""},
         stdout=subprocess.PIPE,
         stderr=theirs,
         text=True,
@@ -112,13 +114,54 @@ def test_a_folder_on_a_terminal() -> None:
 
 
 @UNIX
-def test_one_file_has_none() -> None:
+def test_one_file_without_meshes_has_none() -> None:
     assert on_a_terminal(MODELS / "good" / "gripper.urdf")[1] == ""
+
+
+@UNIX
+@pytest.mark.parametrize("command", ["check", "info", "inertia"])
+def test_one_file_tells_of_its_meshes(command: str, tmp_path: Path) -> None:
+    pytest.importorskip("trimesh")
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.stl").write_bytes(stl(box((0, 0, 0), (1, 1, 1))))
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        '<robot name="r"><link name="l"><inertial><mass value="1"/><inertia ixx="1" ixy="0" '
+        'ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+        '<visual><geometry><mesh filename="a.stl"/></geometry></visual>'
+        '<collision><geometry><mesh filename="b.stl"/></geometry></collision></link></robot>'
+    )
+    _, told = on_a_terminal(file, command=command)
+    assert told.startswith(f"\r[{' ' * 30}] 0 of 2 mesh files")
+    assert told.endswith("\r\x1b[K")
+
+
+def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(progress, "DELAY", 0.05)
+    stream = io.StringIO()
+    bar = Progress(stream, "things")
+    bar(0, 2)
+    assert stream.getvalue() == ""
+    deadline = time.monotonic() + 5
+    while not stream.getvalue() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    bar.wipe()
+    assert stream.getvalue() == f"\r[{' ' * 30}] 0 of 2 things\r\x1b[K"
+
+
+def test_no_line_is_drawn_after_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(progress, "DELAY", 0.05)
+    stream = io.StringIO()
+    bar = Progress(stream)
+    bar(1, 2)
+    bar.wipe()
+    time.sleep(0.1)
+    assert stream.getvalue() == ""
 
 
 def test_on_a_pipe_there_is_none() -> None:
     done = subprocess.run(
-        [sys.executable, "-c", PROGRAM, str(MODELS / "good")],
+        [sys.executable, "-c", PROGRAM, "check", str(MODELS / "good")],
         check=False,
         cwd=ROOT,
         capture_output=True,

@@ -67,6 +67,20 @@ def test_each_shape_has_its_closed_form(tmp_path: Path) -> None:
     assert fix(file, unsafe=True).files == ()
 
 
+@pytest.mark.parametrize(
+    ("above", "told"),
+    [("  <!-- all alike -->\n", True), ("  <!-- robot -->\n\n", False), ("", False)],
+)
+def test_a_comment_above_the_macro_stays_and_is_told(
+    tmp_path: Path, above: str, told: bool
+) -> None:
+    fixes, file = fixed(tmp_path, above + MACRO + link("a", 6, CYLINDER) + link("b", 1, CYLINDER))
+    assert above in file.read_text()
+    fix = fixes.applied[0].fix
+    assert fix is not None
+    assert fix.title.endswith("; the comment above was about the old one") == told
+
+
 def test_the_inertial_is_where_the_shape_is(tmp_path: Path) -> None:
     origin = '<origin rpy="1.5 0 0" xyz="0 0 ${w}"/>'
     links = link("a", 6, BOX, origin) + link("b", 1, BOX, '<origin xyz="0 0 0"/>')

@@ -102,6 +102,12 @@ class Files:
             if "${" not in filename.value and "$(" not in filename.value
         )
 
+    @cached_property
+    def paths(self) -> tuple[str, ...]:
+        """The mesh files that are there, each once."""
+        found = (mesh.located.path for mesh in self.meshes)
+        return tuple(dict.fromkeys(path for path in found if path is not None))
+
     def path(self, shape: Shape) -> str | None:
         """The file that a shape names; None if it is no mesh, or there is no such file."""
         return self.find(shape.filename) if shape.filename else None

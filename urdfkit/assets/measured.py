@@ -17,6 +17,8 @@ from urdfkit.spatial import Vector
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.assets.files import Files
     from urdfkit.meshes.store import Store
     from urdfkit.model import RobotModel
@@ -128,22 +130,66 @@ class Measured:
         model: that names them.
         files: finds them.
         store: measures them.
-
-    Attributes:
-        uses: every use of a mesh that can be measured, in the order of the document.
-        unmeasured: the others whose files look whole.
+        progress: is told how many files have been measured, and how many there are.
     """
 
-    def __init__(self, model: RobotModel, files: Files, store: Store) -> None:
+    def __init__(
+        self,
+        model: RobotModel,
+        files: Files,
+        store: Store,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> None:
         self.model = model
         self._files = files
         self._store = store
-        self.uses: list[Use] = []
-        self.unmeasured: list[Unmeasured] = []
-        for link in model.links:
-            for role, bodies in (("visual", link.visuals), ("collision", link.collisions)):
-                for body in bodies:
-                    self._add(link, role, body)
+        self._progress = progress
+        self._known: dict[str, Measures | str] = {}
+
+    def measures(self, shape: Shape) -> Measures | str:
+        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
+
+        Args:
+            shape: a mesh.
+        """
+        path = self._files.path(shape)
+        if path is None:
+            return "is missing"
+        if path not in self._known:
+            self._known[path] = self._measured(path)
+        return self._known[path]
+
+    def _measured(self, path: str) -> Measures | str:
+        facts = self._files.facts(path)
+        if facts.defect:
+            return facts.defect.reason
+        if facts.format not in READ:
+            return f"is {facts.format}, which is not read"
+        if facts.size > MAX_BYTES:
+            return f"has more than {MAX_BYTES // 1024**2} MiB, which is not read"
+        if self._progress:
+            self._progress(len(self._known), len(self._files.paths))
+        return self._store.measures(path, facts.format)
+
+    @cached_property
+    def uses(self) -> list[Use]:
+        """Every use of a mesh that can be measured, in the order of the document."""
+        return [use for use in self._every_use if isinstance(use, Use)]
+
+    @cached_property
+    def unmeasured(self) -> list[Unmeasured]:
+        """The others whose files look whole."""
+        return [use for use in self._every_use if isinstance(use, Unmeasured)]
+
+    @cached_property
+    def _every_use(self) -> list[Use | Unmeasured]:
+        return [
+            use
+            for link in self.model.links
+            for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
+            for body in bodies
+            if (use := self._use(link, role, body)) is not None
+        ]
 
     @cached_property
     def files(self) -> list[Use]:
@@ -175,16 +221,16 @@ class Measured:
         """The codes of the rules that have something to say."""
         return {*self.claims, *(("MSH034",) if self.unmeasured else ())}
 
-    def _add(self, link: Link, role: str, body: Body) -> None:
+    def _use(self, link: Link, role: str, body: Body) -> Use | Unmeasured | None:
+        """A use of a mesh; None for what is no mesh, and for files that other rules tell of."""
         shape = body.shape
         path = self._files.path(shape) if shape else None
         if shape is None or shape.filename is None or path is None:
-            return
+            return None
         facts = self._files.facts(path)
         if facts.defect or facts.format not in READ or facts.size > MAX_BYTES:
-            return  # which other rules tell
-        measures = self._store.measures(path, facts.format)
+            return None
+        measures = self.measures(shape)
         if isinstance(measures, str):
-            self.unmeasured.append(Unmeasured(shape.filename, link.name, role, measures))
-        else:
-            self.uses.append(Use(shape.filename, link, role, body, shape, path, measures))
+            return Unmeasured(shape.filename, link.name, role, measures)
+        return Use(shape.filename, link, role, body, shape, path, measures)

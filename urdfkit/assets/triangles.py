@@ -6,6 +6,8 @@ from urdfkit.model import Shape
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.assets.files import Files
     from urdfkit.meshes.geometry import Floats, Mesh
 
@@ -15,10 +17,12 @@ class Meshes:
 
     Args:
         files: the mesh files that it names.
+        progress: is told how many of them have been loaded, and how many there are.
     """
 
-    def __init__(self, files: Files) -> None:
+    def __init__(self, files: Files, progress: Callable[[int, int], None] | None = None) -> None:
         self._files = files
+        self._progress = progress
         self._loaded: dict[str, Mesh | str] = {}
 
     def mesh(self, shape: Shape) -> Mesh | None:
@@ -53,6 +57,8 @@ class Meshes:
         if path not in self._loaded:
             from urdfkit.meshes.load import UnloadableMesh, load
 
+            if self._progress:
+                self._progress(len(self._loaded), len(self._files.paths))
             try:
                 self._loaded[path] = load(path)
             except UnloadableMesh as reason:

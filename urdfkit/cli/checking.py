@@ -148,12 +148,13 @@ def _with_baseline(report: Report, values: Mapping[str, Any]) -> Report:
 
 
 def _progress(files: Sequence[str]) -> Progress | None:
-    """Where a single file is checked there is no way to tell how far it is."""
-    if len(files) == 1 and not os.path.isdir(files[0]):
-        return None
+    """Of the robots; of a single one, of its mesh files, for nothing else takes that long."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        return None  # which spares the import
     from urdfkit.cli.progress import on_terminal
 
-    return on_terminal()
+    is_single = len(files) == 1 and not os.path.isdir(files[0])
+    return on_terminal("mesh files" if is_single else "")
 
 
 def _show_crashes(report: Report) -> None:

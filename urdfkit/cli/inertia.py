@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, progress
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.editing import rewriting
 from urdfkit.inertials.densities import DENSITIES
@@ -57,14 +57,15 @@ def command(
         raise options.UsageError("--mass and --density must be more than 0")
     if material is not None:
         density = DENSITIES[material]
-    proposals = propose(
-        robot(words, package, trust),
-        source=source,
-        mass=mass,
-        density=density,
-        links=links,
-        lump=lump,
-    )
+    with progress.shown("mesh files") as bar:
+        proposals = propose(
+            robot(words, package, trust, bar),
+            source=source,
+            mass=mass,
+            density=density,
+            links=links,
+            lump=lump,
+        )
     chosen = [one for one in proposals if links or one.is_doubtful]
     lines: list[str] = []
     left: dict[str, str] = {}

@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from urdfkit.cli import output
+from urdfkit.cli import output, progress
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.gazebo.sensors import Sensor
@@ -46,8 +46,9 @@ def command(
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
-    subject = robot(words, package, trust)
-    found = summarise(subject, positions(subject, joint, pose))
+    with progress.shown("mesh files") as bar:
+        subject = robot(words, package, trust, bar)
+        found = summarise(subject, positions(subject, joint, pose))
     if form == "json":
         output.write(json.dumps(as_json(found), ensure_ascii=False, indent=2) + "\n")
     else:

@@ -33,8 +33,19 @@ def one_robot(command: Command) -> Command:
     return command
 
 
-def robot(words: tuple[str, ...], package: tuple[str, ...], trust: bool) -> Subject:
+def robot(
+    words: tuple[str, ...],
+    package: tuple[str, ...],
+    trust: bool,
+    progress: Callable[[int, int], None] | None = None,
+) -> Subject:
     """The robot that a command line names.
+
+    Args:
+        words: file and arguments.
+        package: folders of packages.
+        trust: let it run any expression.
+        progress: is told how many of how many mesh files have been read.
 
     Raises:
         UsageError: it names no file, or more than one.
@@ -50,6 +61,7 @@ def robot(words: tuple[str, ...], package: tuple[str, ...], trust: bool) -> Subj
             arguments=options.arguments(values),
             packages=options.packages(values),
             trust=trust,
+            progress=progress,
         )
     except UnreadableRobot as error:
         raise _first_of(error, files[0]) from error

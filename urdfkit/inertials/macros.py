@@ -88,7 +88,17 @@ def computing(subject: Subject, links: list[Link], tensor: Tag) -> Fix | None:
     lines = [line for kind, name in names.items() for line in ("", *_macro(kind, name))]
     is_complete = not refused and _is_only_use(subject, tensor, links)
     edits = (*_defined(definition, lines, instead=is_complete), *(_edit(c, names) for c in good))
-    return Fix("compute the tensors from the shapes, by new macros", edits)
+    # Nobody but its author can tell what in a comment holds for the new macros, so it stays.
+    stale = is_complete and _has_comment_above(definition)
+    again = "; the comment above was about the old one" if stale else ""
+    return Fix(f"compute the tensors from the shapes, by new macros{again}", edits)
+
+
+def _has_comment_above(definition: Tag) -> bool:
+    """True if a comment ends in the line above an element, or before it in its own line."""
+    before = definition.source.data[: definition.start]
+    text = before.rstrip()
+    return text.endswith(b"-->") and before.count(b"\n", len(text)) < 2
 
 
 def _frame(link: Link) -> Frame | None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from urdfkit.mechanics.inertia import MassProperties, combined, rotated, scaled
 from urdfkit.mechanics.shapes import solid
-from urdfkit.meshes import store
 from urdfkit.model import Body, Link, Shape, Tensor
 from urdfkit.record import Record
 from urdfkit.spatial import Vector
@@ -90,15 +89,11 @@ def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bo
 
 def _of_mesh(subject: Subject, body: Body, *, hull: bool) -> tuple[MassProperties, bool] | str:
     """The properties of a mesh in the frame of the link, and whether they are those of its hull."""
-    if missing := store.missing_library():
-        return f"meshes are not measured without {missing}: {store.INSTALL}"
-    from urdfkit.meshes.measuring import measure
-
     assert body.shape is not None
-    mesh = subject.meshes.mesh(body.shape)
-    if mesh is None:
-        return subject.meshes.reason(body.shape)
-    measures = measure(mesh)
+    assert body.shape.filename is not None
+    measures = subject.measures(body.shape)
+    if isinstance(measures, str):
+        return f"'{body.shape.filename.value}' {measures}"
     is_hull = hull or measures.solid is None
     uniform = measures.hull if is_hull else measures.solid
     if uniform is None:

@@ -39,10 +39,8 @@ def command(
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
     subject = robot(words, package, trust)
-    bar = progress.on_terminal()
-    proposals = propose(subject, error=error, links=links, most=most, progress=bar)
-    if bar:
-        bar.wipe()
+    with progress.shown() as bar:
+        proposals = propose(subject, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]
     left: dict[str, str] = {}
     if write or diff:

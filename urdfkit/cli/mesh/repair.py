@@ -30,10 +30,8 @@ def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes:
     """
     path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
-    bar = progress.on_terminal()
-    done = repair(in_metres(mesh), holes=not keep_holes, progress=bar)
-    if bar:
-        bar.wipe()
+    with progress.shown() as bar:
+        done = repair(in_metres(mesh), holes=not keep_holes, progress=bar)
     lines = [*render(done, defect)]
     if done.changed or defect or (path and path != file):
         lines += save(done.mesh, path)

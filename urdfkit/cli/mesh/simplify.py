@@ -44,10 +44,8 @@ def command(
         found = to_budget(mesh, triangles)
     else:
         assert error is not None
-        bar = progress.on_terminal()
-        found = to_error(mesh, error, bar)
-        if bar:
-            bar.wipe()
+        with progress.shown() as bar:
+            found = to_error(mesh, error, bar)
     output.write("\n".join([*render(found), *save(found.mesh, path)]) + "\n")
     return 0
 
