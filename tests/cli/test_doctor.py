@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 from pathlib import Path
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS
+from tests.conftest import MODELS, ROOT
 from urdfkit.cli import main
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -58,7 +64,24 @@ def test_what_is_missing_is_told_with_the_remedy(doctor: Doctor, monkeypatch) ->
         raise PackageNotFoundError(name)
 
     monkeypatch.setattr("urdfkit.cli.doctor.version", missing)
-    assert "  pin         missing   dynamics: pip install 'urdfkit[all]'\n" in doctor()
+    out = doctor()
+    assert f"  {'pin':<21}missing       dynamics\n{'':<37}pip install 'urdfkit[dynamics]'\n" in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_every_library_that_an_extra_brings_is_listed(doctor: Doctor) -> None:
+    """By what pyproject.toml says; only the extras of developers are no concern of users."""
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
+        "optional-dependencies"
+    ]
+    wanted = {
+        re.split(r"[<>=\[;]", line)[0].lower()
+        for extra, lines in project["optional-dependencies"].items()
+        if extra not in ("dev", "docs")
+        for line in lines
+    }
+    rows = {line.split()[0].lower() for line in doctor().split("\n\n")[0].splitlines()[1:]}
+    assert wanted - {"urdfkit"} <= rows
 
 
 def test_the_configuration_that_would_count(doctor: Doctor, tmp_path: Path) -> None:

@@ -23,19 +23,31 @@ from urdfkit.subject import Subject
 from urdfkit.targets import Targets, infer, parse
 from urdfkit.workspace.resolve import Resolver
 
-#: What is looked for, and what it is for.
-_PACKAGES = {
-    "xacro": "expansion",
-    "click": "command line",
-    "PyYAML": "load_yaml in xacro",
-    "trimesh": "mesh contents",
-    "Pillow": "pictures",
-    "Jinja2": "report pages",
-    "uvicorn": "the viewer",
-    "manifold3d": "mesh repair",
-    "pin": "dynamics",
-    "coal": "collisions",
-}
+#: What is looked for, what it is for, and what pip is told to install it.
+_PACKAGES = (
+    ("xacro", "expansion", "urdfkit"),
+    ("click", "command line", "urdfkit"),
+    ("PyYAML", "load_yaml in xacro; controllers", "urdfkit"),
+    ("numpy", "all that is measured, computed or drawn", "urdfkit[meshes]"),
+    ("lxml", "COLLADA meshes", "urdfkit[meshes]"),
+    ("trimesh", "PLY and glTF meshes; distances", "urdfkit[meshes]"),
+    ("mapbox-earcut", "polygons in meshes", "urdfkit[meshes]"),
+    ("manifold3d", "convex hulls; solids", "urdfkit[meshes]"),
+    ("scipy", "mesh repair", "urdfkit[meshes]"),
+    ("rtree", "how far surfaces are apart", "urdfkit[meshes]"),
+    ("fast-simplification", "mesh simplify", "urdfkit[meshes]"),
+    ("vhacdx", "mesh decompose, mesh collision", "urdfkit[meshes]"),
+    ("platformdirs", "the cache of mesh measures", "urdfkit[meshes]"),
+    ("coacd", "mesh decompose --engine coacd", "urdfkit[decompose]"),
+    ("pin", "dynamics", "urdfkit[dynamics]"),
+    ("coal", "collisions", "urdfkit[dynamics]"),
+    ("Pillow", "pictures", "urdfkit[render]"),
+    ("embreex", "true shadows in render --quality high", "embreex"),
+    ("Jinja2", "report pages", "urdfkit[report]"),
+    ("starlette", "the viewer", "urdfkit[report]"),
+    ("uvicorn", "the viewer", "urdfkit[report]"),
+    ("pygls", "the language server", "urdfkit[lsp]"),
+)
 _PROGRAMS = {"git": "comparing a robot with an earlier revision"}
 
 
@@ -75,13 +87,14 @@ def command(words: tuple[str, ...], **values: Any) -> int:
 
 def _installed() -> Iterator[str]:
     yield f"urdfkit {__version__}, Python {platform.python_version()}, {sys.platform}"
-    for name, purpose in _PACKAGES.items():
+    for name, purpose, package in _PACKAGES:
         try:
-            yield f"  {name:<12}{version(name):<10}{purpose}"
+            yield f"  {name:<21}{version(name):<14}{purpose}"
         except PackageNotFoundError:
-            yield f"  {name:<12}{'missing':<10}{purpose}: pip install 'urdfkit[all]'"
+            yield f"  {name:<21}{'missing':<14}{purpose}"
+            yield f"  {'':<35}pip install '{package}'"
     for name, purpose in _PROGRAMS.items():
-        yield f"  {name:<12}{'found' if shutil.which(name) else 'missing':<10}{purpose}"
+        yield f"  {name:<21}{'found' if shutil.which(name) else 'missing':<14}{purpose}"
     for name, module in sorted(installed().items()):
         yield f"  rules of others: {name} ({module}); run with --rules {name}"
 
