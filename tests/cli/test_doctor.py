@@ -71,9 +71,7 @@ def test_what_is_missing_is_told_with_the_remedy(doctor: Doctor, monkeypatch) ->
 
 def test_every_library_that_an_extra_brings_is_listed(doctor: Doctor) -> None:
     """By what pyproject.toml says; only the extras of developers are no concern of users."""
-    extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
-        "optional-dependencies"
-    ]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     wanted = {
         re.split(r"[<>=\[;]", line)[0].lower()
         for extra, lines in project["optional-dependencies"].items()
