@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from urdfkit.document import Attribute, Tag
-from urdfkit.meshes.facts import BY_SUFFIX, Kind, MeshFacts, has_other_unit
+from urdfkit.meshes.facts import BY_SUFFIX, GLB, GLTF, Kind, MeshFacts, has_other_unit
 from urdfkit.meshes.sniff import MAX_BYTES, sniff_file
 from urdfkit.model import Body, Placed, RobotModel, Shape
 from urdfkit.nearest import nearest
@@ -329,8 +329,11 @@ def _codes(facts: MeshFacts, path: str) -> set[str]:
         codes.add("MSH018")
     if facts.defect:
         codes.add(_CODES[facts.defect.kind])
-    elif facts.format not in BY_SUFFIX.get(_suffix(path), ()):
-        codes.add("MSH007")
+    else:
+        if facts.format not in BY_SUFFIX.get(_suffix(path), ()):
+            codes.add("MSH007")
+        if facts.format in (GLB, GLTF):
+            codes.add("MSH035")
     return codes
 
 

@@ -57,7 +57,8 @@ class Mesh(Record):
     Attributes:
         parts: in the order of the file.
         unit: metres per unit of length, as the file says (COLLADA); 1 where it says nothing.
-        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file says; empty where it says nothing.
+        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as the file or its format (glTF) says; empty where
+            neither says anything.
         losses: what is broken in the file and is therefore not in the parts, one sentence each.
         extras: what the file holds besides triangles, such as ``2 cameras``.
         textures: the names of images that its materials use, as written.

@@ -63,7 +63,9 @@ def _read(data: bytes, form: str, folder: str) -> Mesh:
     if not parts:
         raise NoTriangles("holds no triangles")
     extras = counted_kinds({"line or point set": others})
-    return Mesh(tuple(parts), losses=losses.sentences(), extras=extras)
+    # So glTF has it, whatever the numbers are; PLY says nothing.
+    up_axis = "" if form == facts.PLY else "Y_UP"
+    return Mesh(tuple(parts), up_axis=up_axis, losses=losses.sentences(), extras=extras)
 
 
 def _part(geometry: Any, losses: Losses) -> Part | None:

@@ -54,7 +54,8 @@ def in_metres(mesh: Mesh) -> Mesh:
 def upright(mesh: Mesh) -> Mesh:
     """A mesh turned so that what its file calls upwards is z.
 
-    RViz and Gazebo do not turn it, Bullet and Blender do: after this they agree.
+    RViz and Gazebo do not turn COLLADA, Bullet and Blender do; Gazebo does not turn glTF, RViz does
+    since 15.1.4. As COLLADA, OBJ or STL it then means the same to all.
     """
     rows = {
         "Y_UP": ((1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),

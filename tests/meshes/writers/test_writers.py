@@ -16,6 +16,8 @@ import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh, cube
 from urdfkit.meshes.geometry import Material, Mesh
+from urdfkit.meshes.load import load
+from urdfkit.meshes.transforms import upright
 from urdfkit.meshes.writers import SUFFIXES, UnwritableMesh, encode, losses, write
 
 RED = Material("red", (1.0, 0.0, 0.0, 1.0))
@@ -45,6 +47,26 @@ def test_what_is_written_is_read_back(suffix: str, tmp_path: Path) -> None:
     assert back.volume == pytest.approx(expected.volume, rel=1e-6)
     assert back.bounds == pytest.approx(expected.bounds, abs=1e-6)
     assert sorted(os.listdir(tmp_path)) == sorted(encode(PARTS, path.name))
+
+
+@pytest.mark.parametrize("way", [(".glb", ".dae"), (".dae", ".glb"), (".glb", ".glb")])
+def test_there_and_back_again_z_stays_upwards(way: tuple[str, str], tmp_path: Path) -> None:
+    mesh = PARTS
+    for number, suffix in enumerate(way):
+        write(mesh, tmp_path / f"{number}{suffix}")
+        mesh = load(tmp_path / f"{number}{suffix}")
+        assert mesh.up_axis == ("Y_UP" if suffix == ".glb" else "Z_UP")
+        assert mesh.vertices.max(axis=0) == pytest.approx(PARTS.vertices.max(axis=0), abs=1e-6)
+        assert mesh.vertices.min(axis=0) == pytest.approx(PARTS.vertices.min(axis=0), abs=1e-6)
+
+
+def test_upright_turns_gltf_as_the_standard_says(tmp_path: Path) -> None:
+    write(PARTS, tmp_path / "a.glb")
+    turned = upright(load(tmp_path / "a.glb"))
+    x, y, _ = PARTS.vertices.max(axis=0)
+    _, _, z = -PARTS.vertices.min(axis=0)
+    assert turned.vertices.max(axis=0) == pytest.approx((x, z, y), abs=1e-6)
+    assert turned.up_axis == "Z_UP"
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.writers import losses, refuse_good, write
+from urdfkit.meshes.writers import glb, losses, refuse_good, write
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -49,3 +49,5 @@ def save(mesh: Mesh, path: str | None) -> Iterator[str]:
     yield "wrote " + ", ".join(map(output.shorter, write(mesh, path)))
     if lost := losses(mesh, path):
         yield f"  this format cannot hold: {', '.join(lost)}"
+    if path.lower().endswith(".glb"):
+        yield from output.indented(glb.NOTE)

@@ -1,13 +1,20 @@
 """Writing GLB (binary glTF 2.0).
 
-glTF says that y is upwards, but the readers of URDF (assimp in RViz and Gazebo, trimesh) take the
-coordinates as they are and turn nothing. So does this writer: z stays upwards in the robot.
+glTF says that y is upwards. Gazebo, RViz before 15.1.4, assimp and trimesh take the numbers as they
+are, and for them z stays upwards here, as in every other format; newer RViz, Drake and Blender turn
+what they read by 90 degrees. No file suits both, so `NOTE` goes with each that is written.
 """
 
 from __future__ import annotations
 
 from urdfkit.meshes.geometry import Mesh
 from urdfkit.meshes.shading import shaded
+
+#: What a user of the file has to know.
+NOTE = (
+    "glTF means y upwards: Gazebo takes the numbers as they are, RViz from 15.1.4 on turns them; "
+    "COLLADA and OBJ mean the same to both"
+)
 
 
 def encode(mesh: Mesh, name: str) -> dict[str, bytes]:

@@ -1,0 +1,57 @@
+"""A glTF mesh is turned by some programs and not by others.
+
+glTF 2.0 says that y points upwards, and a robot's z does. RViz turns such a mesh by 90 degrees
+since its version 15.1.4 (ROS 2 Lyrical); so do Drake, MeshCat and Blender. Gazebo, RViz before
+that, assimp and trimesh take the numbers as they are. No file suits both. COLLADA with Z_UP, OBJ
+and STL mean the same to all of them: `urdfkit mesh convert hand.glb hand.dae` keeps the numbers,
+and with `--upright` turns them as the new RViz does.
+
+Sources: [rviz pull request 1482](https://github.com/ros2/rviz/pull/1482), Gazebo's
+[AssimpLoader.cc](https://github.com/gazebosim/gz-common/blob/main/graphics/src/AssimpLoader.cc).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.meshes import facts
+from urdfkit.meshes.samples import collada, gltf
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.files import MeshReference
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="forearm.gltf"/></geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("forearm.gltf", "forearm.dae")
+FILES = {"forearm.gltf": gltf(), "forearm.dae": collada("<up_axis>Z_UP</up_axis>")}
+
+
+@rule(
+    "MSH035",
+    "gltf-up-axis",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.FILES),
+    help="give the robot COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE OUT.dae",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    found: dict[str | None, MeshReference] = {}
+    for mesh in subject.files.meshes:
+        if mesh.facts and not mesh.facts.defect and mesh.facts.format in (facts.GLB, facts.GLTF):
+            found.setdefault(mesh.located.path, mesh)
+    if not found:
+        return
+    mesh, *others = found.values()
+    more = f" ({len(others)} more of this robot are)" if others else ""
+    yield Finding(
+        mesh.at,
+        f"{mesh.who} is glTF{more}, where y points upwards: RViz from 15.1.4 on and Drake turn it "
+        "by 90 degrees, Gazebo and earlier RViz do not",
+    )
