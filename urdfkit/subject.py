@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.meshes.measures import Measures
     from urdfkit.model import Body, RobotModel, Shape
-    from urdfkit.resolve import Resolver
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets

@@ -21,7 +21,7 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.files import MeshReference
+    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
