@@ -6,7 +6,7 @@ The same mathematics as `urdfkit.mechanics.kinematics`, over arrays: frames are 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
 
@@ -143,20 +143,36 @@ class Chain(NamedTuple):
                 found[step.child] = found[step.parent] @ step.frames(configurations)
         return {link: np.broadcast_to(found[link], (count, 4, 4)) for link in links}
 
+    def default_with(self, columns: Sequence[int], positions: Floats) -> Floats:
+        """Configurations (n, dof): the default, but for some columns with positions (n, k)."""
+        rows = np.tile(self.default, (len(positions), 1))
+        rows[:, columns] = positions
+        return rows
+
     def between(self, first: int, second: int) -> list[int]:
         """The columns of the axes that move one link against another one."""
-        ways = [self._way(first), self._way(second)]
-        columns = {way[link] for way in ways for link in way if not all(link in w for w in ways)}
-        return sorted(columns - {-1})
+        branches = self.branches(first, second)
+        return sorted({step.column for branch in branches for step in branch} - {-1})
 
-    def _way(self, link: int) -> dict[int, int]:
-        """The links from one up to its root, each with the column that moves it or -1."""
+    def branches(self, first: int, second: int) -> tuple[list[Step], list[Step]]:
+        """The steps to two links from the last link above both, or from the root of each."""
         above = {step.child: step for step in self.steps}
-        way: dict[int, int] = {}
-        while link in above:
-            way[link] = above[link].column
-            link = above[link].parent
-        return way
+        ways: list[list[Step]] = []
+        for end in (first, second):
+            way: list[Step] = []
+            while step := above.get(way[-1].parent if way else end):
+                way.append(step)
+            ways.append(way[::-1])
+        shared = sum(one is other for one, other in zip(*ways, strict=False))
+        return ways[0][shared:], ways[1][shared:]
+
+
+def along(branch: Sequence[Step], configurations: Floats) -> Floats:
+    """The frames at the end of some steps in a row, (n, 4, 4), in that at their beginning."""
+    frame = np.eye(4)
+    for step in branch:
+        frame = frame @ step.frames(configurations)
+    return np.broadcast_to(frame, (len(configurations), 4, 4))
 
 
 def chain(tree: KinematicTree) -> Chain:

@@ -140,7 +140,7 @@ class _Watch:
 
     def at(self, frames: dict[int, Floats], *, count: bool) -> None:
         for first, second, gauge, cover in self._gauges:
-            self._compare(gauge, cover, *_relative(frames[first], frames[second]), count=count)
+            self._compare(gauge, cover, *relative(frames[first], frames[second]), count=count)
             if self._hit and not count:
                 break
         self.is_free = self.is_free and not self._hit
@@ -187,7 +187,7 @@ def _thinned(
     return left[keep], bound[keep], some[keep]
 
 
-def _relative(first: Floats, second: Floats) -> tuple[Floats, Floats]:
+def relative(first: Floats, second: Floats) -> tuple[Floats, Floats]:
     """Rotation (n, 3, 3) and translation (n, 3) of one frame in another."""
     back = first[:, :3, :3].transpose(0, 2, 1)
     offset = second[:, :3, 3] - first[:, :3, 3]

@@ -117,11 +117,15 @@ class Gauge:
     Args:
         first: stays where it is.
         second: is moved.
+
+    Attributes:
+        first, second: see there.
+        is_exact: both are convex, so that their hulls tell the distance.
     """
 
     def __init__(self, first: Form, second: Form) -> None:
         self.first, self.second = first, second
-        self._is_exact = first.is_convex and second.is_convex
+        self.is_exact = first.is_convex and second.is_convex
         self._reach = second.radius / 4
         self._place = coal.Transform3s()
         self._ask = coal.DistanceRequest()
@@ -143,10 +147,8 @@ class Gauge:
             translation: (3,), likewise.
             limit: of a distance from here on only a lower bound is needed.
         """
-        self._place.setRotation(rotation)
-        self._place.setTranslation(translation)
-        apart = self._measure(self.first.hull, self.second.hull, inf)
-        if self._is_exact or apart >= max(limit, TOUCH):
+        apart = self.hulls(rotation, translation)
+        if self.is_exact or apart >= max(limit, TOUCH):
             return apart
         if apart <= TOUCH:
             depth = self._depth(self._one)
@@ -156,6 +158,12 @@ class Gauge:
                 return -depth
             limit = max(limit, 0.0) + self._reach  # the hulls tell nothing here
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
+
+    def hulls(self, rotation: Floats, translation: Floats) -> float:
+        """The signed distance of the hulls of the two, in m; a lower bound of theirs."""
+        self._place.setRotation(rotation)
+        self._place.setTranslation(translation)
+        return self._measure(self.first.hull, self.second.hull, inf)
 
     def _measure(self, first: Any, second: Any, limit: float) -> float:
         """The distance of two of coal's bodies; the limit, if it is no less than that."""

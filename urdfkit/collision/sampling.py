@@ -12,7 +12,7 @@ from urdfkit.collision.crew import CollisionError, Crew
 from urdfkit.collision.examine import Pair
 from urdfkit.collision.matrix import Matrix, Nearest, PairResult, Verdict
 from urdfkit.collision.solids import solids
-from urdfkit.collision.task import Approach, Found, Pose, Samples, Task
+from urdfkit.collision.task import Descend, Found, Pose, Samples, Task
 from urdfkit.mechanics.adjacency import Adjacency
 from urdfkit.meshes.geometry import Floats
 from urdfkit.static import TYPE_CHECKING
@@ -34,8 +34,6 @@ MAX_PAIRS = 50_000
 _MEMORY = 64e6
 _FRAME = 128
 _BLOCK = 1000
-#: Pairs that come no nearer than this, in m, are not brought together on purpose.
-_APPROACHED = 0.2
 
 Progress = Callable[[int, int], None]
 
@@ -158,8 +156,8 @@ class _Sampling:
                 self._states[pair].verdict = Verdict.ADJACENT
         self._begin(self._chain.row(begin))
         self._count()
+        self._descend()
         self._search()
-        self._approach()
         for pair in self._free():
             self._states[pair].verdict = Verdict.NEVER
 
@@ -195,16 +193,16 @@ class _Sampling:
             if self.done >= ENOUGH and self._free() == free:
                 return
 
-    def _approach(self) -> None:
-        """Bring pairs that came near together: a rare collision is found so, whatever the seed."""
-        tasks: list[Approach] = []
-        for pair in self._free() if self.done else ():
-            state = self._states[pair]
-            if state.row is not None and state.distance < _APPROACHED:
-                tasks.append(Approach(pair, state.row, state.distance, self._seed))
-        near = [task.pair for task in tasks]
-        self._run(tasks, [[pair] for pair in near])
-        self._tell_hits(near)
+    def _descend(self) -> None:
+        """Bring the others together: a rare collision is found so, whatever the seed."""
+        free = self._free() if self.done else []
+        groups = _groups(free)
+        tasks = [Descend(tuple(group), self._distances(group)) for group in groups]
+        self._run(tasks, groups)
+        self._tell_hits(free)
+
+    def _distances(self, pairs: Sequence[Pair]) -> tuple[float, ...]:
+        return tuple(self._states[pair].distance for pair in pairs)
 
     def _tell_hits(self, pairs: Sequence[Pair]) -> None:
         for pair in pairs:
@@ -217,7 +215,7 @@ class _Sampling:
         tasks = [
             Samples(
                 tuple(group),
-                tuple(self._states[pair].distance for pair in group),
+                self._distances(group),
                 blocks,
                 self._seed,
                 count,

@@ -7,15 +7,10 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from urdfkit.collision.descent import closest
 from urdfkit.collision.examine import Examiner, Pair
+from urdfkit.collision.forms import TOUCH
 from urdfkit.meshes.geometry import Floats
-
-#: Configurations around the nearest one that are tried at a time, for each joint between.
-_TRIES = 8
-#: How often it is tried, by the number of joints between: many of them make many valleys.
-_ATTEMPTS = (1, 1, 1, 1, 2, 4, 4)
-#: How far from it, as a part of each joint's range, at first and at last.
-_FAR, _NEAR = 0.25, 0.002
 
 
 class Found(NamedTuple):
@@ -88,55 +83,35 @@ class Pose(NamedTuple):
         return [self._replace(pairs=(pair,)) for pair in self.pairs]
 
 
-class Approach(NamedTuple):
-    """A pair to bring as close together as can be, from where it is close already.
+class Descend(NamedTuple):
+    """Pairs to bring as near together as they go.
 
     Attributes:
-        pair: of numbers of links.
-        start: (dof,), where it came nearest.
-        distance: there, in m.
-        seed: of the random tries.
+        pairs: of numbers of links, with a joint that moves between the two.
+        limits: for each, the least distance so far, in m.
     """
 
-    pair: Pair
-    start: Floats
-    distance: float
-    seed: int
+    pairs: tuple[Pair, ...]
+    limits: tuple[float, ...]
 
     def run(self, examiner: Examiner) -> list[Found]:
-        """The nearest that random steps lead to, in several attempts."""
-        columns = examiner.chain.between(*self.pair)
-        best = Found(0, self.distance, self.start)
-        for attempt in range(_ATTEMPTS[min(len(columns), 6)]):
-            found = self._attempt(examiner, columns, attempt)
-            if found.hits or found.distance < best.distance:
-                best = found
-            if best.hits:
-                break
-        return [best]
-
-    def _attempt(self, examiner: Examiner, columns: list[int], attempt: int) -> Found:
-        """Random steps from where the pair is close; smaller ones where none leads on."""
-        lower, upper = examiner.chain.limits
-        random = np.random.default_rng([self.seed, *self.pair, attempt])
-        best, distance, step = self.start, self.distance, _FAR
-        while step > _NEAR:
-            tries = np.tile(best, (_TRIES * len(columns), 1))
-            width = step * (upper - lower)[columns]
-            tries[:, columns] += random.normal(size=(len(tries), len(columns))) * width
-            tries = np.clip(tries, lower, upper)
-            (found,) = _looked(examiner, [self.pair], [distance], [tries], count=False)
-            if found.hits:
-                return found
-            if found.configuration is None:
-                step *= 0.6
-            else:
-                best, distance = found.configuration, found.distance
-        return Found(0, distance, best)
+        """The nearest that each pair comes."""
+        found = []
+        for pair, limit in zip(self.pairs, self.limits, strict=True):
+            distance, configuration = closest(examiner, pair)
+            hits = int(distance < -TOUCH)
+            nearer = distance < limit
+            found.append(
+                Found(hits, distance, configuration) if nearer else Found(hits, limit, None)
+            )
+        return found
 
     def parts(self) -> list[Task]:
-        """Itself alone."""
-        return [self]
+        """One task for each pair."""
+        return [
+            self._replace(pairs=(pair,), limits=(limit,))
+            for pair, limit in zip(self.pairs, self.limits, strict=True)
+        ]
 
 
 def _looked(
