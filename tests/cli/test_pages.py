@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import ast
+import importlib
 import os
 import re
+import shlex
+import shutil
+import subprocess
 from pathlib import Path
 
 import click
@@ -11,7 +16,10 @@ import pytest
 
 pytest.importorskip("trimesh", reason="the commands about meshes need the extra meshes")
 
+import urdfkit
 from docs import transcripts
+from tests.conftest import MODELS
+from urdfkit.cli import main
 from urdfkit.cli.group import group
 from urdfkit.cli.lazy import LazyGroup
 
@@ -63,3 +71,76 @@ def test_what_the_page_shows_is_what_is_printed(page: Path) -> None:
 def test_links_lead_to_files_that_exist(page: Path) -> None:
     targets = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8"))
     assert [target for target in targets if not (page.parent / target).exists()] == []
+
+
+# --- what pages show without its output
+
+
+def shown(language: str) -> list[tuple[str, str]]:
+    """The blocks of a language on all pages, each with the name of its page."""
+    block = re.compile(rf"(?<=^```{language}\n).*?(?=^```$)", re.DOTALL | re.MULTILINE)
+    return [
+        (page.name, text)
+        for page in transcripts.PAGES[2:]  # the READMEs have tests of their own
+        for text in block.findall(page.read_text(encoding="utf-8"))
+    ]
+
+
+def without_output() -> list[tuple[str, str]]:
+    """Commands that pages only show, each on one line.
+
+    Not those that wait for a browser or draw a hundred pictures, which have tests of their own.
+    """
+    return [
+        (page, line)
+        for page, block in shown("sh")
+        for line in block.replace("\\\n", "").splitlines()
+        if line.startswith("urdfkit ") and not re.search("urdfkit view|--turntable|--sweep", line)
+    ]
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A repository with the files and the revision that the pages name."""
+    folder: Path = tmp_path_factory.mktemp("project") / "two_link_arm"
+    shutil.copytree(MODELS / "good" / "two_link_arm", folder)
+    arm = folder / "urdf" / "two_link_arm.urdf"
+    for name in ("robot.urdf", "robot.urdf.xacro", "panda.urdf", "urdf/robot.urdf.xacro"):
+        shutil.copy(arm, folder / name)
+    arm.rename(folder / "urdf" / "arm.urdf.xacro")
+    state = '<group_state name="ready" group="arm"><joint name="elbow" value="0.5"/></group_state>'
+    (folder / "panda.srdf").write_text(f'<robot name="two_link_arm">{state}</robot>')
+    who = ("-c", "user.name=a", "-c", "user.email=a@b.c")
+    for words in (("init", "-q"), ("add", "-A"), ("commit", "-qm", "1"), ("tag", "v1.2.0")):
+        subprocess.run(["git", *who, *words], cwd=folder, check=True)
+    subprocess.run(
+        ["git", *who, "commit", "-q", "--allow-empty", "-m", "2"], cwd=folder, check=True
+    )
+    return folder
+
+
+@pytest.mark.parametrize(("page", "line"), without_output(), ids=lambda words: words[:60])
+def test_what_a_page_only_shows_runs(
+    page: str,
+    line: str,
+    project: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    for library in ("PIL", "jinja2", "coal"):
+        pytest.importorskip(library)
+    monkeypatch.chdir(project)
+    assert main(shlex.split(line, comments=True)[1:]) in (0, 1)
+    assert "error:" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("page", "block"), shown("python"), ids=lambda words: words[:12])
+def test_the_python_of_a_page_can_be_read(page: str, block: str) -> None:
+    """Names that a block imports from urdfkit, or uses of it, are there."""
+    tree = ast.parse(block)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("urdfkit"):
+            module = importlib.import_module(node.module or "")
+            assert [alias.name for alias in node.names if not hasattr(module, alias.name)] == []
+        if isinstance(node, ast.Attribute) and ast.unparse(node.value) == "urdfkit":
+            assert node.attr in urdfkit.__all__
