@@ -54,6 +54,7 @@ __all__ = [
     "stand",
     "statics",
     "summarise",
+    "to_yourdfpy",
     "transform",
 ]
 
@@ -77,6 +78,7 @@ if TYPE_CHECKING:
     from urdfkit.dynamics.statics import statics
     from urdfkit.engine import check
     from urdfkit.errors import UnreadableRobot, UrdfkitError
+    from urdfkit.exchange import to_yourdfpy
     from urdfkit.expansion import Xacro
     from urdfkit.fixing import Fixes, fix
     from urdfkit.formatting import Formatted, format_files
@@ -101,6 +103,7 @@ _HOMES = {
     "dynamics.statics": "statics",
     "engine": "check",
     "errors": "UnreadableRobot UrdfkitError",
+    "exchange": "to_yourdfpy",
     "expansion": "Xacro",
     "fixing": "Fixes fix",
     "formatting": "Formatted format_files",

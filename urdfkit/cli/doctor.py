@@ -46,6 +46,7 @@ _PACKAGES = (
     ("Jinja2", "report pages", "urdfkit[report]"),
     ("starlette", "the viewer", "urdfkit[report]"),
     ("uvicorn", "the viewer", "urdfkit[report]"),
+    ("yourdfpy", "robots handed on to yourdfpy", "urdfkit[exchange]"),
     ("pygls", "the language server", "urdfkit[lsp]"),
 )
 _PROGRAMS = {"git": "comparing a robot with an earlier revision"}
