@@ -105,5 +105,5 @@ def test_what_yourdfpy_makes_of_a_defect_is_one_clear_error(tmp_path: Path) -> N
         "<joint name='j' type='fixed'><parent link='a'/><child link='b'/><origin xyz='0 0 }'/>"
         "</joint></robot>"
     )
-    with pytest.raises(UnreadableRobot, match="yourdfpy cannot read .*robot.urdf: could not"):
+    with pytest.raises(UnreadableRobot, match=r"yourdfpy cannot read .*robot\.urdf: could not"):
         to_yourdfpy(read(file))
