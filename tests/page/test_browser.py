@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import cache
-from math import asin, atan, radians, sin, tan
+from math import asin, atan, degrees, radians, sin, tan
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,7 @@ import pytest
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.page.browsers import Page, browser, needs_browser
 from urdfkit.loading import read
+from urdfkit.mechanics.joints import bounds
 from urdfkit.mechanics.kinematics import TURNING, frames
 from urdfkit.page.writing import report
 from urdfkit.spatial import Frame
@@ -109,6 +110,37 @@ def test_a_slider_is_moved_by_the_keyboard(page: Page, tmp_path: Path) -> None:
         )
     field = page.find(".sliders input[type=number]")
     assert float(field.get_attribute("value")) == pytest.approx(limits[1], abs=1e-5)
+
+
+def test_the_buttons_above_the_sliders(page: Page, tmp_path: Path) -> None:
+    page.open(written(ARM, tmp_path))
+    joints = read(str(ARM)).model.joints
+    limits = {joint.name: found for joint in joints if (found := bounds(joint))}
+
+    def press(name: str) -> dict[str, float]:
+        (button,) = (
+            button
+            for button in page.driver.find_elements("css selector", ".sliders button")
+            if button.text == name
+        )
+        button.click()
+        return dict(page.run("return {...urdfkit.positions}"))
+
+    assert press("Lower") == pytest.approx({name: low for name, (low, _) in limits.items()})
+    middle = {name: (low + high) / 2 for name, (low, high) in limits.items()}
+    assert press("Middle") == pytest.approx(middle)
+    first, second = press("Random"), press("Random")
+    assert first != second
+    assert all(low <= second[name] <= high for name, (low, high) in limits.items())
+    assert press("Degrees") == second
+    row = page.find(".sliders .row")
+    field, unit = row.find_element("css selector", "[type=number]"), row.text.split("\n")[-1]
+    name = row.find_element("css selector", "label").text
+    assert unit == "°"
+    assert float(field.get_attribute("value")) == pytest.approx(degrees(second[name]), abs=1e-4)
+    field.clear()
+    field.send_keys("30")
+    assert page.run("return urdfkit.positions")[name] == pytest.approx(radians(30))
 
 
 def test_a_click_selects_the_link_and_its_findings(page: Page, tmp_path: Path) -> None:

@@ -86,7 +86,7 @@ def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
     named = set(re.findall(r"'sha256-([^']+)'", policy))
     digests = (hashlib.sha256(script.encode()).digest() for script in page.scripts)
     assert {base64.b64encode(digest).decode() for digest in digests} == named
-    assert len(named) == 3
+    assert len(named) == 4
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     assert "unsafe" not in policy.partition("style-src")[0]
     assert not any(name.startswith("on") for _, attributes in page.found for name in attributes)
@@ -182,8 +182,9 @@ def words_of_pages() -> set[str]:
     found |= set(re.findall(r'\b_\("([^"]+)"\)', markdown))
     view = (TEMPLATES / "scene.html.j2").read_text(encoding="utf-8")
     found |= {pair[1] for pair in re.findall(r'\("(\w+)", "([^"]+)"', view)}
-    buttons = (TEMPLATES / "scene.js").read_text(encoding="utf-8")
-    found |= {pair[0] for pair in re.findall(r'\["(\w+)", (null|\d)', buttons)}
+    joints = (TEMPLATES / "joints.js").read_text(encoding="utf-8")
+    found |= set(re.findall(r"(?m)^    ([A-Z]\w+): \(joint\)", joints))
+    found |= set(re.findall(r'button\("(\w+)"', joints))
     found |= set(rules.FAMILIES.values())
     found |= {"good", "doubtful", "unfit", "stays", "merged", "dropped", "not made"}
     found |= {"adjacent", "default", "always", "sometimes"}

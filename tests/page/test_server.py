@@ -10,7 +10,7 @@ import sys
 import time
 import urllib.error
 import urllib.request
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -44,14 +44,18 @@ class Running:
         except urllib.error.HTTPError as error:
             return error.code, error.read()
 
-    def state(self, after: int = 0) -> Any:
-        """The state as soon as it is one after another one."""
-        for _ in range(100):
+    def state(self, wanted: Callable[[Any], bool] = lambda state: True) -> Any:
+        """The state, as soon as it is one that is wanted."""
+        for _ in range(200):
             state = json.loads(self.get("state")[1])
-            if state["revision"] > after:
+            if wanted(state):
                 return state
             time.sleep(0.1)
-        raise AssertionError(f"no state after {after}")
+        raise AssertionError("no such state")
+
+    def after(self, before: Any) -> Any:
+        """The state as soon as the robot was read again."""
+        return self.state(lambda state: state["shape"] > before["shape"])
 
     def edit(self, old: str, new: str, file: Path | None = None) -> None:
         path = file or self.robot
@@ -100,34 +104,44 @@ def test_every_file_of_the_robot_is_watched(viewer: Running) -> None:
     assert before["files"] == 3
     dimensions = viewer.robot.parents[1] / "config" / "dimensions.yaml"
     viewer.edit("mass: 6.0", "mass: 7.0", dimensions)
-    after = viewer.state(before["revision"])
+    after = viewer.after(before)
     masses = {link["name"]: link.get("mass") for link in after["robot"]["links"]}
     assert masses["base_link"] == 7.0
     included = viewer.robot.parent / "inertials.xacro"
     viewer.edit("</robot>", "</robot><oops>", included)
-    broken = viewer.state(after["revision"])
+    broken = viewer.after(after)
     assert broken["readable"] is False
     assert "model" not in broken
     assert "inertials.xacro" in broken["content"]
     viewer.edit("<oops>", "", included)
-    assert viewer.state(broken["revision"])["readable"] is True
+    assert viewer.after(broken)["readable"] is True
+
+
+def test_what_takes_a_while_follows(viewer: Running) -> None:
+    viewer.edit("mass: 7.0", "mass: 6.5", viewer.robot.parents[1] / "config" / "dimensions.yaml")
+    whole = viewer.state(lambda state: state["whole"] and state["readable"])
+    for section in ("pictures", "statics", "collisions"):
+        assert f'<section id="{section}">' in whole["content"]
+    same = json.loads(viewer.get(f"state?shown={whole['shape']}")[1])
+    assert same["content"] == whole["content"]
+    assert "model" not in same
+    assert "model" in whole
 
 
 def test_a_file_that_goes_and_comes_back(viewer: Running) -> None:
-    before = viewer.state()
     text = viewer.robot.read_text(encoding="utf-8")
     viewer.robot.unlink()
-    gone = viewer.state(before["revision"])
+    gone = viewer.state(lambda state: state["error"])
     assert "mobile_base.urdf.xacro" in gone["error"]
     viewer.robot.write_text(text, encoding="utf-8")
-    assert viewer.state(gone["revision"])["error"] == ""
+    assert viewer.after(gone)["error"] == ""
 
 
 def test_arguments_are_those_of_the_xacro(viewer: Running) -> None:
     before = viewer.state()
     assert before["declared"] == {"prefix": ""}
     assert viewer.get("arguments", b'{"prefix": "left_"}')[0] == 204
-    after = viewer.state(before["revision"])
+    after = viewer.after(before)
     assert after["declared"] == {"prefix": "left_"}
     assert after["robot"]["links"][0]["name"] == "left_base_footprint"
     viewer.get("arguments", b'{"prefix": ""}')
@@ -137,9 +151,9 @@ def test_arguments_are_those_of_the_xacro(viewer: Running) -> None:
 def test_an_open_page_follows(viewer: Running) -> None:
     pytest.importorskip("selenium")
     viewer.get("arguments", b'{"prefix": ""}')
-    revision = viewer.state()["revision"]
+    before = viewer.state()
     viewer.edit('velocity="20"', 'velocity="0"')
-    viewer.state(revision)
+    viewer.after(before)
     with browser() as page:
         page.open(viewer.address)
         page.run("urdfkit.move('left_wheel_joint', 0.5)")
@@ -147,12 +161,12 @@ def test_an_open_page_follows(viewer: Running) -> None:
         assert page.run(shown) > 0
         page.run("document.querySelector('.filter [name=words]').value = 'no such words'")
         before = page.run("return urdfkit.frame('left_wheel')")
-        revision = page.wait("new Promise((done) => setTimeout(() => done(urdfkit.revision), 600))")
         viewer.edit('xyz="0.08 ', 'xyz="0.18 ')
         viewer.edit('effort="5"', 'effort="0"')
         seen = (
-            "new Promise((done) => { const look = () => urdfkit.revision > "
-            f"{revision} ? done(urdfkit.frame('left_wheel')) : setTimeout(look, 50); look(); }})"
+            "new Promise((done) => { const look = () => { const at = urdfkit.frame('left_wheel');"
+            f" if (Math.abs(at[12] - {before[12]}) > 1e-6) done(at);"
+            " else setTimeout(look, 50); }; look(); })"
         )
         after = page.wait(seen)
         assert after[12] - before[12] == pytest.approx(0.1)  # it moved, and

@@ -104,23 +104,43 @@ def describe(
         config=config._replace(robots=()) if config else None,
     )
     subject = Subject(source, resolver, values, trust=trust)
-    parts = dict(_PARTS)
-    if not quick:
-        parts |= {"statics": physics.statics, "standing": physics.standing}
-        parts["collisions"] = partial(physics.collisions, progress=progress)
-    return Told(_document(subject, report, parts), subject, report.diagnostics)
+    told = Told(_document(subject, report), subject, report.diagnostics)
+    return told if quick else completed(told, progress)
 
 
-def _document(
-    subject: Subject, report: Report, wanted: Mapping[str, Callable[[Subject], object]]
-) -> Document:
-    parts: Document = dict.fromkeys(LONG)
+def completed(told: Told, progress: Callable[[int, int], None] | None = None) -> Told:
+    """The same with what takes a while.
+
+    Args:
+        told: a robot that was described quickly.
+        progress: called with the number of steps done and of all.
+    """
+    long: dict[str, Callable[[Subject], object]] = {
+        "statics": physics.statics,
+        "standing": physics.standing,
+        "collisions": partial(physics.collisions, progress=progress),
+    }
+    parts, missing = _computed(told.subject, long)
+    missing = told.document["missing"] | missing
+    return told._replace(document=told.document | _finite(parts) | {"missing": missing})
+
+
+def _computed(
+    subject: Subject, wanted: Mapping[str, Callable[[Subject], object]]
+) -> tuple[Document, dict[str, str]]:
+    """Parts of a document, and why some of them cannot be had."""
+    parts: Document = {}
     missing: dict[str, str] = {}
     for name, part in wanted.items():
         try:
             parts[name] = part(subject)
         except Unavailable as reason:
             parts[name], missing[name] = None, str(reason)
+    return parts, missing
+
+
+def _document(subject: Subject, report: Report) -> Document:
+    parts, missing = _computed(subject, _PARTS)
     is_read = subject.reading.document is not None
     places = Places(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
@@ -137,6 +157,7 @@ def _document(
         "findings": findings(report.diagnostics, written["diagnostics"], places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
+        **dict.fromkeys(LONG),
         **parts,
         "missing": missing,
     }

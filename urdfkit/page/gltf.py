@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.page.pictures import sniffed
-from urdfkit.render.looks import PLACEHOLDER, Look
+from urdfkit.render.looks import STRIPES, Look
 from urdfkit.render.scene import Item
+from urdfkit.render.textures import stripes
 
 Bytes = NDArray[np.uint8]
 
@@ -26,8 +27,6 @@ _MAGIC, _VERSION, _JSON, _BIN = b"glTF", 2, b"JSON", b"BIN\0"
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
-#: Of the box that stands for a missing mesh.
-MISSING = Look((0.93, 0.2, 0.7, 0.55))
 #: Textures over so many bytes are left out.
 MAX_TEXTURE = 4 * 1024 * 1024
 
@@ -148,8 +147,6 @@ class Writer:
         return self._once(("accessor", json.dumps(entry)), self._accessors, entry)
 
     def _material(self, look: Look) -> int:
-        if look == PLACEHOLDER:
-            look = MISSING
         rgba = [_linear(part) for part in look.rgba[:3]] + [look.rgba[3]]
         surface: dict[str, Any] = {
             "baseColorFactor": rgba,
@@ -168,7 +165,7 @@ class Writer:
         """A PNG or JPEG as it is; None for what a browser does not show."""
         if texture is None or ("image", texture) in self._known:
             return None if texture is None else self._known["image", texture]
-        data = texture if isinstance(texture, bytes) else _file(texture)
+        data = texture if isinstance(texture, bytes) else _image_file(texture)
         kind = sniffed(data)
         if not kind:
             return None
@@ -233,7 +230,9 @@ def _linear(part: float) -> float:
     return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
 
 
-def _file(path: str) -> bytes:
+def _image_file(path: str) -> bytes:
+    if path == STRIPES:
+        return stripes()
     try:
         if os.path.getsize(path) > MAX_TEXTURE:
             return b""

@@ -42,7 +42,7 @@ def render(
     scene: Scene | None = None,
     engine: Engine | None = None,
     *,
-    live: bool = False,
+    shape: int = 0,
 ) -> str:
     """A whole page.
 
@@ -52,19 +52,20 @@ def render(
         drawings: addresses of pictures, by name.
         scene: the robot in three dimensions; None for a page without.
         engine: that draws the scene.
-        live: for the viewer, which sends its page new contents.
+        shape: for the viewer, which sends its page new contents: the number of this robot.
 
     Raises:
         UrdfkitError: Jinja is not installed.
     """
     environment = _environment()
-    scripts = [_read("page.js"), *([_read("scene.js")] if scene else [])]
-    scripts += [_read("live.js")] if live else []
+    names = ["page.js"] + ["joints.js", "scene.js"] * bool(scene) + ["live.js"] * bool(shape)
+    scripts = [_read(name) for name in names]
     inline = [*scripts, *([engine.script] if engine else [])]
-    return environment.get_template("live.html.j2" if live else "report.html.j2").render(
+    return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
         **_context(document, words, drawings),
         style=_safe(_read("page.css")),
-        policy=_policy(inline, live=live),
+        policy=_policy(inline, live=bool(shape)),
+        shape=shape,
         scripts=[_safe(script) for script in scripts],
         words=_json(words.known),
         scene=scene and {"robot": _json(scene.robot), "model": _safe(_base64(scene.model))},

@@ -19,7 +19,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.page import html
 from urdfkit.page.engine import load as load_engine
 from urdfkit.page.scene import nothing
-from urdfkit.page.state import State, Wish, read
+from urdfkit.page.state import State, Wish, completed, read
 from urdfkit.page.words import Words
 from urdfkit.subject import Unavailable
 
@@ -49,7 +49,8 @@ class Viewer:
     Attributes:
         wish: what is shown.
         state: what was read last.
-        revision: counts the states.
+        revision: counts what pages are told.
+        shape: counts the robots; the 3D view need not be sent again for the same one.
         error: why the last attempt to read gave nothing; empty if it did.
     """
 
@@ -57,12 +58,15 @@ class Viewer:
         self.wish = wish
         self.words = words
         self.state: State = read(wish)
-        self.revision = 1
+        self.revision = self.shape = 1
         self.error = ""
         self._changed = asyncio.Event()
+        self._one_at_a_time = asyncio.Lock()
+        self._completing: asyncio.Task[None] | None = None
 
     async def watch(self) -> None:
         """Read again whenever a file has changed, for ever."""
+        self._completing = asyncio.create_task(self._complete(self.state))
         while True:
             await asyncio.sleep(PAUSE)
             if await asyncio.to_thread(lambda: self.state.is_stale):
@@ -73,10 +77,25 @@ class Viewer:
         try:
             self.state = await asyncio.to_thread(read, self.wish)
             self.error = ""
+            self.shape += 1
+            self._completing = asyncio.create_task(self._complete(self.state))
         except UrdfkitError as error:  # the file is gone; it may come back
             if self.error == str(error):
                 return
             self.error = str(error)
+        self._tell()
+
+    async def _complete(self, state: State) -> None:
+        """Add what takes a while, unless there is another state by then."""
+        async with self._one_at_a_time:
+            if state is self.state:
+                whole = await asyncio.to_thread(completed, state)
+                if state is self.state:
+                    self.state = whole
+                    self._tell()
+
+    def _tell(self) -> None:
+        """Wake the pages up."""
         self.revision += 1
         self._changed.set()
         self._changed = asyncio.Event()
@@ -90,18 +109,24 @@ class Viewer:
 
     def page(self) -> str:
         """The page, with the state as it is."""
-        state, page = self.state, partial(html.render, live=True)
+        page = partial(html.render, shape=self.shape)  # an older number costs no more than time
+        state = self.state
         try:
             scene = state.scene or nothing()
         except Unavailable:
             return page(state.document, self.words, state.drawings)
         return page(state.document, self.words, state.drawings, scene, load_engine())
 
-    def message(self) -> dict[str, object]:
-        """The state for a page that is open."""
+    def message(self, shown: str = "") -> dict[str, object]:
+        """The state for a page that is open.
+
+        Args:
+            shown: the number of the robot that its 3D view shows.
+        """
         return {
-            **self.state.message(self.words),
+            **self.state.message(self.words, with_scene=shown != str(self.shape)),
             "revision": self.revision,
+            "shape": self.shape,
             "error": self.error,
         }
 
@@ -130,7 +155,8 @@ def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
         return HTMLResponse(await asyncio.to_thread(viewer.page), headers=_HEADERS)
 
     async def state(request: Request) -> Response:
-        return JSONResponse(await asyncio.to_thread(viewer.message), headers=_HEADERS)
+        shown = request.query_params.get("shown", "")
+        return JSONResponse(await asyncio.to_thread(viewer.message, shown), headers=_HEADERS)
 
     async def events(request: Request) -> Response:
         stream = (f"data: {revision}\n\n" async for revision in viewer.revisions())

@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.page import html
-from urdfkit.page.document import Document, describe
+from urdfkit.page.document import Document, Told, describe
+from urdfkit.page.document import completed as complete
 from urdfkit.page.scene import Scene
 from urdfkit.page.words import Words
 from urdfkit.page.writing import drawn
@@ -51,6 +52,8 @@ class State(Record):
         scene: the robot in three dimensions; None if it cannot be had.
         declared: the arguments that the xacro declares, each with its value.
         stamps: of every file that it was made from.
+        told: what it was made of.
+        is_whole: False while that which takes a while is not there yet.
     """
 
     document: Document
@@ -58,16 +61,19 @@ class State(Record):
     scene: Scene | None
     declared: dict[str, str]
     stamps: dict[str, Stamp]
+    told: Told
+    is_whole: bool = False
 
-    def message(self, words: Words) -> dict[str, Any]:
+    def message(self, words: Words, *, with_scene: bool = True) -> dict[str, Any]:
         """What a page needs to show it; JSON can hold it."""
         found: dict[str, Any] = {
             "content": html.render_content(self.document, words, self.drawings),
             "files": len(self.stamps),
             "declared": self.declared,
             "readable": self.document["robot"] is not None,
+            "whole": self.is_whole,
         }
-        if self.scene is not None:
+        if self.scene is not None and with_scene:
             found["robot"] = self.scene.robot
             found["model"] = base64.b64encode(self.scene.model).decode("ascii")
         return found
@@ -97,7 +103,18 @@ def read(wish: Wish) -> State:
     document, subject = told.document, told.subject
     drawings, scene = drawn(told, has_pictures=False)
     stamps = {path: stamp(path) for path in files_of(subject, document)}
-    return State(document, drawings, scene, _declared(subject), stamps | before)
+    if scene is not None:
+        stamps |= {path: stamp(path) for path in _textures(subject)}
+    return State(document, drawings, scene, _declared(subject), stamps | before, told)
+
+
+def completed(state: State) -> State:
+    """The same with statics, collisions and pictures."""
+    if state.document["robot"] is None:
+        return state._replace(is_whole=True)
+    told = complete(state.told)
+    drawings, _ = drawn(told, has_pictures=True)
+    return state._replace(document=told.document, drawings=drawings, told=told, is_whole=True)
 
 
 def files_of(subject: Subject, document: Document) -> set[str]:
@@ -112,6 +129,17 @@ def files_of(subject: Subject, document: Document) -> set[str]:
             found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
     found |= {one["path"] for one in document["findings"]}
     return found
+
+
+def _textures(subject: Subject) -> set[str]:
+    """The images on the visuals of a robot, as far as they are files."""
+    found: set[str | bytes | None] = set()
+    for body in (body for link in subject.model.links for body in link.visuals):
+        if body.material and body.material.texture is not None:
+            found.add(subject.files.find(body.material.texture))
+        mesh = subject.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
+        found |= {part.material.texture for part in mesh.parts if part.material} if mesh else set()
+    return {path for path in found if isinstance(path, str)}
 
 
 def _declared(subject: Subject) -> dict[str, str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import numpy as np
 from PIL import Image
@@ -51,7 +51,7 @@ def texture(source: str | bytes) -> Texture | None:
         source: path of an image, or its bytes.
     """
     if source == STRIPES:
-        return Texture(_stripes())
+        source = stripes()
     try:
         with Image.open(io.BytesIO(source) if isinstance(source, bytes) else source) as image:
             image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # which spares JPEG most of the work
@@ -61,12 +61,15 @@ def texture(source: str | bytes) -> Texture | None:
         return None  # Pillow's readers raise all of these for foreign bytes
 
 
-def _stripes() -> Image.Image:
-    """Slanting stripes in orange and dark grey, as on a barrier."""
+@cache
+def stripes() -> bytes:
+    """Slanting stripes in orange and dark grey, as on a barrier: a PNG."""
     x, y = np.meshgrid(np.arange(256), np.arange(256))
     bright = ((x + y) // 32 % 2 == 0)[..., None]
     orange, grey = np.array((255, 122, 0)), np.array((58, 58, 62))
-    return Image.fromarray(np.where(bright, orange, grey).astype(np.uint8))
+    file = io.BytesIO()
+    Image.fromarray(np.where(bright, orange, grey).astype(np.uint8)).save(file, "PNG")
+    return file.getvalue()
 
 
 def sample(image: Texture, uv: Floats, spread: Floats) -> Floats:

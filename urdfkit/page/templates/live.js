@@ -5,13 +5,20 @@
   const status = document.getElementById("status");
   const form = document.getElementById("arguments");
   const content = document.getElementById("content");
+  const nav = document.querySelector("nav ul");
+  const known = new Map(); // the source of each section, as the server sent it
+  for (const section of content.children) known.set(section.id, section.outerHTML);
   page.revision = 0;
+  let shape = document.getElementById("live").dataset.shape; // the number of the robot in the 3D view
 
   function tell(text, isBad) {
     status.textContent = text;
     status.classList.toggle("bad", Boolean(isBad));
   }
+  let listed = ""; // the arguments that have fields: what is being typed there stays
   function fields(declared) {
+    if (listed === JSON.stringify(declared)) return;
+    listed = JSON.stringify(declared);
     const names = Object.keys(declared);
     form.hidden = !names.length;
     const box = form.querySelector(".fields");
@@ -27,23 +34,45 @@
       if (name === kept) input.focus();
     }
   }
+  // Sections that are as they were stay: what the reader has opened, chosen and scrolled to, too.
+  function renew(html) {
+    const fresh = document.createElement("template");
+    fresh.innerHTML = html;
+    const sections = [...fresh.content.children];
+    const wanted = new Set(sections.map((section) => section.id));
+    for (const old of [...content.children]) if (!wanted.has(old.id)) old.remove();
+    sections.forEach((section, number) => {
+      const source = section.outerHTML;
+      const there = content.children[number];
+      if (there && there.id === section.id) {
+        if (known.get(section.id) !== source) there.replaceWith(section);
+      } else content.insertBefore(section, there || null);
+      known.set(section.id, source);
+    });
+    nav.replaceChildren(...sections.map((section) => {
+      const [item, link] = [document.createElement("li"), document.createElement("a")];
+      link.href = `#${section.id}`;
+      link.textContent = section.querySelector("h2").textContent;
+      item.append(link);
+      return item;
+    }));
+  }
   async function refresh() {
-    const answer = await fetch("state", { cache: "no-store" });
+    const answer = await fetch(`state?shown=${shape}`, { cache: "no-store" });
     const state = await answer.json();
     if (state.revision === page.revision) return;
-    const first = page.revision === 0;
-    if (!first) {
-      const kept = page.filters();
-      content.innerHTML = state.content;
-      page.filters(kept);
-      if (state.model && page.show) await page.show(state.robot, state.model, true);
-      page.filter();
-      if (page.readFindings) page.readFindings();
-    }
+    const kept = page.filters();
+    renew(state.content);
+    page.filters(kept);
+    if (state.model && page.show) await page.show(state.robot, state.model, true);
+    page.filter();
+    if (page.readFindings) page.readFindings();
+    shape = state.shape;
     fields(state.declared);
     const time = new Date().toLocaleTimeString();
     if (state.error) tell(state.error, true);
     else if (!state.readable) tell(page.word("The file cannot be read; the 3D view shows it as it was."), true);
+    else if (!state.whole) tell(`${time} · ${page.word("statics, collisions and pictures follow")} …`);
     else tell(`${time} · ${state.files} ${page.word("files are watched")}`);
     page.revision = state.revision;
   }

@@ -5,15 +5,15 @@
   const page = window.urdfkit;
   const stage = document.getElementById("stage");
   const picked = document.getElementById("picked");
-  const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const positions = Object.create(null); // of joints that follow none, by name, even __proto__
-  const inputs = new Map(); // slider and field of each of them
+  const { position } = page.joints;
   const layers = {};
   for (const box of document.querySelectorAll("[data-layer]")) layers[box.dataset.layer] = box.checked;
 
+  const DARKEST = 0.02; // of paint, in linear light
+
   let renderer;
   try {
-    renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
   } catch {
     const note = document.getElementById("no-view");
     note.textContent = page.word("This browser shows no 3D view: it has no WebGL.");
@@ -31,10 +31,10 @@
   const scene = new THREE.Scene();
   const camera = new THREE.PerspectiveCamera(40, 1, 0.01, 100);
   camera.up.set(0, 0, 1);
-  const sky = new THREE.HemisphereLight(0xffffff, 0x5a606a, 0.62);
+  const sky = new THREE.HemisphereLight(0xffffff, 0x6a6f78, 0.5);
   sky.position.set(0, 0, 1);
-  const sun = new THREE.DirectionalLight(0xffffff, 0.42);
-  const lamp = new THREE.DirectionalLight(0xffffff, 0.22); // goes with the camera
+  const sun = new THREE.DirectionalLight(0xfff8ec, 0.4);
+  const lamp = new THREE.DirectionalLight(0xffffff, 0.16); // goes with the camera
   scene.add(sky, sun, lamp, lamp.target, sun.target);
   const world = new THREE.Group();
   scene.add(world);
@@ -51,11 +51,6 @@
 
   const motion = new THREE.Matrix4();
   const axis = new THREE.Vector3();
-  function position(joint) {
-    if (joint.leader === undefined) return 0;
-    const value = joint.factor * (positions[joint.leader] || 0) + joint.shift;
-    return Number.isFinite(value) ? value : 0;
-  }
   function pose() {
     for (const joint of robot.joints) {
       const value = position(joint);
@@ -70,71 +65,6 @@
     const whole = world.getObjectByName("whole");
     if (whole) placeWhole(whole);
     draw();
-  }
-
-  function sliders() {
-    const box = document.querySelector(".sliders");
-    box.textContent = "";
-    inputs.clear();
-    const free = robot.joints.filter((joint) => joint.leader === joint.name).sort((a, b) => a.order - b.order);
-    const followers = robot.joints.filter((joint) => joint.leader && joint.leader !== joint.name);
-    if (!free.length) return;
-    const buttons = document.createElement("div");
-    buttons.className = "buttons";
-    for (const [name, part] of [["Zero", null], ["Lower", 0], ["Middle", 0.5], ["Upper", 1]]) {
-      const button = document.createElement("button");
-      button.type = "button";
-      button.textContent = page.word(name);
-      button.addEventListener("click", () => {
-        for (const joint of free) {
-          const [low, high] = range(joint);
-          set(joint.name, part === null || !joint.limits ? 0 : low + part * (high - low));
-        }
-        pose();
-      });
-      buttons.append(button);
-    }
-    box.append(buttons);
-    for (const joint of free) {
-      const [low, high] = range(joint);
-      const unit = joint.type === "prismatic" ? "m" : "rad";
-      const row = document.createElement("div");
-      row.className = "row";
-      row.innerHTML = '<label></label><input type="range" step="any"><input type="number" step="any"><span></span>';
-      const [label, slide, field, of] = row.children;
-      const after = followers.filter((one) => one.leader === joint.name).map((one) => one.name);
-      label.textContent = joint.name;
-      label.title = after.length ? `${joint.name} → ${after.join(", ")}` : joint.name;
-      of.textContent = unit;
-      slide.setAttribute("aria-label", joint.name);
-      field.setAttribute("aria-label", `${joint.name} / ${unit}`);
-      slide.min = low;
-      slide.max = high;
-      slide.dataset.joint = joint.name;
-      for (const input of [slide, field]) {
-        input.addEventListener("input", () => {
-          const value = Number(input.value);
-          if (input.value === "" || !Number.isFinite(value)) return;
-          set(joint.name, value, input);
-          pose();
-        });
-      }
-      box.append(row);
-      inputs.set(joint.name, [slide, field]);
-      set(joint.name, positions[joint.name] || 0);
-    }
-  }
-  function range(joint) {
-    const [low, high] = joint.limits || (joint.type === "prismatic" ? [-1, 1] : [-Math.PI, Math.PI]);
-    return low < high ? [low, high] : [Math.min(low, high) - 1e-6, Math.max(low, high) + 1e-6];
-  }
-  function set(name, value, by) {
-    positions[name] = value;
-    for (const input of inputs.get(name) || []) {
-      if (input !== by) {
-        input.value = input.type === "number" ? String(Number(value.toFixed(5))) : String(value);
-      }
-    }
   }
 
   // --- the model
@@ -180,15 +110,20 @@
     world.updateMatrixWorld(true);
     measure();
     helpers();
-    sliders();
+    page.joints.show(robot.joints, pose);
     readFindings();
     if (!stays) home();
     select([...chosen].map((number) => robot.links[number] && robot.links[number].name).filter(Boolean), true);
     pose();
   }
   // Without the model of metals and roughness: a machine without a graphics card draws it, too.
+  // No paint is blacker than coal, and it shines: black parts are told apart from one another.
   function plain({ color, map, opacity, transparent, vertexColors }) {
-    return new THREE.MeshLambertMaterial({ color, map, opacity, transparent, vertexColors, side: THREE.DoubleSide });
+    const [r, g, b] = color.toArray().map((part) => Math.max(part, DARKEST));
+    return new THREE.MeshPhongMaterial({
+      color: new THREE.Color(r, g, b), map, opacity, transparent, vertexColors,
+      specular: 0x2c2e32, shininess: 28, side: THREE.DoubleSide,
+    });
   }
   function shaded(geometry) { // without normals every face is flat
     if (geometry.attributes.normal) return geometry;
@@ -347,7 +282,7 @@
     const joint = robot.joints.find((one) => one.name === name);
     if (!joint) return;
     select([robot.links[joint.child].name]);
-    if (inputs.has(name)) inputs.get(name)[0].scrollIntoView({ block: "nearest" });
+    page.joints.reveal(name);
   };
   document.querySelector(".layers").addEventListener("change", (event) => {
     layers[event.target.dataset.layer] = event.target.checked;
@@ -477,7 +412,6 @@
       const joint = one.userData.still;
       if (joint) one.matrix.makeRotationAxis(axis.fromArray(joint.axis), -position(joint));
     });
-    scene.background = new THREE.Color(css("--scene"));
     renderer.render(scene, camera);
     const at = new THREE.Vector3();
     tags.forEach((tag, number) => {
@@ -496,8 +430,8 @@
 
   page.show = show;
   page.readFindings = readFindings;
-  page.move = (name, value) => { set(name, value); pose(); };
-  page.positions = positions;
+  page.move = (name, value) => { page.joints.set(name, value); pose(); };
+  page.positions = page.joints.positions;
   page.hit = hit;
   page.frame = (name) => groups[robot.links.findIndex((link) => link.name === name)].matrix.toArray();
   page.chosen = () => [...chosen].map((number) => robot.links[number].name);
