@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.judge import Verdict, judge
+from urdfkit.plan import Job, Plan, planned
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
     from typing import TypedDict
 
     from urdfkit.config import Config
-    from urdfkit.discovery import Found
-    from urdfkit.document import Frame
-    from urdfkit.launch import FileUse
     from urdfkit.reading import Problem
     from urdfkit.targets import Targets
 
@@ -42,26 +40,6 @@ if TYPE_CHECKING:
         progress: Callable[[int, int], None] | None
         texts: Mapping[str, bytes] | None
         cache: bool
-
-
-class Job(Record):
-    """One description to check.
-
-    Attributes:
-        source: the file.
-        name: of the variant; empty if there is one only.
-        arguments: for xacro.
-        found: True if it was found in a folder, not named.
-        frame: the launch file that asks for it, if one does.
-        parameters: the files of parameters that this launch file loads.
-    """
-
-    source: Source
-    name: str
-    arguments: dict[str, str]
-    found: bool
-    frame: Frame | None = None
-    parameters: tuple[FileUse, ...] = ()
 
 
 class Settings(Record):
@@ -146,7 +124,7 @@ def check(
         resolver = Resolver(settings.packages, texts=settings.texts)
     else:
         resolver = resolver.with_texts(settings.texts)
-    plan = _planned(files, resolver, config, arguments, changed=changed)
+    plan = planned(files, resolver, config, arguments, changed=changed)
     verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
     return _report(plan, verdicts)
 
@@ -167,26 +145,10 @@ def subjects(
     known = {**(config.packages if config else {}), **(packages or {})}
     resolver = Resolver(known, texts=texts)
     is_trusted = trust or (config is not None and config.trust)
-    for job in _planned(files, resolver, config, arguments, changed=changed).jobs:
+    for job in planned(files, resolver, config, arguments, changed=changed).jobs:
         subject = Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
         is_robot = not is_launch(job.source.path) and subject.reading.document is not None
         yield subject if is_robot else None
-
-
-def _planned(
-    files: Iterable[str | os.PathLike[str] | Source],
-    resolver: Resolver,
-    config: Config | None,
-    arguments: Mapping[str, str] | None,
-    *,
-    changed: bool,
-) -> _Plan:
-    plan = _Plan(resolver, config, arguments or {})
-    if changed:
-        plan.add_changed(files)
-    for file in () if changed else files:
-        plan.add(file)
-    return plan
 
 
 def _added(packages: Iterable[str]) -> list[str]:
@@ -235,87 +197,6 @@ def choose(
         selected = selected or set(config.select)
     chosen = selected or {*catalogue.codes(), *foreign}
     return sorted(chosen - ignored)
-
-
-class _Plan:
-    """Which descriptions to check, with which arguments."""
-
-    def __init__(
-        self, resolver: Resolver, config: Config | None, arguments: Mapping[str, str]
-    ) -> None:
-        self.resolver = resolver
-        self.config = config
-        self.arguments = dict(arguments)
-        self.jobs: list[Job] = []
-        self.skipped: list[Skipped] = []
-
-    def add(self, file: str | os.PathLike[str] | Source) -> None:
-        """A file, with its variants if the configuration has some, or a folder."""
-        if isinstance(file, Source):
-            self._add_source(file)
-        elif os.path.isdir(file):
-            from urdfkit.config import Config
-            from urdfkit.discovery import discover
-
-            self.add_found(discover(os.fspath(file), self.config or Config(), self.resolver))
-        else:
-            self._add_file(os.fspath(file))
-
-    def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
-        """The entry points that some changed files are part of."""
-        from urdfkit.config import Config
-        from urdfkit.discovery import affected
-
-        paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
-        self.add_found(affected(paths, self.config or Config(), self.resolver))
-
-    def add_found(self, found: Found) -> None:
-        """The entry points of a folder."""
-        for robot in found.robots:
-            source = self.resolver.read(_shown(robot.file))
-            self._add(source, robot.name, robot.arguments, found=True)
-        for library in found.libraries:
-            reason = "makes no link itself, and no file includes it: check a robot that uses it"
-            self.skipped.append(Skipped("", library, reason))
-
-    def _add_source(self, source: Source) -> None:
-        if is_launch(source.path):
-            self._add_launch(source)
-        else:
-            self._add(source, "", {}, found=False)
-
-    def _add_file(self, path: str) -> None:
-        source = self.resolver.read(path)
-        robots = self.config.robots if self.config else ()
-        real = os.path.abspath(path)
-        variants = [robot for robot in robots if robot.file == real]
-        if not variants or self.arguments:
-            self._add_source(source)
-        for robot in variants if not self.arguments else ():
-            self._add(source, robot.name, robot.arguments, found=False)
-
-    def _add_launch(self, source: Source) -> None:
-        """A launch file, and the robots that it describes."""
-        from urdfkit.launch import read_launch
-
-        self.jobs.append(Job(source, "", self.arguments, False))
-        launch = read_launch(source, self.resolver, self.arguments)
-        for description in launch.descriptions:
-            robot = self.resolver.read(_shown(description.path))
-            common = self.config.arguments if self.config else {}
-            arguments = {**common, **description.arguments}
-            job = Job(robot, "", arguments, False, description.frame, launch.parameters)
-            self.jobs.append(job)
-
-    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
-        common = self.config.arguments if self.config else {}
-        every = {**common, **arguments, **self.arguments}
-        self.jobs.append(Job(source, name, every, found))
-
-
-def _shown(path: str) -> str:
-    """A path as a user would type it."""
-    return os.path.relpath(path)
 
 
 def _verdicts(
@@ -391,7 +272,7 @@ def missing_arguments(found: Iterable[Diagnostic | Problem]) -> list[str]:
     return list(dict.fromkeys(one.message.split("'")[1] for one in found if one.code == "XAC010"))
 
 
-def _report(plan: _Plan, verdicts: list[Verdict]) -> Report:
+def _report(plan: Plan, verdicts: list[Verdict]) -> Report:
     once: dict[tuple[object, ...], Diagnostic] = {}
     files_of: dict[str, str] = {}
     for verdict in verdicts:

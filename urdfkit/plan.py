@@ -1,0 +1,145 @@
+"""Which descriptions a check is about: those that files and folders stand for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+
+from urdfkit.diagnostic import Skipped
+from urdfkit.reading import is_launch
+from urdfkit.record import Record
+from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.config import Config
+    from urdfkit.discovery import Found
+    from urdfkit.document import Frame
+    from urdfkit.launch import FileUse
+
+
+class Job(Record):
+    """One description to check.
+
+    Attributes:
+        source: the file.
+        name: of the variant; empty if there is one only.
+        arguments: for xacro.
+        found: True if it was found in a folder, not named.
+        frame: the launch file that asks for it, if one does.
+        parameters: the files of parameters that this launch file loads.
+    """
+
+    source: Source
+    name: str
+    arguments: dict[str, str]
+    found: bool
+    frame: Frame | None = None
+    parameters: tuple[FileUse, ...] = ()
+
+
+def planned(
+    files: Iterable[str | os.PathLike[str] | Source],
+    resolver: Resolver,
+    config: Config | None,
+    arguments: Mapping[str, str] | None,
+    *,
+    changed: bool,
+) -> Plan:
+    """The descriptions to check for what a user names.
+
+    Args:
+        files: URDF, xacro or launch files, Sources, or folders.
+        resolver: finds files, and reads them.
+        config: settings of the project.
+        arguments: for xacro; they win over those of the project.
+        changed: the files are changed ones of any kind; the robots that they are part of are meant.
+    """
+    plan = Plan(resolver, config, arguments or {})
+    if changed:
+        plan.add_changed(files)
+    for file in () if changed else files:
+        plan.add(file)
+    return plan
+
+
+class Plan:
+    """Which descriptions to check, with which arguments."""
+
+    def __init__(
+        self, resolver: Resolver, config: Config | None, arguments: Mapping[str, str]
+    ) -> None:
+        self.resolver = resolver
+        self.config = config
+        self.arguments = dict(arguments)
+        self.jobs: list[Job] = []
+        self.skipped: list[Skipped] = []
+
+    def add(self, file: str | os.PathLike[str] | Source) -> None:
+        """A file, with its variants if the configuration has some, or a folder."""
+        if isinstance(file, Source):
+            self._add_source(file)
+        elif os.path.isdir(file):
+            from urdfkit.config import Config
+            from urdfkit.discovery import discover
+
+            self.add_found(discover(os.fspath(file), self.config or Config(), self.resolver))
+        else:
+            self._add_file(os.fspath(file))
+
+    def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
+        """The entry points that some changed files are part of."""
+        from urdfkit.config import Config
+        from urdfkit.discovery import affected
+
+        paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
+        self.add_found(affected(paths, self.config or Config(), self.resolver))
+
+    def add_found(self, found: Found) -> None:
+        """The entry points of a folder."""
+        for robot in found.robots:
+            source = self.resolver.read(_shown(robot.file))
+            self._add(source, robot.name, robot.arguments, found=True)
+        for library in found.libraries:
+            reason = "makes no link itself, and no file includes it: check a robot that uses it"
+            self.skipped.append(Skipped("", library, reason))
+
+    def _add_source(self, source: Source) -> None:
+        if is_launch(source.path):
+            self._add_launch(source)
+        else:
+            self._add(source, "", {}, found=False)
+
+    def _add_file(self, path: str) -> None:
+        source = self.resolver.read(path)
+        robots = self.config.robots if self.config else ()
+        real = os.path.abspath(path)
+        variants = [robot for robot in robots if robot.file == real]
+        if not variants or self.arguments:
+            self._add_source(source)
+        for robot in variants if not self.arguments else ():
+            self._add(source, robot.name, robot.arguments, found=False)
+
+    def _add_launch(self, source: Source) -> None:
+        """A launch file, and the robots that it describes."""
+        from urdfkit.launch import read_launch
+
+        self.jobs.append(Job(source, "", self.arguments, False))
+        launch = read_launch(source, self.resolver, self.arguments)
+        for description in launch.descriptions:
+            robot = self.resolver.read(_shown(description.path))
+            common = self.config.arguments if self.config else {}
+            arguments = {**common, **description.arguments}
+            job = Job(robot, "", arguments, False, description.frame, launch.parameters)
+            self.jobs.append(job)
+
+    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
+        common = self.config.arguments if self.config else {}
+        every = {**common, **arguments, **self.arguments}
+        self.jobs.append(Job(source, name, every, found))
+
+
+def _shown(path: str) -> str:
+    """A path as a user would type it."""
+    return os.path.relpath(path)
