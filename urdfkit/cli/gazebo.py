@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -11,6 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
+from urdfkit.jsontext import dumped
 
 VERSION = 1
 
@@ -32,10 +32,9 @@ def command(
     """
     conversion = Conversion(robot(words, package, trust).tree, OLD if old else NEW)
     if form == "json":
-        text = json.dumps(as_json(conversion), ensure_ascii=False, indent=2)
+        output.write(dumped(as_json(conversion)))
     else:
-        text = "\n".join(render(conversion))
-    output.write(text + "\n")
+        output.write("\n".join(render(conversion)) + "\n")
     return 0
 
 

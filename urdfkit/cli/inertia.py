@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -14,6 +13,7 @@ from urdfkit.editing import rewriting
 from urdfkit.inertials.densities import DENSITIES
 from urdfkit.inertials.matter import SOURCES
 from urdfkit.inertials.proposals import Proposal, propose, rewrites
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.inertia import MassProperties
 
 VERSION = 1
@@ -79,7 +79,7 @@ def command(
         lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
         lines = lines or ["nothing to write"]
     elif form == "json":
-        lines = [json.dumps(as_json(proposals), ensure_ascii=False, indent=2)]
+        lines = [dumped(as_json(proposals)).rstrip()]
     else:
         lines += [*table(proposals), *proposed(chosen)]
     output.write("\n".join(lines) + "\n")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import textwrap
 from collections import Counter
@@ -15,6 +14,7 @@ from urdfkit.cli import output, progress
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.gazebo.sensors import Sensor
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.meshes.facts import counted
 from urdfkit.overview import Overview, Shapes, Structure, summarise
@@ -50,7 +50,7 @@ def command(
         subject = robot(words, package, trust, bar)
         found = summarise(subject, positions(subject, joint, pose))
     if form == "json":
-        output.write(json.dumps(as_json(found), ensure_ascii=False, indent=2) + "\n")
+        output.write(dumped(as_json(found)))
     else:
         output.page(render(found))
     return 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import degrees
 from typing import Any
@@ -13,6 +12,7 @@ from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.kinematics import frames, transform
 from urdfkit.spatial import Frame, to_rpy
 from urdfkit.subject import Subject, Unavailable
@@ -56,7 +56,7 @@ def command(
     if jacobian or mass_matrix:
         found |= _dynamics(subject, given, jacobian, mass_matrix)
     if form == "json":
-        output.write(json.dumps(as_json(found), ensure_ascii=False, indent=2) + "\n")
+        output.write(dumped(as_json(found)))
     else:
         output.page(render(found, subject.tree.roots[0].name if subject.tree.roots else ""))
     return 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -14,6 +13,7 @@ from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.formats._layout import wrap
+from urdfkit.jsontext import dumped
 from urdfkit.mass_table import MassRow, MassTable, mass_properties
 from urdfkit.spatial import Rotation
 
@@ -125,7 +125,7 @@ def as_json(found: MassTable) -> str:
         "total": _numbers(found),
         "links": [_link(row) for row in found.rows],
     }
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    return dumped(document)
 
 
 def _numbers(found: MassTable | MassRow) -> dict[str, Any]:

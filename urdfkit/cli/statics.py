@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator
 from math import degrees, isfinite
 from typing import TYPE_CHECKING, Any
@@ -15,6 +14,7 @@ from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import wrap
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.joints import effort_unit
 from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.mechanics.stability import Stability, stand
@@ -71,7 +71,7 @@ def command(
     base = rigid_bodies(subject.tree)[0]
     stands = None if base.is_ground else _stability(subject, given, contact, carried)
     if form == "json":
-        output.write(json.dumps(as_json(loads, stands), ensure_ascii=False, indent=2) + "\n")
+        output.write(dumped(as_json(loads, stands)))
     else:
         roots = {root.name for root in subject.tree.roots}
         lines = render(loads, subject.model, posed=bool(given))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.diagnostic import Diagnostic
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.inertia import MassProperties
 
 #: A change that could break a reader counts it up.
@@ -37,7 +37,7 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
         },
         "notes": list(comparison.notes),
     }
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    return dumped(document)
 
 
 def _total(mass: MassProperties) -> dict[str, Any]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 from urdfkit.diagrams.rows import rows
+from urdfkit.jsontext import dumped
 from urdfkit.mechanics.joints import bounds
 from urdfkit.mechanics.kinematics import direction
 from urdfkit.mechanics.tree import KinematicTree
@@ -38,7 +38,7 @@ def render(tree: KinematicTree) -> str:
         ],
         "joints": [_joint(row.joint, row.parent, row.link) for row in found if row.joint],
     }
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    return dumped(document)
 
 
 def _joint(joint: Joint, parent: str, child: str) -> dict[str, Any]:

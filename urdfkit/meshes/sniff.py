@@ -41,7 +41,7 @@ _HTML_TAGS = frozenset("html head body script meta title div table".split())
 #: A line of OBJ, or a line that names its materials.
 _OBJ = (
     rb"(?:\A|\n)[ \t]*"
-    rb"(?:vn?[ \t]+[-+.\d]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
+    rb"(?:vn?[ \t]+[-+.\deE]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
 )
 
 #: Formats that say what they are in their first bytes, and that URDF's readers do not all know.

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
-
+from urdfkit.jsontext import dumped
 from urdfkit.page.document import Document
 
 
 def render(document: Document) -> str:
     """The whole document; the same robot gives the same bytes."""
-    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+    return dumped(document)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
+from urdfkit.jsontext import dumped
 from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
 
@@ -71,7 +71,7 @@ def command(
 
     comparison = compared(matrix, given) if given else None
     if form == "json":
-        text = json.dumps(shown.as_json(matrix, comparison), ensure_ascii=False, indent=2) + "\n"
+        text = dumped(shown.as_json(matrix, comparison))
     else:
         text = (shown.markdown if form == "markdown" else shown.text)(matrix, comparison)
     output.write(text)

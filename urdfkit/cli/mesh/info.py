@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 
 import click
 
 from urdfkit.cli import output
 from urdfkit.cli.mesh import tables
+from urdfkit.jsontext import dumped
 from urdfkit.meshes.describe import Description, describe
 from urdfkit.meshes.geometry import Part
 
@@ -26,7 +26,7 @@ def command(files: tuple[str, ...], form: str) -> int:
     found = [describe(file) for file in files]
     if form == "json":
         document = {"version": VERSION, "meshes": [one.as_json() for one in found]}
-        output.write(json.dumps(document, ensure_ascii=False, indent=2) + "\n")
+        output.write(dumped(document))
     else:
         output.write("\n\n".join("\n".join(render(one)) for one in found) + "\n")
     return 0
