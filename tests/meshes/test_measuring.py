@@ -248,3 +248,13 @@ def test_measures_survive_json() -> None:
     for part in (box(), Part(CORNERS, CUBE[:1])):
         found = measure(Mesh((part,), 0.1, "Y_UP", losses=("a",), textures=("b.png",)))
         assert from_json(json.loads(json.dumps(to_json(found)))) == found
+
+
+@pytest.mark.parametrize("size", [1e-150, 1e-60, 1e60, 1e150])
+def test_a_box_beyond_all_numbers(size: float) -> None:
+    """Its inertia is smaller or larger than any number is."""
+    found = measure(Mesh((box((size, size, size)),)))
+    assert found.triangles == 12
+    assert found.hull is None or found.hull.volume == pytest.approx(size * size * size)
+    if size in (1e-150, 1e150):
+        assert found.solid is None

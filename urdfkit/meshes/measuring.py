@@ -24,6 +24,7 @@ FLAT = 1e-7
 MOST_POINTS = 200
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of meshes larger than the world
 def measure(mesh: Mesh) -> Measures:
     """The measures of a mesh, which has triangles."""
     places, faces = close_seams(*weld(mesh.vertices, mesh.faces))
@@ -93,16 +94,21 @@ def _solid(
     """What a closed surface encloses, and whether it looks inwards."""
     middle = (low + high) / 2
     volume, first, second = uniform(places, faces, middle)
-    if abs(volume) <= FLAT * float(np.linalg.norm(high - low)) ** 3:
+    if abs(volume) <= FLAT * np.linalg.norm(high - low) ** 3:
         return None, False
-    return _density_one(volume, first, second, middle), volume < 0
+    return _density_one(volume, first, second, middle), bool(volume < 0)
 
 
-def _density_one(volume: float, first: Floats, second: Floats, about: Floats) -> Uniform:
+def _density_one(volume: float, first: Floats, second: Floats, about: Floats) -> Uniform | None:
+    """What encloses a volume; None where it, or what follows from it, is beyond all numbers."""
+    if not volume:
+        return None
     sign = 1 if volume > 0 else -1
     center = first / volume
     central = (second - volume * np.outer(center, center)) * sign
     tensor = np.trace(central) * np.eye(3) - central
+    if not np.isfinite(tensor).all():
+        return None
     ixx, ixy, ixz, iyy, iyz, izz = (float(tensor[i, k]) for i in range(3) for k in range(i, 3))
     return Uniform(abs(volume), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
 
@@ -111,7 +117,7 @@ def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Fl
     """The convex hull as a solid, and its outermost vertices."""
     import manifold3d
 
-    size = float(np.max(high - low))
+    size = np.max(high - low)
     middle = (low + high) / 2
     if not size:
         return None, places[:1]
@@ -127,6 +133,8 @@ def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Fl
     if volume <= FLAT:
         return None, points
     found = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
+    if found is None:
+        return None, points
     return found._replace(center=_vector(np.array(found.center) + middle)), points
 
 
