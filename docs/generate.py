@@ -73,6 +73,8 @@ def page(rule: Rule) -> str:
         parts += ["## Accepted", block("xml", good)]
     if fixed := rule.example("FIXED"):
         parts += ["## After the fix", block("xml", fixed)]
+    for name, text in rule.beside.items():
+        parts += [f"## `{name}` beside it", block("yaml" if name.endswith("yaml") else "xml", text)]
     for name, data in getattr(sys.modules[rule.module], "FIXED_FILES", {}).items():
         parts += [f"## `{name}` after the fix", block("xml", data.decode())]
     if rule.sources:

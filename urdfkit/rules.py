@@ -132,6 +132,9 @@ def told(subject: Subject, code: str) -> Iterator[Finding]:
 
 Check = Callable[["Subject"], Iterator[Finding]]
 
+#: Bytes of a file that a page shows whole.
+_SHORT = 500
+
 #: Ends the explanation in the docstring of a rule; a line for each source follows.
 _SOURCES = "\n\nSources:\n"
 
@@ -193,6 +196,19 @@ class Rule(Record):
         """
         example: str | bytes | None = getattr(sys.modules[self.module], which, None)
         return example.decode("utf-8", "surrogateescape") if isinstance(example, bytes) else example
+
+    @property
+    def beside(self) -> dict[str, str]:
+        """What lies beside the examples and is short enough to be shown, by relative path."""
+        files: Mapping[str, bytes] = getattr(sys.modules[self.module], "FILES", {})
+        return {
+            name: data.decode()
+            for name, data in files.items()
+            if data.isascii()
+            and b"\0" not in data
+            and 0 < len(data) < _SHORT
+            and ".git/" not in name
+        }
 
 
 def rule(

@@ -24,6 +24,13 @@ def test_the_page_of_a_rule() -> None:
     assert tuple(map(str.strip, sources)) == rules.get("TRE006").sources
 
 
+def test_short_files_beside_the_examples_are_shown_and_meshes_are_not() -> None:
+    assert '\n\nbad.srdf beside it:\n\n    <robot name="bad">\n' in render(rules.get("SRD004"))
+    assert "vertex 1,0 0,0 0,0" in render(rules.get("MSH009"))
+    assert list(rules.get("MSH025").beside) == [".gitignore", "forearm.obj"]  # no .git, no STL
+    assert rules.get("MSH008").beside.keys() == {"meshes/plate.stl"}  # not the empty one
+
+
 @pytest.mark.parametrize("code", rules.codes())
 def test_every_rule_can_be_explained(code: str) -> None:
     rule = rules.get(code)

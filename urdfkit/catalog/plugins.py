@@ -33,7 +33,6 @@ class Parameter(Record):
         name: its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``.
         type: ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on.
         required: True if the plugin does nothing, or fails, without it.
-        repeatable: True if more than one may stand there.
         default: as text; None if there is none, or it is found at run time.
         words: the values that it may have, or of a link, that are not looked up; empty if any.
     """
@@ -41,7 +40,6 @@ class Parameter(Record):
     name: str
     type: str
     required: bool
-    repeatable: bool
     default: str | None
     words: tuple[str, ...] = ()
 
@@ -188,13 +186,12 @@ def _read(entry: dict[str, Any]) -> Plugin:
 
 
 def _parameter(name: str, text: str, words: list[str]) -> Parameter:
-    """Read ``TYPE``, ``!`` if required, ``*`` if repeatable, ``= DEFAULT``."""
+    """Read ``TYPE``, ``!`` if required, ``*`` if it may be repeated, ``= DEFAULT``."""
     kind, has_default, default = text.partition(" = ")
     return Parameter(
         name,
         kind.rstrip("!*"),
         "!" in kind,
-        "*" in kind,
         default if has_default else None,
         tuple(words),
     )

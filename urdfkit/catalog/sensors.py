@@ -15,7 +15,6 @@ class SensorType(Record):
         blocks: the children that may hold its settings; empty if it has none.
         classic, gz: True if Gazebo Classic, or gz-sim, makes it.
         gz_name, classic_name: what it is called there, if otherwise.
-        on_joint: True if it belongs to a joint.
     """
 
     blocks: tuple[str, ...]
@@ -23,7 +22,6 @@ class SensorType(Record):
     gz: bool
     gz_name: str | None
     classic_name: str | None
-    on_joint: bool
 
 
 @cache
@@ -36,7 +34,6 @@ def types() -> dict[str, SensorType]:
             entry["gz"],
             entry["gz_name"],
             entry["classic_name"],
-            entry["parent"] == "joint",
         )
         for name, entry in data("sensors")["types"].items()
     }

@@ -20,22 +20,20 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
-<link name="chassis">
-  <collision><geometry><box size="0.6 0.4 0.3"/></geometry></collision>
+<link name="hand">
+  <collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>
 </link>
-<link name="wheel">
-  <collision>
-    <origin rpy="1.5708 0 0"/>
-    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-  </collision>
+<link name="finger">
+  <collision><geometry><sphere radius="0.02"/></geometry></collision>
 </link>
-<joint name="axle" type="continuous">
-  <parent link="chassis"/>
-  <child link="wheel"/>
-  <origin xyz="0.15 0.15 0"/>
-  <axis xyz="0 1 0"/>
+<joint name="slide" type="prismatic">
+  <parent link="hand"/>
+  <child link="finger"/>
+  <origin xyz="0 0 0.05"/>
+  <axis xyz="1 0 0"/>
+  <limit lower="0" upper="0.03" effort="20" velocity="0.1"/>
 </joint>"""
-GOOD = BAD.replace("0.15 0.15 0", "0.15 0.23 -0.1")
+GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
 
 @rule(

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.joints import MOVING, driven, effort_unit, related, several
+from urdfkit.mechanics.joints import effort_unit, limited_to_zero, related, several
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -43,17 +43,7 @@ GOOD = BAD.replace('effort="0"', 'effort="1.2"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     """One finding for all: who writes 0 for one joint, mostly does so for every other."""
-    active = driven(subject.model)
-    found = [
-        (joint, joint.limit.effort)
-        for joint in subject.model.joints
-        if joint.kind in MOVING
-        and joint.mimic is None
-        and joint.limit
-        and joint.limit.effort
-        and joint.limit.effort.value == 0
-        and (not active or joint.name in active)
-    ]
+    found = limited_to_zero(subject.model, "effort")
     if found:
         joints = [joint for joint, _ in found]
         yield Finding(

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.joints import MOVING, driven, related, several, unit
+from urdfkit.mechanics.joints import limited_to_zero, related, several, unit
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -42,17 +42,7 @@ GOOD = BAD.replace('velocity="0"', 'velocity="2"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     """One finding for all: who writes 0 for one joint, mostly does so for every other."""
-    active = driven(subject.model)
-    found = [
-        (joint, joint.limit.velocity)
-        for joint in subject.model.joints
-        if joint.kind in MOVING
-        and joint.mimic is None
-        and joint.limit
-        and joint.limit.velocity
-        and joint.limit.velocity.value == 0
-        and (not active or joint.name in active)
-    ]
+    found = limited_to_zero(subject.model, "velocity")
     if found:
         joints = [joint for joint, _ in found]
         yield Finding(

@@ -24,29 +24,26 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
+<link name="column"/>
+<link name="carriage"/>
+<joint name="lift" type="prismatic">
+  <parent link="column"/>
+  <child link="carriage"/>
   <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+  <limit lower="0.1" upper="0.9" effort="500" velocity="0.2"/>
 </joint>
-<ros2_control name="arm" type="system">
+<ros2_control name="lift" type="system">
   <hardware>
     <plugin>mock_components/GenericSystem</plugin>
   </hardware>
-  <joint name="shoulder">
-    <command_interface name="position">
-      <param name="min">-1</param>
-      <param name="max">1</param>
-    </command_interface>
+  <joint name="lift">
+    <command_interface name="position"/>
     <state_interface name="position">
-      <param name="initial_value">1.57</param>
+      <param name="initial_value">0</param>
     </state_interface>
   </joint>
 </ros2_control>"""
-GOOD = BAD.replace("1.57", "0.57")
+GOOD = BAD.replace(">0<", ">0.1<")
 
 #: In rad or m; people round.
 TOLERANCE = 1e-3

@@ -25,19 +25,7 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="bad">
-  <link name="base"/>
   <link name="forearm"/>
-  <link name="hand"/>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="forearm"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-  <joint name="wrist" type="fixed">
-    <parent link="forearm"/>
-    <child link="hand"/>
-  </joint>
 </robot>
 """
 GOOD = BAD.replace('"bad"', '"good"')

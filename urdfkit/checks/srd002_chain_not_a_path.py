@@ -22,17 +22,12 @@ if TYPE_CHECKING:
 BAD = """\
 <robot name="bad">
   <link name="base"/>
-  <link name="arm"/>
   <link name="hand"/>
-  <joint name="shoulder" type="revolute">
+  <joint name="slide" type="prismatic">
     <parent link="base"/>
-    <child link="arm"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-  <joint name="wrist" type="fixed">
-    <parent link="arm"/>
     <child link="hand"/>
+    <axis xyz="1 0 0"/>
+    <limit lower="0" upper="0.4" effort="50" velocity="0.2"/>
   </joint>
 </robot>
 """

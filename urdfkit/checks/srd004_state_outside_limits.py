@@ -23,16 +23,11 @@ BAD = """\
 <robot name="bad">
   <link name="base"/>
   <link name="arm"/>
-  <link name="hand"/>
   <joint name="shoulder" type="revolute">
     <parent link="base"/>
     <child link="arm"/>
     <axis xyz="0 0 1"/>
     <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
-  <joint name="wrist" type="fixed">
-    <parent link="arm"/>
-    <child link="hand"/>
   </joint>
 </robot>
 """

@@ -21,31 +21,29 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="bad">
-  <link name="base"/>
   <link name="arm"/>
   <link name="hand"/>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="arm"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
+  <link name="finger"/>
   <joint name="wrist" type="fixed">
     <parent link="arm"/>
     <child link="hand"/>
+  </joint>
+  <joint name="knuckle" type="continuous">
+    <parent link="hand"/>
+    <child link="finger"/>
   </joint>
 </robot>
 """
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = {
     "bad.srdf": b"""<robot name="bad">
-  <group name="arm"><joint name="shoulder"/></group>
+  <group name="arm"><joint name="knuckle"/></group>
   <group_state name="up" group="arm"><joint name="wrist" value="0"/></group_state>
 </robot>
 """,
     "good.srdf": b"""<robot name="good">
-  <group name="arm"><joint name="shoulder"/></group>
-  <group_state name="up" group="arm"><joint name="shoulder" value="0"/></group_state>
+  <group name="arm"><joint name="knuckle"/></group>
+  <group_state name="up" group="arm"><joint name="knuckle" value="0"/></group_state>
 </robot>
 """,
 }

@@ -25,15 +25,8 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="bad">
-  <link name="base"/>
   <link name="forearm"/>
   <link name="hand"/>
-  <joint name="shoulder" type="revolute">
-    <parent link="base"/>
-    <child link="forearm"/>
-    <axis xyz="0 0 1"/>
-    <limit lower="-1" upper="1" effort="10" velocity="1"/>
-  </joint>
   <joint name="wrist" type="fixed">
     <parent link="forearm"/>
     <child link="hand"/>
@@ -43,11 +36,11 @@ BAD = """\
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = {
     "bad.srdf": b"""<robot name="bad">
-  <disable_collisions link1="base" link2="forarm" reason="Never"/>
+  <disable_collisions link1="hand" link2="forarm" reason="Never"/>
 </robot>
 """,
     "good.srdf": b"""<robot name="good">
-  <disable_collisions link1="base" link2="forearm" reason="Never"/>
+  <disable_collisions link1="hand" link2="forearm" reason="Never"/>
 </robot>
 """,
 }

@@ -23,21 +23,15 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base"/>
 <link name="arm"/>
-<joint name="shoulder" type="revolute">
+<joint name="shoulder" type="continuous">
   <parent link="base"/>
   <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
 </joint>"""
 GOOD = BAD.replace("shoulder", "elbow")
 FILES = {
-    "example.srdf": b"""<robot name="example">
-  <group name="arm">
-    <link name="arm"/>
-  </group>
-</robot>
-""",
-    "joint_limits.yaml": b"""joint_limits:
+    "example.srdf": b'<robot name="example"/>',
+    "joint_limits.yaml": b"""\
+joint_limits:
   elbow:
     has_velocity_limits: true
     max_velocity: 2.0

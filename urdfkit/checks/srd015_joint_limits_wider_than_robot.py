@@ -27,27 +27,21 @@ if TYPE_CHECKING:
 TOLERANCE = 0.01
 
 BAD = """\
-<link name="base"/>
-<link name="arm"/>
-<joint name="shoulder" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+<link name="column"/>
+<link name="carriage"/>
+<joint name="lift" type="prismatic">
+  <parent link="column"/>
+  <child link="carriage"/>
+  <limit lower="0.1" upper="0.9" effort="500" velocity="0.1"/>
 </joint>"""
-GOOD = BAD.replace('velocity="1"', 'velocity="2"')
+GOOD = BAD.replace('velocity="0.1"', 'velocity="0.2"')
 FILES = {
-    "example.srdf": b"""<robot name="example">
-  <group name="arm">
-    <link name="arm"/>
-  </group>
-</robot>
-""",
-    "joint_limits.yaml": b"""joint_limits:
-  shoulder:
+    "example.srdf": b'<robot name="example"/>',
+    "joint_limits.yaml": b"""\
+joint_limits:
+  lift:
     has_velocity_limits: true
-    max_velocity: 2.0
-    has_acceleration_limits: false
+    max_velocity: 0.2
 """,
 }
 

@@ -60,6 +60,8 @@ def render(rule: Rule) -> str:
     for title, which in (("Bad", "BAD"), ("Good", "GOOD"), ("Fixed", "FIXED")):
         if example := rule.example(which):
             parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
+    for name, text in rule.beside.items():
+        parts.append(f"{name} beside it:\n\n{indent(text.strip(), '    ')}")
     if rule.sources:
         parts.append("\n".join(["Sources:", "", *(f"    {source}" for source in rule.sources)]))
     return "\n\n".join(parts) + "\n"

@@ -80,6 +80,24 @@ def driven(model: RobotModel) -> frozenset[str]:
     return frozenset(names)
 
 
+def limited_to_zero(model: RobotModel, of: str) -> list[tuple[Joint, Placed[float]]]:
+    """The joints whose limit of ``effort`` or ``velocity`` is 0, each with that limit.
+
+    Not those that follow another joint, nor, where some joints have a transmission or
+    ros2_control, those that have none: they are taken for passive.
+    """
+    active = driven(model)
+    limits = [
+        (joint, getattr(joint.limit, of))
+        for joint in model.joints
+        if joint.kind in MOVING
+        and joint.mimic is None
+        and joint.limit
+        and (not active or joint.name in active)
+    ]
+    return [(joint, limit) for joint, limit in limits if limit and limit.value == 0]
+
+
 def several(joints: Sequence[Joint]) -> str:
     """``joint 'a'``, ``joints 'a' and 'b'`` or ``joints 'a', 'b' and 7 more``."""
     first, *others = [f"'{joint.name}'" for joint in joints]
