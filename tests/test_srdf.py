@@ -9,7 +9,7 @@ from tests.srdfs import ROBOT
 from urdfkit import check
 from urdfkit.reading import read_xml
 from urdfkit.source import Source
-from urdfkit.srdf import Srdf, read
+from urdfkit.srdf import Srdf
 from urdfkit.subject import Subject
 from urdfkit.workspace.beside import srdf_files
 from urdfkit.workspace.resolve import Resolver
@@ -85,4 +85,4 @@ def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
     report = check(copied, select=["SRD"])
     assert report.diagnostics == ()
     subject = Subject(Source.read(copied), Resolver(environment={}))
-    assert read(str(tmp_path / "robot.srdf"), subject) is not None
+    assert subject.srdf is not None

@@ -89,7 +89,7 @@ def _row(subject: Subject, link: Link) -> MassRow:
     properties = properties_of(link, Frame())
     moments, axes = principal_axes(properties.tensor)
     try:
-        found = matter(subject, link, "auto")
+        found = matter(link, "auto", subject.measures)
     except ImportError:
         found = WITHOUT_MESHES
     if isinstance(found, str):

@@ -88,7 +88,7 @@ def _named(subject: Subject, name: str) -> dict[str, float]:
 def _srdf(subject: Subject, path: str) -> Srdf:
     from urdfkit.srdf import read
 
-    srdf = read(path, subject)
+    srdf = read(path, subject.tree, subject.resolver, trust=subject.trust)
     if srdf is None:
         raise PoseError(f"{path}: it is no SRDF")
     return srdf

@@ -18,7 +18,7 @@ from urdfkit.workspace.beside import srdf_files
 if TYPE_CHECKING:
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.workspace.resolve import Resolver
 
 
 class Srdf:
@@ -145,29 +145,34 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
             yield kind, attribute
 
 
-def find(subject: Subject) -> Srdf | None:
-    """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none."""
-    if subject.is_part:  # the SRDF is of the whole
-        return None
-    paths = srdf_files(subject.source.path, subject.resolver)
-    fitting = [srdf for path in paths if (srdf := read(path, subject)) is not None]
-    same = [srdf for srdf in fitting if srdf.root.get("name") == subject.model.name]
+def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+    """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none.
+
+    Args:
+        path: of the robot.
+        tree: of it.
+        resolver: finds files.
+        trust: let expressions of a xacro run unfenced and read any file.
+    """
+    read_files = (read(one, tree, resolver, trust=trust) for one in srdf_files(path, resolver))
+    fitting = [srdf for srdf in read_files if srdf is not None]
+    same = [srdf for srdf in fitting if srdf.root.get("name") == tree.model.name]
     chosen = same or fitting
     return chosen[0] if len(chosen) == 1 else None
 
 
-def read(path: str, subject: Subject) -> Srdf | None:
-    """An SRDF file; None if it cannot be read."""
+def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+    """An SRDF file, of the robot with this tree; None if it cannot be read."""
     try:
-        source = subject.resolver.read(path)
+        source = resolver.read(path)
     except UnreadableFile:
         return None
     if is_xacro(source):
         from urdfkit.expansion import expand
 
-        document = expand(source, subject.resolver, trust=subject.trust).document
+        document = expand(source, resolver, trust=trust).document
     else:
         document, _ = read_xml(source)
     if document is None or document.root.tag != "robot":
         return None
-    return Srdf(path, document.root, subject.tree)
+    return Srdf(path, document.root, tree)

@@ -235,9 +235,17 @@ class Subject:
     @cached_property
     def targets(self) -> Targets:
         """The consumers that it is checked for: as given, else as the model gives away."""
-        from urdfkit.targets import infer
+        if self._given_targets is not None:
+            return self._given_targets
+        return self.inferred_targets
 
-        return infer(self) if self._given_targets is None else self._given_targets
+    @property
+    def inferred_targets(self) -> Targets:
+        """The consumers that the model gives away."""
+        from urdfkit.targets import infer
+        from urdfkit.workspace.manifest import manifest_of
+
+        return infer(self.model, manifest_of(self.resolver, self.source.path))
 
     @cached_property
     def gazebo(self) -> Conversion:
@@ -262,10 +270,12 @@ class Subject:
 
     @cached_property
     def srdf(self) -> Srdf | None:
-        """The SRDF beside the robot, if there is one."""
+        """The SRDF beside the robot, if there is one; a part has none, an SRDF is of the whole."""
+        if self.is_part:
+            return None
         from urdfkit.srdf import find
 
-        return find(self)
+        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
 
     @cached_property
     def launch(self) -> Launch:

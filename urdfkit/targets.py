@@ -14,11 +14,11 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.manifest import manifest_of
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.model import RobotModel
+    from urdfkit.workspace.manifest import Manifest
 
 TARGETS = {
     "ros1": "ROS 1: urdfdom, robot_state_publisher, RViz",
@@ -76,32 +76,27 @@ def parse(names: Iterable[str]) -> Targets:
     return Targets(tuple(name for name in TARGETS if name in chosen))
 
 
-def infer(subject: Subject) -> Targets:
-    """The targets that a model gives away, each with the reason."""
+def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
+    """The targets that a model and the package.xml around it give away, each with the reason."""
     found: dict[str, str] = {}
-    for name, reason in _evidence(subject):
+    for name, reason in _evidence(model, manifest):
         found.setdefault(name, reason)
     names = tuple(name for name in TARGETS if name in found)
     return Targets(names, tuple(f"{name}: {found[name]}" for name in names))
 
 
-def _evidence(subject: Subject) -> Iterator[tuple[str, str]]:
-    ros = _ros_of_package(subject)
+def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[tuple[str, str]]:
+    ros = f"ros{manifest.ros}" if manifest and manifest.ros else None
     if ros:
         yield ros, "package.xml"
-    if subject.model.ros2_controls:
+    if model.ros2_controls:
         yield "ros2", "<ros2_control>"
-    for element in (*subject.model.gazebo, *subject.model.ros2_controls):
+    for element in (*model.gazebo, *model.ros2_controls):
         for plugin in element.walk():
             # ros2_control names its hardware plugin in the text
             name = plugin.get("filename") or plugin.text.strip()
             if plugin.tag == "plugin" and (target := _target_of_plugin(name, plugin, ros)):
                 yield target, f"plugin {name}"
-
-
-def _ros_of_package(subject: Subject) -> str | None:
-    manifest = manifest_of(subject.resolver, subject.source.path)
-    return f"ros{manifest.ros}" if manifest and manifest.ros else None
 
 
 def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None:

@@ -151,7 +151,12 @@ def test_a_link_may_be_passed_over_altogether() -> None:
 def test_the_fanuc_matrix_is_the_one_that_it_comes_with(corpus: Path) -> None:
     folder = corpus / "moveit_resources"
     fanuc = read(folder / "fanuc_description" / "urdf" / "fanuc.urdf")
-    srdf = read_srdf(str(folder / "fanuc_moveit_config" / "config" / "fanuc.srdf"), fanuc)
+    srdf = read_srdf(
+        str(folder / "fanuc_moveit_config" / "config" / "fanuc.srdf"),
+        fanuc.tree,
+        fanuc.resolver,
+        trust=False,
+    )
     assert srdf is not None
     found = collisions(fanuc)
     assert {one.verdict for one in found.pairs} == {
@@ -176,7 +181,7 @@ def test_the_panda_matrix_differs_in_what_can_be_shown(corpus: Path) -> None:
     folder = corpus / "moveit_resources"
     panda = read(folder / "panda_description" / "urdf" / "panda.urdf")
     path = str(folder / "panda_moveit_config" / "config" / "panda.srdf")
-    srdf = read_srdf(path, panda)
+    srdf = read_srdf(path, panda.tree, panda.resolver, trust=False)
     assert srdf is not None
     found = collisions(panda, begin=pose(panda, name=f"{path}:ready"))
     mine = {frozenset((one.first, one.second)): one for one in found.pairs}

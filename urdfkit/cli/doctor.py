@@ -20,7 +20,7 @@ from urdfkit.engine import check
 from urdfkit.rule_packages import installed
 from urdfkit.source import Source
 from urdfkit.subject import Subject
-from urdfkit.targets import Targets, infer, parse
+from urdfkit.targets import Targets, parse
 from urdfkit.workspace.resolve import Resolver
 
 #: What is looked for, what it is for, and what pip is told to install it.
@@ -152,7 +152,7 @@ def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:
     if given is not None:
         yield f"  targets: {', '.join(given.names)} (given)"
         return
-    inferred = infer(subject)
+    inferred = subject.inferred_targets
     yield f"  targets: {', '.join(inferred.names) or 'none; name them with --target'}"
     yield from (f"    {reason}" for reason in inferred.evidence)
 

@@ -14,8 +14,11 @@ from urdfkit.spatial import Vector
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.meshes.measures import Uniform
-    from urdfkit.subject import Subject
+    from collections.abc import Callable
+
+    from urdfkit.meshes.measures import Measures, Uniform
+
+    Measure = Callable[[Shape], Measures | str]
 
 #: What the matter of a link can be taken from.
 SOURCES = ("auto", "collision", "visual", "hull")
@@ -40,14 +43,14 @@ class Matter(Record):
         return MassProperties(mass, center, scaled(tensor, mass / volume))
 
 
-def matter(subject: Subject, link: Link, source: str) -> Matter | str:
+def matter(link: Link, source: str, measures: Measure) -> Matter | str:
     """What the shapes of a link enclose, or why that is not known.
 
     Args:
-        subject: the robot.
-        link: of it.
+        link: the link.
         source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
             convex hull of every mesh of those.
+        measures: measures a mesh, or says why it cannot: `Subject.measures`.
     """
     collisions = (link.collisions, "the collision")
     visuals = (link.visuals, "the visual")
@@ -56,14 +59,16 @@ def matter(subject: Subject, link: Link, source: str) -> Matter | str:
     for bodies, name in choices:
         if not bodies:
             continue
-        found = _enclosed(subject, bodies, name, hull=source == "hull")
+        found = _enclosed(bodies, name, measures, hull=source == "hull")
         if isinstance(found, Matter):
             return found
         reason = found
     return reason
 
 
-def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bool) -> Matter | str:
+def _enclosed(
+    bodies: tuple[Body, ...], name: str, measures: Measure, *, hull: bool
+) -> Matter | str:
     parts: list[MassProperties] = []
     notes: list[str] = []
     hulls = 0
@@ -74,7 +79,7 @@ def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bo
             continue
         if body.shape is None or body.shape.filename is None:
             return f"a shape of {name} cannot be read"
-        found = _of_mesh(subject, body, hull=hull)
+        found = _of_mesh(body, measures, hull=hull)
         if isinstance(found, str):
             return f"{name}: {found}"
         properties, is_hull = found
@@ -87,18 +92,18 @@ def _enclosed(subject: Subject, bodies: tuple[Body, ...], name: str, *, hull: bo
     return Matter(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
 
 
-def _of_mesh(subject: Subject, body: Body, *, hull: bool) -> tuple[MassProperties, bool] | str:
+def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> tuple[MassProperties, bool] | str:
     """The properties of a mesh in the frame of the link, and whether they are those of its hull."""
     assert body.shape is not None
     assert body.shape.filename is not None
-    measures = subject.measures(body.shape)
-    if isinstance(measures, str):
-        return f"'{body.shape.filename.value}' {measures}"
-    is_hull = hull or measures.solid is None
-    uniform = measures.hull if is_hull else measures.solid
+    measured = measures(body.shape)
+    if isinstance(measured, str):
+        return f"'{body.shape.filename.value}' {measured}"
+    is_hull = hull or measured.solid is None
+    uniform = measured.hull if is_hull else measured.solid
     if uniform is None:
         return "all of the mesh lies in a plane"
-    whole = stretched(uniform, body.shape, measures.unit)
+    whole = stretched(uniform, body.shape, measured.unit)
     if whole is None:
         return "the scale of the mesh is zero"
     mass, center, tensor = whole

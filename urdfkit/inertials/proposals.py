@@ -149,7 +149,7 @@ def _proposal(
     subject: Subject, link: Link, source: str, mass: float | None, density: float | None
 ) -> Proposal:
     declared = _declared(link.inertial)
-    found = matter(subject, link, source)
+    found = matter(link, source, subject.measures)
     if isinstance(found, str):
         return Proposal(link, (link.name,), declared, None, None, found)
     if mass is None:

@@ -89,7 +89,7 @@ def _srdf(path: str, subject: Subject) -> Srdf:
     from urdfkit.srdf import read
 
     Source.read(path)  # says why if there is none
-    found = read(path, subject)
+    found = read(path, subject.tree, subject.resolver, trust=subject.trust)
     if found is None:
         raise UrdfkitError(f"{path}: it is no SRDF")
     return found
