@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
-    from urdfkit.launch import FileUse
+    from urdfkit.launch.found import FileUse
 
 
 class Job(Record):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.gazebo.plugins import Use
     from urdfkit.grammar import Deviation
     from urdfkit.inertials.masses import Masses
-    from urdfkit.launch import FileUse, Launch
+    from urdfkit.launch.found import FileUse, Launch
     from urdfkit.mechanics.shapes import Lump
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.meshes.measures import Measures

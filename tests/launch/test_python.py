@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.launch import Launch, read_launch
+from urdfkit.launch import read_launch
+from urdfkit.launch.found import Launch
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
 

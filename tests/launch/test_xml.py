@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
-from urdfkit.launch import Launch, read_launch
+from urdfkit.launch import read_launch
+from urdfkit.launch.found import Launch
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
 

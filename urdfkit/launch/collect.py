@@ -7,7 +7,7 @@ import shlex
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
-from urdfkit.launch import Description, FileUse, Launch, PackageUse
+from urdfkit.launch.found import Description, FileUse, Launch, PackageUse
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver

@@ -7,8 +7,8 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.document import Tag
-from urdfkit.launch import PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
+from urdfkit.launch.found import PARAMETERS, Launch
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver

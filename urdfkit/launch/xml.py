@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import UnreadableFile
-from urdfkit.launch import MAX_DEPTH, PARAMETERS, Launch
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
+from urdfkit.launch.found import MAX_DEPTH, PARAMETERS, Launch
 from urdfkit.reading import Problem, read_xml
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
