@@ -14,16 +14,18 @@ MAX_UNITS = 30_000_000
 ELEMENT_SIZE = 100
 #: What a call counts for, or one turn of a comprehension, as it takes that much longer.
 STEP_SIZE = 10
+#: Units between two looks at the clock.
+_BETWEEN_LOOKS = 1000
 
 
 class Budget:
     """The budget of one expansion, shared by all of its attempts as far as time is concerned."""
 
-    __slots__ = ("_deadline", "_left")
+    __slots__ = ("_deadline", "_left", "_look")
 
     def __init__(self, deadline: float) -> None:
         self._deadline = deadline
-        self._left = MAX_UNITS
+        self._left = self._look = MAX_UNITS
 
     def charge(self, units: int) -> None:
         """Count what is made.
@@ -32,6 +34,9 @@ class Budget:
             TooMuch: more than any robot needs, or it takes too long.
         """
         self._left -= units
+        if self._left > self._look:
+            return
+        self._look = self._left - _BETWEEN_LOOKS
         if self._left < 0:
             raise TooMuch(
                 f"the expansion makes more than {MAX_UNITS} characters, or "

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from xml.dom import expatbuilder, minidom
-from xml.parsers import expat
+from xml.dom import minidom
 
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.expansion.budget import ELEMENT_SIZE, Budget
-from urdfkit.reading import Problem, TooMuch, entity_problem
 from urdfkit.source import Source
 from urdfkit.static import TYPE_CHECKING, Any
 
@@ -25,14 +23,56 @@ TEXT = minidom.Node.TEXT_NODE
 COMMENT = minidom.Node.COMMENT_NODE
 CDATA = minidom.Node.CDATA_SECTION_NODE
 
-#: Elements in one another; xacro works on them by recursion. Real robots have ten.
-MAX_DEPTH = 500
-
 # minidom's stubs describe the DOM, not the attributes that its own code works with.
 _StockElement: Any = minidom.Element
-_StockBuilder: Any = expatbuilder.ExpatBuilderNS
+_StockAttr: Any = minidom.Attr
+_StockText: Any = minidom.Text
 _NodeList: Any = vars(minidom)["NodeList"]
 Dom = Any  #: a ``minidom.Document`` whose elements are Nodes
+
+
+class Attr(_StockAttr):  # type: ignore[misc]
+    """An attribute: a name and a value, which are no properties.
+
+    That of ``minidom`` has a text node for every value besides, which nobody asks for and which
+    takes most of the time.
+    """
+
+    nodeName = value = ""  # noqa: N815
+    childNodes = _NodeList()  # noqa: N815 - the name of the DOM; there are none
+
+    def __init__(
+        self,
+        owner: Node,
+        name: str,
+        value: str,
+        uri: str | None = None,
+        local: str | None = None,
+        prefix: str | None = None,
+    ) -> None:
+        self.nodeName = self._name = name
+        self.value = value
+        self.namespaceURI, self._prefix = uri, prefix
+        self._localName = local or name
+        self.ownerElement, self.ownerDocument = owner, owner.ownerDocument
+        owner._attrs[name] = owner._attrsNS[uri, self._localName] = self
+
+
+class Text(_StockText):  # type: ignore[misc]
+    """A text, whose ``data`` is an attribute and no property.
+
+    Attributes:
+        data: the text.
+        ends: where in the file what comes behind it begins, if there is a ``$`` in it.
+    """
+
+    data = ""
+    ends: int | None = None
+
+    def __init__(self, data: str = "", document: Any = None) -> None:
+        self.data = data
+        self.ownerDocument = document
+        self.parentNode = self.previousSibling = self.nextSibling = None
 
 
 class Node(_StockElement):  # type: ignore[misc]
@@ -81,10 +121,10 @@ class Node(_StockElement):  # type: ignore[misc]
     def setAttribute(self, attname: str, value: str) -> None:  # noqa: N802
         value = str(value)  # stock xacro writes a number here and fails much later
         present = self._attrs.get(attname) if self._attrs else None
-        if present is None:
-            self._note_giver(attname)
-        elif present.value == value:
+        if present is not None:
+            present.value = value
             return
+        self._note_giver(attname)
         super().setAttribute(attname, value)
 
     def _note_giver(self, name: str) -> None:
@@ -107,23 +147,16 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     copy.frame = node.frame if keep else frame
     if node._attrs:
         copy._ensure_attributes()
-        for name, attribute in node._attrs.items():
-            twin: Any = minidom.Attr(
-                name, attribute.namespaceURI, attribute.localName, attribute.prefix
-            )
-            twin.ownerDocument = node.ownerDocument
-            twin.ownerElement = copy
-            twin.value = attribute.value
-            twin.specified = attribute.specified
-            copy._attrs[name] = twin
-            copy._attrsNS[twin.namespaceURI, twin.localName] = twin
-            size += len(twin.value or "")
+        for name, old in node._attrs.items():
+            Attr(copy, name, old.value, old.namespaceURI, old.localName, old.prefix)
+            size += len(old.value or "")
     previous: Any = None
     for child in node.childNodes:
+        twin: Any
         if child.nodeType == ELEMENT:
             twin = _clone(child, frame, keep=keep)
         else:
-            twin = _clone_text(child) if type(child) is minidom.Text else child.cloneNode(True)
+            twin = _clone_text(child) if type(child) is Text else child.cloneNode(True)
             size += len(child.data)
         twin.parentNode = copy
         twin.previousSibling = previous
@@ -135,13 +168,10 @@ def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
     return copy
 
 
-def _clone_text(text: Any) -> Any:
-    copy: Any = minidom.Text()
-    copy.data = text.data
-    copy.ownerDocument = text.ownerDocument
-    ends = getattr(text, "ends", None)
-    if ends is not None:
-        copy.ends = ends
+def _clone_text(text: Text) -> Text:
+    copy = Text(text.data, text.ownerDocument)
+    if text.ends is not None:
+        copy.ends = text.ends
     return copy
 
 
@@ -244,101 +274,6 @@ def _take_out(nodes: list[Any], before: Any) -> None:
     _link(nodes[-1].previousSibling, kept, before)
     for one in nodes:
         one.parentNode = one.previousSibling = one.nextSibling = None
-
-
-def _as_written(name: str) -> str:
-    """The name of an attribute, of which expat gives the URI, the name and the prefix."""
-    uri, _, rest = name.partition(" ")
-    name, _, prefix = rest.partition(" ")
-    return f"{prefix}:{name}" if prefix else name or uri
-
-
-class _Builder(_StockBuilder):  # type: ignore[misc]
-    """The stock builder, whose elements become Nodes."""
-
-    def __init__(self, source: Source, frame: Frame | None, budget: Budget) -> None:
-        super().__init__()
-        self._source = source
-        self._frame = frame
-        self._budget = budget
-        self._depth = 0
-        self.problems: list[Problem] = []
-        self.arguments: list[Node] = []
-
-    def start_element_handler(self, name: str, attributes: list[str]) -> None:
-        raw = list(attributes)  # the stock handler takes the list apart
-        for number in range(0, len(raw), 2):
-            raw[number] = _as_written(raw[number])
-        super().start_element_handler(name, attributes)
-        node = self.curNode
-        node.__class__ = Node
-        start = self._parser.CurrentByteIndex
-        node.tag_at = Tag(self._source, start, start)
-        parent = node.parentNode
-        node.around = parent.tag_at if isinstance(parent, Node) else None
-        node.raw, node.frame = raw, self._frame
-        node.given = node.traces = None
-        node.budget = self._budget
-        self._budget.charge(ELEMENT_SIZE)
-        self._depth += 1
-        if self._depth > MAX_DEPTH:
-            raise TooMuch(f"elements are nested more than {MAX_DEPTH} levels deep")
-        if node.tagName == "xacro:arg":
-            self.arguments.append(node)
-
-    def end_element_handler(self, name: str) -> None:
-        node = self.curNode
-        super().end_element_handler(name)
-        self._depth -= 1
-        at = self._parser.CurrentByteIndex
-        node.tag_at = node.tag_at.ended(at, empty=not node.childNodes)
-
-    def character_data_handler_cdata(self, data: str) -> None:
-        super().character_data_handler_cdata(data)
-        text = self.curNode.childNodes[-1]
-        if "$" in data or hasattr(text, "ends"):
-            text.ends = self._parser.CurrentByteIndex  # of what comes behind it
-
-    def comment_handler(self, data: str) -> None:
-        super().comment_handler(data)
-        if "$" in data:
-            comment = self.curNode.childNodes[-1]
-            comment.ends = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
-
-    def entity_decl_handler(self, *declaration: Any) -> None:
-        at = self._parser.CurrentByteIndex
-        self.problems.append(entity_problem(self._source, at, declaration[0]))
-        super().entity_decl_handler(*declaration)
-
-    def createParser(self) -> Any:  # noqa: N802
-        # Source has settled the encoding; what the declaration says no longer counts.
-        parser = expat.ParserCreate("utf-8", namespace_separator=" ")
-        parser.namespace_prefixes = True
-        parser.buffer_size = 1 << 20  # the builder joins pieces of a text one by one
-        return parser
-
-
-def parse(
-    source: Source, frame: Frame | None, budget: Budget
-) -> tuple[Dom, list[Problem], list[Node]]:
-    """Parse one xacro file.
-
-    Returns:
-        The DOM, what is odd about the text, and the ``xacro:arg`` elements.
-
-    Args:
-        source: the file.
-        frame: the include that asks for it; None for the checked file.
-        budget: what the expansion may make.
-
-    Raises:
-        TooMuch: it is larger than that.
-        xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
-    """
-    budget.charge(len(source.data))
-    builder = _Builder(source, frame, budget)
-    document = builder.parseString(source.data)
-    return document, builder.problems, builder.arguments
 
 
 def comments(dom: Dom) -> Iterator[str]:

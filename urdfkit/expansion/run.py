@@ -9,7 +9,7 @@ from types import FrameType
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
-from urdfkit.expansion import dom
+from urdfkit.expansion import builder
 from urdfkit.expansion.budget import Budget
 from urdfkit.expansion.dom import Dom, Node
 from urdfkit.expansion.engine import load_engine
@@ -128,7 +128,7 @@ class Run:
             frame = Frame("include", filename, include.tag_at, None, include.frame)
             source = self._included(filename)
         try:
-            document, problems, arguments = dom.parse(source, frame, self.budget)
+            document, problems, arguments = builder.parse(source, frame, self.budget)
         except Exception as error:
             error.urdfkit_place = (source, frame, include)  # type: ignore[attr-defined]
             raise
