@@ -9,7 +9,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Report, check
-from urdfkit.meshes.store import missing_library
+from urdfkit.libraries import missing_for_meshes
 from urdfkit.rules import TOLD_BY_COAL, TOLD_BY_MESHES
 
 PACKAGE = MODELS / "gazebo_pkg"
@@ -89,7 +89,7 @@ def placed(report: Report) -> list[tuple[str, str, int, int, int]]:
 def test_every_finding_is_at_its_place_and_there_is_no_other(report: Report) -> None:
     assert placed(report) == FINDINGS
     skipped = set() if HAS_COAL else TOLD_BY_COAL
-    if missing_library():
+    if missing_for_meshes():
         skipped |= TOLD_BY_MESHES
     assert {skip.code for skip in report.skipped} == skipped
     assert report.crashed == ()

@@ -14,7 +14,7 @@ import pytest
 
 from tests.conftest import ROOT
 from tests.meshes.made import binary_stl
-from urdfkit.meshes import store
+from urdfkit.libraries import why_unmeasured
 
 pytest_plugins = ["pytester"]
 
@@ -227,15 +227,15 @@ def _add_a_mesh(project: Project) -> None:
 
 
 def test_the_meshes_of_a_robot(project: Project) -> None:
-    if store.missing_library():  # to import one here would break those that do later
-        pytest.skip(f"{store.missing_library()} is not installed")
+    if reason := why_unmeasured():  # to import one here would break those that do later
+        pytest.skip(reason)
     _add_a_mesh(project)
     assert "test_it.py::test_one PASSED" in outcome(project.test(MEASURED), passed=1)
 
 
 def test_without_numpy_the_test_is_skipped_with_the_command_to_install_it(project: Project) -> None:
     _add_a_mesh(project)
-    block = 'from urdfkit.meshes import store; store.missing_library = lambda: "numpy"\n'
+    block = 'from urdfkit import libraries; libraries.missing_for_meshes = lambda: "numpy"\n'
     assert "pip install 'urdfkit[meshes]'" in outcome(project.test(block + MEASURED), skipped=1)
 
 

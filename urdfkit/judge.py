@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from urdfkit import glance, rules
+from urdfkit import glance, libraries, rules
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
@@ -269,9 +269,7 @@ def _can_collide(subject: Subject) -> bool:
 
 
 def _has_coal() -> bool:
-    from importlib.util import find_spec
-
-    return find_spec("coal") is not None
+    return libraries.find("coal") is not None
 
 
 def without_library(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:

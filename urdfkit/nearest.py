@@ -20,11 +20,23 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
 
     ``likeness`` is the least ratio of common letters, from 0 to 1.
     """
-    from difflib import get_close_matches  # 1 ms, and needed after a slip only
+    from difflib import SequenceMatcher  # 1 ms, and needed after a slip only
 
     spellings = {candidate.casefold(): candidate for candidate in known}
-    found = get_close_matches(word[:_LONGEST].casefold(), spellings, n=1, cutoff=likeness)
-    return spellings[found[0]] if found else None
+    matcher = SequenceMatcher(b=word[:_LONGEST].casefold())
+    # The exact ratio takes long; those that can be the best come first.
+    bounds: list[tuple[float, str]] = []
+    for spelling in spellings:
+        matcher.set_seq1(spelling)
+        if matcher.real_quick_ratio() >= likeness:
+            bounds.append((matcher.quick_ratio(), spelling))
+    best = (likeness, "")
+    for bound, spelling in sorted(bounds, reverse=True):
+        if bound < best[0]:
+            break
+        matcher.set_seq1(spelling)
+        best = max(best, (matcher.ratio(), spelling))
+    return spellings[best[1]] if best[1] else None
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
@@ -54,6 +66,10 @@ class Speller:
             if len(self._found) >= self.MAX_WORDS:
                 return ""
             found = nearest(word, self._known, 0.8) or ""
-            sides, others = re.findall(_SIDES, word), re.findall(_SIDES, found)
-            self._found[word] = "" if sides and others and sides != others else found
+            self._found[word] = "" if found and _are_siblings(word, found) else found
         return self._found[word]
+
+
+def _are_siblings(word: str, other: str) -> bool:
+    sides, others = re.findall(_SIDES, word), re.findall(_SIDES, other)
+    return bool(sides and others and sides != others)

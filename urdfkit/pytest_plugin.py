@@ -160,10 +160,10 @@ def robot_meshes(marked_urdf: Description) -> tuple[Use, ...]:
 
     The test is skipped where the libraries that measure them are not installed.
     """
-    from urdfkit.meshes import store
+    from urdfkit.libraries import why_unmeasured
 
-    if store.missing_library():
-        pytest.skip(f"it needs: {store.INSTALL}")
+    if reason := why_unmeasured():
+        pytest.skip(f"meshes are {reason}")
     return marked_urdf.meshes
 
 

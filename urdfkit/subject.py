@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
+from urdfkit import libraries
 from urdfkit.document import Document, Frame
 from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
 from urdfkit.record import Record
@@ -351,9 +352,7 @@ class Subject:
         bodies = sum(len(link.collisions) for link in self.model.links)
         if bodies > MAX_BODIES:
             raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
-        from importlib.util import find_spec
-
-        if find_spec("coal") is None:
+        if libraries.find("coal") is None:
             raise Unavailable(WITHOUT_COAL)
         try:
             from urdfkit.collision.robot import Collisions
@@ -368,9 +367,7 @@ class Subject:
         Raises:
             Unavailable: Pinocchio is not installed.
         """
-        from importlib.util import find_spec
-
-        if find_spec("pinocchio") is None:
+        if libraries.find("pinocchio") is None:
             raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
         from urdfkit.dynamics.opinion import opinion
 
@@ -395,12 +392,11 @@ class Subject:
         Raises:
             Unavailable: a library that measures them is not installed.
         """
+        if reason := libraries.why_unmeasured():
+            raise Unavailable(f"meshes are {reason}")
         from urdfkit.assets.measured import Measured
         from urdfkit.meshes import store
 
-        missing = store.missing_library()
-        if missing:
-            raise Unavailable(f"meshes are not measured without {missing}: {store.INSTALL}")
         kept = store.shared(cached=self.cache)
         return Measured(self.model, self.files, kept, self.progress)
 
@@ -410,10 +406,8 @@ class Subject:
         Args:
             shape: a mesh.
         """
-        from urdfkit.meshes import store
-
-        if missing := store.missing_library():
-            return f"is not measured without {missing}: {store.INSTALL}"
+        if reason := libraries.why_unmeasured():
+            return f"is {reason}"
         return self.measured.measures(shape)
 
     @cached_property

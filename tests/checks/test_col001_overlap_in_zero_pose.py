@@ -9,7 +9,7 @@ import pytest
 
 from tests.collision.robots import box, joint, link, revolute, sphere
 from tests.told import messages, places
-from urdfkit import engine
+from urdfkit import engine, libraries
 from urdfkit.examples import whole_robot
 from urdfkit.source import Source
 
@@ -68,10 +68,8 @@ def test_neighbours_and_rigid_links_are_no_matter() -> None:
 
 
 def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
-    from importlib import util
-
-    original = util.find_spec
-    monkeypatch.setattr(util, "find_spec", lambda name: None if name == "coal" else original(name))
+    original = libraries.find
+    monkeypatch.setattr(libraries, "find", lambda name: None if name == "coal" else original(name))
     for module in [name for name in sys.modules if name.startswith("urdfkit.collision")]:
         monkeypatch.delitem(sys.modules, module)
     source = Source("r.urdf", whole_robot(bent(0.02)).encode())

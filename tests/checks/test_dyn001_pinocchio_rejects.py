@@ -48,7 +48,7 @@ def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    monkeypatch.setattr("urdfkit.libraries.find", lambda name: None)
     text = whole_robot(robot(NO_EFFORT)).encode()
     report = engine.check(Source("r.urdf", text), select=["DYN001"], targets=FOR)
     assert report.diagnostics == ()

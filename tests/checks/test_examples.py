@@ -11,7 +11,7 @@ import pytest
 
 from urdfkit import engine, examples, rules
 from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.meshes import store
+from urdfkit.libraries import missing_for_meshes
 from urdfkit.rules import Need, Rule
 from urdfkit.subject import Subject
 
@@ -45,7 +45,7 @@ def _what_it_needs(code: str) -> None:
     needs = rules.get(code).needs
     if Need.DYNAMICS in needs:
         pytest.importorskip("pinocchio")
-    missing = store.missing_library()
+    missing = missing_for_meshes()
     if missing and Need.MESHES in needs:
         pytest.skip(f"{missing} is not installed")
     if Need.COLLISIONS in needs:

@@ -8,13 +8,14 @@ import pytest
 
 from tests.meshed import SOUND, link, mesh
 from urdfkit.examples import whole_robot
+from urdfkit.libraries import why_unmeasured
 from urdfkit.meshes import store
 
 
 @pytest.fixture
 def robot(tmp_path: Path) -> Path:
-    if store.missing_library():
-        pytest.skip(f"{store.missing_library()} is not installed")
+    if reason := why_unmeasured():
+        pytest.skip(reason)
     (tmp_path / "a.stl").write_bytes(SOUND)
     path = tmp_path / "robot.urdf"
     path.write_text(whole_robot(link(mesh("a.stl"))), encoding="utf-8")

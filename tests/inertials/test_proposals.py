@@ -216,6 +216,6 @@ def test_without_the_libraries_meshes_are_not_known_and_that_is_said(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write(as_mesh(trimesh.creation.box()), tmp_path / "m.stl")
-    monkeypatch.setattr("urdfkit.meshes.store.missing_library", lambda: "numpy")
+    monkeypatch.setattr("urdfkit.libraries.missing_for_meshes", lambda: "numpy")
     one = only(robot(tmp_path, collision('<mesh filename="m.stl"/>')))
     assert one.reason.endswith("without numpy: pip install 'urdfkit[meshes]'")

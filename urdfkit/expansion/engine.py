@@ -14,11 +14,11 @@ import warnings
 from _thread import allocate_lock
 from collections.abc import Callable
 from functools import lru_cache
-from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from keyword import iskeyword
 from types import ModuleType
 from xml.dom import minidom
 
+from urdfkit import libraries
 from urdfkit.errors import UrdfkitError
 from urdfkit.expansion import dom, patterns
 from urdfkit.expansion.dom import Node
@@ -54,15 +54,13 @@ def load_engine() -> Engine:
 
 
 def _private_copy() -> Any:
-    spec = find_spec("xacro")
+    spec = libraries.find("xacro")
     if spec is None or spec.origin is None:
         raise UrdfkitError("xacro is not installed; run: pip install 'xacro>=2.1,<2.2'")
-    private = spec_from_file_location(
-        _PRIVATE_NAME, spec.origin, submodule_search_locations=spec.submodule_search_locations
-    )
-    assert private is not None
-    assert private.loader is not None
-    module = module_from_spec(private)
+    loader: Any = spec.loader
+    module: Any = ModuleType(_PRIVATE_NAME)
+    module.__spec__ = type(spec)(_PRIVATE_NAME, loader, is_package=True)
+    module.__path__ = spec.submodule_search_locations
     # xacro's own command line is never used here, and its optparse costs 4 ms.
     command_line = ModuleType(f"{_PRIVATE_NAME}.cli")
     vars(command_line)["process_args"] = None
@@ -71,7 +69,7 @@ def _private_copy() -> Any:
     stock_writexml = minidom.Element.writexml
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of Python 3.10, about names in xacro
-        private.loader.exec_module(module)
+        exec(loader.get_code("xacro"), vars(module))
     Node.writexml = minidom.Element.writexml
     minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
     missing = [name for name in _REQUIRED if not hasattr(module, name)]

@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import re
 from functools import lru_cache
-from importlib.util import find_spec
 
 from urdfkit.meshes import facts
 from urdfkit.meshes.measures import Measures, from_json, to_json
@@ -25,18 +24,7 @@ VARIABLE = "URDFKIT_CACHE_DIR"
 #: Entries in one of the 256 folders; of some 2 kB each.
 MAX_ENTRIES = 100
 
-INSTALL = "pip install 'urdfkit[meshes]'"
-
 _LIBRARY = re.compile(rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)")
-
-
-@lru_cache
-def missing_library() -> str:
-    """A library that measuring needs and that is not installed; empty if all are."""
-    return next(
-        (name for name in ("numpy", "lxml", "manifold3d", "mapbox_earcut") if not find_spec(name)),
-        "",
-    )
 
 
 @lru_cache
