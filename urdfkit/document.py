@@ -14,9 +14,10 @@ from functools import lru_cache
 from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
-_TAG_NAME = re.compile(rb"<\s*([^\s/>]+)")
-_ATTRIBUTE = re.compile(rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_START_TAG_END = re.compile(rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>""")
+# Compiled when needed: a clean robot has no place to show.
+_TAG_NAME = rb"<\s*([^\s/>]+)"
+_ATTRIBUTE = rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')"""
+_START_TAG_END = rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>"""
 
 
 class Step(Record):
@@ -91,14 +92,14 @@ class Tag(Record):
     @property
     def inner_start(self) -> int:
         """Offset just after the start tag's ``>``."""
-        name = _TAG_NAME.match(self.source.data, self.start)
-        end = name and _START_TAG_END.match(self.source.data, name.end())
+        name = re.compile(_TAG_NAME).match(self.source.data, self.start)
+        end = name and re.compile(_START_TAG_END).match(self.source.data, name.end())
         return end.end() if end else min(self.start + 1, len(self.source.data))
 
     @property
     def name_span(self) -> Span:
         """The name in the start tag."""
-        match = _TAG_NAME.match(self.source.data, self.start)
+        match = re.compile(_TAG_NAME).match(self.source.data, self.start)
         start, end = match.span(1) if match else (self.start, self.start + 1)
         return Span(self.source, start, end)
 
@@ -124,9 +125,10 @@ class Tag(Record):
 @lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them asks
 def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
     data = tag.source.data
-    match = _TAG_NAME.match(data, tag.start)
+    match = re.compile(_TAG_NAME).match(data, tag.start)
+    attribute = re.compile(_ATTRIBUTE)
     spans: dict[str, Span] = {}
-    while match and (match := _ATTRIBUTE.match(data, match.end())):
+    while match and (match := attribute.match(data, match.end())):
         start, end = match.span(2)
         spans[match.group(1).decode("utf-8", "replace")] = Span(tag.source, start + 1, end - 1)
     return spans

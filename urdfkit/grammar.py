@@ -26,7 +26,7 @@ MAX_UNKNOWN = 1000
 _NEEDED = {"link": ("inertial",)}
 
 #: A tab or a line break between two numbers: only then are values looked at as they were typed.
-_BREAK = re.compile(rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]")
+_BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
 
 
 class Deviation(Record):
@@ -64,7 +64,7 @@ def deviations(
     root = document.root
     if root.tag != "robot":
         return {"URD015": [Deviation(root)]}
-    walk = _Walk(root, claimed, plain and bool(_BREAK.search(document.sources[0].data)))
+    walk = _Walk(root, claimed, plain and bool(re.search(_BREAK, document.sources[0].data)))
     stack = [(root, schema.ROBOT)]
     while stack:
         element, grammar = stack.pop()

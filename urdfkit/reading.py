@@ -21,11 +21,11 @@ MAX_ELEMENTS = 1_000_000
 #: Places of the same defect that are worth naming.
 MAX_RELATED = 5
 
-_DECLARATION = re.compile(rb"<\?xml[\s?][^>]*\?>|<\?xml\?>")
 # Compiled when needed, which is seldom.
+_DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
 _COMMENT = rb"<!--.*?-->"
 _OWN_TAG = rb"<xacro:(macro|include|property|arg|if|unless|insert_block|element|attribute|call)\b"
-_VERSION = re.compile(rb"""\bversion\s*=\s*["']([^"']*)["']""")
+_VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
 
@@ -157,7 +157,7 @@ def _is_known_to_expat(encoding: str) -> bool:
 def _forgiven(source: Source, problems: list[Problem]) -> bytes:
     """The bytes to parse: what urdfdom forgives in and before the XML declaration is blanked."""
     data = source.data
-    declaration = _DECLARATION.search(data, 0, 20_000)
+    declaration = re.search(_DECLARATION, data[:20_000])
     if declaration is None:
         return data
     start, end = declaration.span()
@@ -176,7 +176,7 @@ def _forgiven(source: Source, problems: list[Problem]) -> bytes:
 
 def _is_sound(declaration: bytes) -> bool:
     """True for an XML declaration that strict readers accept."""
-    version = _VERSION.search(declaration)
+    version = re.search(_VERSION, declaration)
     if version is None or version.group(1) not in (b"1.0", b"1.1"):
         return False
     try:

@@ -7,7 +7,6 @@ the build system of its package.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UrdfkitError
@@ -39,7 +38,7 @@ TARGETS = {
 #: Every Gazebo; they convert URDF to SDF with the same library.
 GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 
-_CLASSIC_PLUGIN = re.compile(r"(lib)?(gazebo_ros|hector_gazebo|hector|rotors)_")
+_CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
 
 
 class UnknownTarget(UrdfkitError):
@@ -106,7 +105,7 @@ def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None
         return "gz-harmonic"
     if "gazebo_ros2_control" in name:
         return "classic-ros2"
-    if _CLASSIC_PLUGIN.match(name):
+    if name.removeprefix("lib").startswith(_CLASSIC_PLUGINS):
         return _classic_generation(name, plugin, ros)
     return None
 

@@ -26,8 +26,7 @@ _CODES = {
     Kind.NOT_A_MESH: "MSH010",
     Kind.TRUNCATED: "MSH011",
 }
-_SEPARATORS = re.compile(r"[_\-. ]+")
-_NUMBERS = re.compile(r"\d+")
+_SEPARATORS = r"[_\-. ]+"
 
 
 class MeshReference(Record):
@@ -291,13 +290,13 @@ class Files:
         if base not in self._below:
             self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
         folder, wanted = os.path.split(located.relative)
-        numbers = _NUMBERS.findall(folder)
+        numbers = _numbers(folder)
         found = [
             path
             for path in self._below[base]
             if os.path.basename(path).casefold() == wanted.casefold()
             # The same part of another model of the series is not what was meant.
-            and (not numbers or _NUMBERS.findall(_relative(path, base)) in ([], numbers))
+            and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
         ]
         return found[0] if len(found) == 1 else None
 
@@ -306,11 +305,11 @@ class Files:
         base, relative = self._expected(located)
         folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
         entries = self.resolver.folders.entries(folder) or {}
-        numbers = _NUMBERS.findall(wanted)
+        numbers = _numbers(wanted)
         meshes = [
             name
             for name, is_folder in entries.items()
-            if not is_folder and _suffix(name) in BY_SUFFIX and _NUMBERS.findall(name) == numbers
+            if not is_folder and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
         ]
         name = nearest(wanted, meshes)
         if name is None:
@@ -353,7 +352,7 @@ def is_slip(wrong: str, right: str) -> bool:
     ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
     alike for itself, and all numbers equal.
     """
-    if _suffix(wrong) != _suffix(right) or _NUMBERS.findall(wrong) != _NUMBERS.findall(right):
+    if _suffix(wrong) != _suffix(right) or _numbers(wrong) != _numbers(right):
         return False
     words, others = _words(wrong), _words(right)
     if "".join(words) == "".join(others):
@@ -364,8 +363,12 @@ def is_slip(wrong: str, right: str) -> bool:
     )
 
 
+def _numbers(name: str) -> list[str]:
+    return re.findall(r"\d+", name)
+
+
 def _words(name: str) -> list[str]:
-    return [word for word in _SEPARATORS.split(os.path.splitext(name)[0].casefold()) if word]
+    return [word for word in re.split(_SEPARATORS, os.path.splitext(name)[0].casefold()) if word]
 
 
 def _suffix(name: str) -> str:

@@ -31,6 +31,7 @@ BAD = """\
 FIXED = BAD.replace("3.1415926", "${pi}")
 GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 
+_NAME = r"(?i)(^|_|\b)m?_?pi($|_)"
 #: So near to pi that no other meaning is likely, whatever the name.
 _CERTAIN = 1e-4
 #: So near that it is meant as pi if the name says so.
@@ -50,12 +51,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         value = number(definition.attributes.get("value"))
         if value is None or value == pi:
             continue
-        named = re.search(r"(?i)(^|_|\b)m?_?pi($|_)", definition.name) is not None
-        if abs(value - pi) < (_NAMED if named else _CERTAIN):
+        off = abs(value - pi)
+        if off < _CERTAIN or (off < _NAMED and re.search(_NAME, definition.name)):
             span = definition.tag.attribute_spans()["value"]
             yield Finding(
                 Written(definition.tag.span, definition.frame),
-                f"property '{definition.name}' is {value}, {abs(value - pi):.1e} off the "
-                "built-in pi",
+                f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi",
                 fix=Fix("use the built-in pi", (Edit(span, "${pi}"),)),
             )

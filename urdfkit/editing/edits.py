@@ -17,7 +17,7 @@ from urdfkit.source import Source, Span
 #: The indentation of one level where a file does not show its own.
 STEP = "  "
 
-_END_TAG_NAME = re.compile(rb"</\s*([^\s>]+)")
+_END_TAG_NAME = rb"</\s*([^\s>]+)"
 
 
 def rename_element(element: Element, name: str) -> tuple[Edit, ...] | None:
@@ -26,7 +26,7 @@ def rename_element(element: Element, name: str) -> tuple[Edit, ...] | None:
     if tag.name_span.text != element.tag:
         return None
     edits = [Edit(tag.name_span, name)]
-    if end := _END_TAG_NAME.match(tag.source.data, tag.close):
+    if end := re.compile(_END_TAG_NAME).match(tag.source.data, tag.close):
         edits.append(Edit(Span(tag.source, *end.span(1)), name))
     return tuple(edits)
 

@@ -41,7 +41,7 @@ _OPERATORS = {
 }
 
 #: A name, or a value of a table by its key: most expressions are, and nothing can be wrong with it.
-_PLAIN = re.compile(r"(?!__)[A-Za-z_]\w*(\[(['\"])\w+\2\])*", re.ASCII)
+_PLAIN = r"(?a)(?!__)[A-Za-z_]\w*(\[(['\"])\w+\2\])*"
 
 #: The place of a node that stands in no text.
 _NOWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
@@ -56,7 +56,7 @@ def compile_expression(text: str) -> CodeType:
         UnsafeExpression: it is refused.
         TooLarge: it is longer, or nested deeper, than any model's.
     """
-    if _PLAIN.fullmatch(text):
+    if (text.isidentifier() or "[" in text) and re.fullmatch(_PLAIN, text):
         return compile(text, "<expression>", "eval")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what Python thinks of its style is nobody's business

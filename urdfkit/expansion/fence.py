@@ -41,7 +41,7 @@ _OF_TABLES = frozenset(
 _PADDING = frozenset("center ljust rjust zfill".split())
 _GROWING = frozenset("add append extend insert setdefault update".split())
 _MAX_FORMAT = 2000
-_WIDE_FIELD = re.compile(r"%(?:\(.*\))?[#0\- +]*(?:\*|\d{4,}|\d*\.(?:\*|\d{4,}))", re.DOTALL)
+_WIDE_FIELD = r"(?s)%(?:\(.*\))?[#0\- +]*(?:\*|\d{4,}|\d*\.(?:\*|\d{4,}))"
 
 
 class UnsafeExpression(Exception):
@@ -209,7 +209,7 @@ class Fence:
     def modulo(self, left: Any, right: Any) -> Any:
         if isinstance(left, (str, bytes)):
             text = left if isinstance(left, str) else left.decode("latin-1")
-            if len(text) > _MAX_FORMAT or _WIDE_FIELD.search(text):
+            if len(text) > _MAX_FORMAT or re.search(_WIDE_FIELD, text):
                 raise TooLarge("a format with a field of more than 999 characters")
             _check_length(text.count("%") * extent(right))
         return self.keep(left % right)

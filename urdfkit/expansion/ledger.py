@@ -24,9 +24,7 @@ MAX_RELATED = 5
 #: Stands among the lost names for those that a missing file would have defined.
 ANY = "*"
 
-_UNDEFINED = re.compile(
-    r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
-)
+_UNDEFINED = r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
 
 
 class Message(Record):
@@ -97,7 +95,7 @@ class Ledger:
             return False
         if isinstance(cause, MissingArgument):
             return bool(self.lost & {ANY, str(cause)})
-        undefined = _UNDEFINED.search(str(cause))
+        undefined = re.search(_UNDEFINED, str(cause))
         return undefined is not None and bool(self.lost & {ANY, *undefined.groups()})
 
 

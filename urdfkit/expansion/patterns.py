@@ -12,11 +12,9 @@ from urdfkit.static import Any
 _MAX_PARAMETERS = 10_000
 #: Characters among which xacro's pattern may try all ways to read a default.
 _MAX_TRIED = 24
-_WITH_DEFAULT = re.compile(r"\s*[^\s:=]+?\s*:?=\s*")
+_WITH_DEFAULT = r"\s*[^\s:=]+?\s*:?=\s*"
 #: xacro's pattern of a default, in which every character can be read in one way only.
-_DEFAULT = re.compile(
-    r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
-)
+_DEFAULT = r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
 
 
 def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
@@ -28,8 +26,9 @@ def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
     def parse_macro_arg(text: str) -> Any:
         if len(text) > _MAX_PARAMETERS:
             raise TooLarge(f"parameters of {len(text)} characters")
-        start = _WITH_DEFAULT.match(text)
-        if start and len(text) - start.end() > _MAX_TRIED and not _DEFAULT.match(text, start.end()):
+        start = len(text) > _MAX_TRIED and re.match(_WITH_DEFAULT, text)
+        default = text[start.end() :] if start else ""
+        if len(default) > _MAX_TRIED and not re.match(_DEFAULT, default):
             raise TooLarge("a long default with an unmatched quote")
         return stock(text)
 

@@ -16,7 +16,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver
 
-_WILDCARD = re.compile(r"[*?[]")
+_WILDCARD = r"[*?[]"
 
 
 class Reader:
@@ -102,15 +102,15 @@ class Reader:
             TooMuch: it takes too long; links that lead in circles multiply the paths.
         """
         folder, name = os.path.split(pattern)
-        if not _WILDCARD.search(pattern):
+        if not re.search(_WILDCARD, pattern):
             if os.path.lexists(pattern) if name else os.path.isdir(folder):
                 yield pattern
             return
         folders: Iterable[str] = [folder]
-        if _WILDCARD.search(folder) and folder != pattern:
+        if re.search(_WILDCARD, folder) and folder != pattern:
             folders = self.glob(folder, budget)
         for inside in folders:
-            if _WILDCARD.search(name):
+            if re.search(_WILDCARD, name):
                 yield from self._matching(inside, name, budget)
             elif os.path.lexists(path := os.path.join(inside, name)):
                 yield path

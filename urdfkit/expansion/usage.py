@@ -8,15 +8,13 @@ from collections.abc import Iterable, Iterator
 from urdfkit.record import Record
 from urdfkit.source import Source
 
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_EXPRESSION = re.compile(rb"\$\{([^}]*)\}")
-_COMMAND = re.compile(rb"\$\(([^)]*)\)")
-_WORD = re.compile(rb"[A-Za-z_]\w*")
-_FORWARDED = re.compile(rb"=\s*\^")
-_NAME_BEFORE = re.compile(rb"(\w+)\s*:?\Z")
-_INSERTED = re.compile(rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)""")
-_CALL = re.compile(rb"<xacro:([\w.]+)")
-_INCLUDE = re.compile(rb"<xacro:include\b")
+_COMMENT = rb"(?s)<!--.*?-->"
+_EXPRESSION = rb"\$\{([^}]*)\}"
+_COMMAND = rb"\$\(([^)]*)\)"
+_WORD = rb"[A-Za-z_]\w*"
+_NAME_BEFORE = rb"(\w+)\s*:?=\s*\Z"
+_INSERTED = rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)"""
+_TAG = rb"<xacro:([\w.]+)"
 
 
 #: Bytes before a forwarding that are searched for its name.
@@ -43,16 +41,17 @@ def usage(sources: Iterable[Source]) -> Usage:
     calls: set[bytes] = set()
     includes: set[tuple[str, int]] = set()
     for source in sources:
-        data = _COMMENT.sub(lambda match: b" " * len(match.group()), source.data)
+        data = re.sub(_COMMENT, lambda match: b" " * len(match.group()), source.data)
         # Not behind the last bracket: there every opening one is searched for to the end.
-        expressions = _EXPRESSION.findall(data, 0, data.rfind(b"}") + 1)
-        expressions += _COMMAND.findall(data, 0, data.rfind(b")") + 1)
-        for expression in expressions:
-            names.update(_WORD.findall(expression))
+        expressions = re.findall(_EXPRESSION, data[: data.rfind(b"}") + 1])
+        expressions += re.findall(_COMMAND, data[: data.rfind(b")") + 1])
+        names.update(re.findall(_WORD, b" ".join(expressions)))
         names.update(_forwarded(data))
-        names.update(_INSERTED.findall(data))
-        calls.update(tag.rpartition(b".")[2] for tag in _CALL.findall(data))
-        includes.update((source.path, match.start()) for match in _INCLUDE.finditer(data))
+        names.update(re.findall(_INSERTED, data))
+        for tag in re.finditer(_TAG, data):
+            calls.add(tag.group(1).rpartition(b".")[2])
+            if tag.group(1) == b"include":
+                includes.add((source.path, tag.start()))
     return Usage(
         frozenset(name.decode() for name in names),
         frozenset(call.decode() for call in calls),
@@ -62,7 +61,9 @@ def usage(sources: Iterable[Source]) -> Usage:
 
 def _forwarded(data: bytes) -> Iterator[bytes]:
     """The names in ``name:=^``; from the sign backwards, for words are everywhere."""
-    for sign in _FORWARDED.finditer(data):
-        name = _NAME_BEFORE.search(data, max(0, sign.start() - _NEAR), sign.start())
+    sign = data.find(b"^")
+    while sign >= 0:
+        name = re.search(_NAME_BEFORE, data[max(0, sign - _NEAR) : sign])
         if name:
             yield name.group(1)
+        sign = data.find(b"^", sign + 1)

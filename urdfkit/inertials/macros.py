@@ -41,9 +41,9 @@ _MOMENTS = {
     "sphere": (("radius",), ("${2 / 5 * mass * radius*radius}",) * 3),
 }
 
-_PARAMETER = re.compile(r"\$\{\s*(\w+)\s*\}")
+_PARAMETER = r"\$\{\s*(\w+)\s*\}"
 #: A number or an expression of a vector.
-_PART = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+")
+_PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
 
 
 class _Call(Record):
@@ -147,7 +147,7 @@ def _mass(link: Link, frame: Frame) -> str | None:
     assert link.inertial is not None
     element = link.inertial.at.child("mass")
     value = element.attributes.get("value") if element else None
-    parameter = _PARAMETER.fullmatch(value.span.text) if value else None
+    parameter = re.fullmatch(_PARAMETER, value.span.text) if value else None
     given = frame.call.attribute_spans()
     if parameter is None or set(given) != {parameter.group(1)}:
         return None
@@ -161,7 +161,7 @@ def _sizes(shape: Element, kind: str) -> list[tuple[str, str]] | None:
         texts = [_text(shape.attributes.get(name)) for name in parameters]
     else:
         size = _text(shape.attributes.get("size"))
-        texts = list(_PART.findall(size)) if size is not None else []
+        texts = list(re.findall(_PART, size)) if size is not None else []
     if len(texts) != len(parameters) or not all(texts):
         return None
     return [(name, text or "") for name, text in zip(parameters, texts, strict=True)]

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.spatial import Vector
 
 #: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
 
 #: Words for the left, and for the right in their place. Beside the plain ones, the corners of a
 #: vehicle or a quadruped, the side first or last: front, rear, back, hind, middle.
@@ -20,7 +20,7 @@ _RIGHT_OF = {"left": "right", "l": "r"} | {
     left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
 }
 
-_NUMBER = re.compile(r"\d+")
+_NUMBER = r"\d+"
 
 #: Longer names are nobody's, and taking them apart costs their length squared.
 _LONGEST = 200
@@ -45,7 +45,7 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
 
 def _right_twins(name: str) -> Iterator[str]:
     """A name with one of its words for left turned into right, the last word first."""
-    for match in reversed(list(_WORD.finditer(name))):
+    for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
         right = _RIGHT_OF.get(word.lower())
         if right is None and "left" in word.lower():  # leftwheel
@@ -75,7 +75,7 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
     for name in places:
         if len(name) > _LONGEST:
             continue
-        for match in _NUMBER.finditer(name):
+        for match in re.finditer(_NUMBER, name):
             rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
     taken: set[str] = set()
     found: list[tuple[str, str]] = []

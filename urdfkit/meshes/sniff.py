@@ -35,8 +35,8 @@ _JUDGES = {
 _TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 _LFS = b"version https://git-lfs.github.com/spec/"
-_XML_ROOT = re.compile(rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)")
-_NOT_ROOT = re.compile(rb"<\?.*?\?>|<!--.*?-->|<![^>]*>", re.DOTALL)
+_XML_ROOT = rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)"
+_NOT_ROOT = rb"(?s)<\?.*?\?>|<!--.*?-->|<![^>]*>"
 _HTML_TAGS = frozenset("html head body script meta title div table".split())
 #: A line of OBJ, or a line that names its materials.
 _OBJ = (
@@ -156,7 +156,7 @@ def _xml_root(data: bytes) -> str:
         text = data[:length]
         if text.startswith(_UTF_16):
             text = text.replace(b"\0", b"")
-        match = _XML_ROOT.search(_NOT_ROOT.sub(b" ", text))
+        match = re.search(_XML_ROOT, re.sub(_NOT_ROOT, b" ", text))
         if match:
             return match.group(1).decode("ascii")
     return ""

@@ -24,7 +24,7 @@ VARIABLE = "URDFKIT_CACHE_DIR"
 #: Entries in one of the 256 folders; of some 2 kB each.
 MAX_ENTRIES = 100
 
-_LIBRARY = re.compile(rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)")
+_LIBRARY = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
 
 
 @lru_cache
@@ -96,7 +96,7 @@ def _digest(data: bytes, form: str, folder: str) -> str:
     if form == facts.OBJ:
         from urdfkit.meshes.beside import read_library
 
-        for name in _LIBRARY.findall(data):
+        for name in re.findall(_LIBRARY, data):
             digest.update(name + (read_library(name.decode("utf-8", "replace"), folder) or b""))
     return digest.hexdigest()
 

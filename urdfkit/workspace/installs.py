@@ -16,16 +16,13 @@ from urdfkit.record import Record
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
 
-_TOKEN = re.compile(
-    r"""\#\[(=*)\[.*?\]\1\]        # a bracket comment
+_TOKEN = r"""(?sx)\#\[(=*)\[.*?\]\1\]        # a bracket comment
       | \#[^\n]*                   # a comment
       | "((?:[^"\\]|\\.)*)"        # a quoted argument
       | ([()])
       | ([^\s()#"]+)
-    """,
-    re.DOTALL | re.VERBOSE,
-)
-_VARIABLE = re.compile(r"\$\{([^${}]*)\}")
+    """
+_VARIABLE = r"\$\{([^${}]*)\}"
 _END_OF_SOURCES = frozenset(
     "COMPONENT CONFIGURATIONS EXCLUDE EXCLUDE_FROM_ALL FILES_MATCHING FILE_PERMISSIONS "
     "DIRECTORY_PERMISSIONS MESSAGE_NEVER OPTIONAL PATTERN PERMISSIONS REGEX RENAME TYPE "
@@ -103,7 +100,7 @@ def _commands(text: str) -> Iterator[_Command]:
     name = ""
     arguments: list[tuple[str, bool]] = []
     depth = 0
-    for token in _TOKEN.finditer(text):
+    for token in re.finditer(_TOKEN, text):
         _, quoted, bracket, word = token.groups()
         if bracket == "(":
             depth += 1
@@ -178,7 +175,7 @@ def _expanded(command: _Command, variables: dict[str, str]) -> list[str]:
     for text, quoted in command.arguments:
         value = text
         for _ in range(5):  # a variable in the name of a variable
-            replaced = _VARIABLE.sub(lambda m: variables.get(m.group(1), m.group()), value)
+            replaced = re.sub(_VARIABLE, lambda m: variables.get(m.group(1), m.group()), value)
             if replaced == value or len(replaced) > MAX_BYTES:
                 break
             value = replaced

@@ -10,9 +10,9 @@ from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
 
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_DEPENDENCY = re.compile(rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>")
-_BUILD = re.compile(rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)")
+_COMMENT = rb"(?s)<!--.*?-->"
+_DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
+_BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
 
 class Manifest(Record):
@@ -21,14 +21,23 @@ class Manifest(Record):
     Attributes:
         path: of it.
         package: its name.
-        dependencies: names of packages, of every kind of dependency.
-        ros: 1 or 2 by the build system; None if it does not tell.
+        data: its text without comments.
     """
 
     path: str
     package: str
-    dependencies: frozenset[str]
-    ros: int | None
+    data: bytes
+
+    @property
+    def dependencies(self) -> frozenset[str]:
+        """Names of packages, of every kind of dependency."""
+        return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, self.data))
+
+    @property
+    def ros(self) -> int | None:
+        """1 or 2 by the build system; None if it does not tell."""
+        build = re.search(_BUILD, self.data)
+        return None if build is None else {b"catkin": 1, b"ament": 2}[build.group(1)]
 
 
 def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
@@ -45,11 +54,4 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
                 data = opened.read(MAX_BYTES)
         except OSError:
             return None  # a rosbuild package
-    data = _COMMENT.sub(b"", data)
-    build = _BUILD.search(data)
-    return Manifest(
-        file,
-        name,
-        frozenset(found[1].decode() for found in _DEPENDENCY.findall(data)),
-        None if build is None else {b"catkin": 1, b"ament": 2}[build.group(1)],
-    )
+    return Manifest(file, name, re.sub(_COMMENT, b"", data))

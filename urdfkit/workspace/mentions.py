@@ -17,13 +17,10 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages
 
-_MENTION = re.compile(
-    rb"""<!--.*?-->
+_MENTION = rb"""(?sx)<!--.*?-->
       | \$\(find\s+([A-Za-z][\w.-]*)\s*\)(/[^\s"'<>]*)?
       | package://([A-Za-z][\w.-]*)(/[^\s"'<>]*)?
-    """,
-    re.DOTALL | re.VERBOSE,
-)
+    """
 
 
 class Mention(Record):
@@ -45,7 +42,7 @@ def mentions(source: Source) -> Iterator[Mention]:
     """The packages in a text, in its order, outside of comments."""
     if b"$(find" not in source.data and b"package://" not in source.data:
         return
-    for match in _MENTION.finditer(source.data):
+    for match in re.finditer(_MENTION, source.data):
         found = match.group(1) or match.group(3)
         if found:
             path = (match.group(2) or match.group(4) or b"").decode("utf-8", "replace")

@@ -26,9 +26,9 @@ _SHARED_BY_ALL = frozenset(
     "/ /dev /etc /home /media /mnt /opt /private /proc /root /run /srv /sys /tmp /usr /usr/share "
     "/usr/local /usr/src /var /var/tmp /Users /Volumes".split()
 )
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_NAME = re.compile(rb"<name>\s*([^<>\s]+)\s*</name>")
-_MODEL_PATH = re.compile(rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+_COMMENT = rb"(?s)<!--.*?-->"
+_NAME = rb"<name>\s*([^<>\s]+)\s*</name>"
+_MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
 class Candidate(Record):
@@ -169,7 +169,7 @@ class Packages:
         gazebo_ros adds these to Gazebo's model path.
         """
         for folder in self.known(near).values():
-            for match in _MODEL_PATH.finditer(_read_marker(folder, "package.xml")):
+            for match in re.finditer(_MODEL_PATH, _read_marker(folder, "package.xml")):
                 text = (match.group(1) or match.group(2) or b"").decode("utf-8", "replace")
                 for path in text.split(":"):
                     prefix, prefixed, relative = path.partition("${prefix}")
@@ -318,7 +318,7 @@ class _Scan:
 def _package_name(folder: str) -> str | None:
     data = _read_marker(folder, "package.xml")
     if data:
-        match = _NAME.search(data)
+        match = re.search(_NAME, data)
         return match.group(1).decode("utf-8", "replace") if match else None
     # rosbuild: the name is that of the folder.
     if b"<package" in _read_marker(folder, "manifest.xml"):
@@ -333,7 +333,7 @@ def _read_marker(folder: str, name: str) -> bytes:
         if not os.path.isfile(path):
             return b""
         with open(path, "rb") as file:
-            return _COMMENT.sub(b"", file.read(65_536))
+            return re.sub(_COMMENT, b"", file.read(65_536))
     except (OSError, ValueError):
         return b""
 

@@ -17,8 +17,8 @@ from urdfkit.source import Source
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.packages import Candidate, Packages, path_list
 
-_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
-_DRIVE = re.compile(r"/?[A-Za-z]:/")
+_SCHEME = r"([A-Za-z][A-Za-z0-9+.-]+)://"
+_DRIVE = r"/?[A-Za-z]:/"
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
@@ -189,7 +189,7 @@ class Resolver:
 
     def _locate(self, reference: str, near: str, top: str) -> Located:
         text = reference.replace("\\", "/")
-        match = _SCHEME.match(text)
+        match = re.match(_SCHEME, text)
         scheme = match.group(1).lower() if match else ""
         rest = text[match.end() :] if match else text
         if scheme in ("package", "model"):
@@ -202,7 +202,7 @@ class Resolver:
             rest = rest.removeprefix("localhost")
         elif scheme:
             return Located(reference, scheme)
-        if rest.startswith("/") or _DRIVE.match(rest):
+        if rest.startswith("/") or re.match(_DRIVE, rest):
             return self._absolute(reference, rest)
         return self._relative(reference, rest, near, top)
 
@@ -242,7 +242,7 @@ class Resolver:
     def _absolute(self, reference: str, text: str) -> Located:
         tried: list[str] = []
         for spelt in _spellings(text):
-            path = os.path.normpath(spelt.lstrip("/") if _DRIVE.match(spelt) else spelt)
+            path = os.path.normpath(spelt.lstrip("/") if re.match(_DRIVE, spelt) else spelt)
             tried.append(path)
             found = self.folders.find(*os.path.split(path)) or self.installed(path)
             if found:

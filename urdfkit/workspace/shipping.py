@@ -12,15 +12,14 @@ from functools import cached_property
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
 #: Commands that may install what is not told here: other files, and functions of the package.
-_UNCLEAR = re.compile(
-    r"\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
-    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\(",
-    re.IGNORECASE,
+_UNCLEAR = (
+    r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
+    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
 )
-_COMMAND = re.compile(r"\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)", re.IGNORECASE)
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
+_VARIABLE = r"\$\{(\w+)\}"
 #: Words of a setup.py that lists its files at build time.
-_WALK = re.compile(r"\b(?:walk|rglob|scandir|recursive)\b|\*\*")
+_WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
 
 
 class Shipping:
@@ -49,8 +48,8 @@ class Shipping:
         if not self.file:
             return True
         if self.file.endswith(".py"):
-            return _WALK.search(self._text) is not None or relative.partition("/")[0] in self._text
-        return self._is_unclear or any(_overlap(relative, target) for target in self._targets)
+            return relative.partition("/")[0] in self._text or bool(re.search(_WALK, self._text))
+        return any(_overlap(relative, target) for target in self._targets) or self._is_unclear
 
     def remedy(self, top: str) -> str:
         """How to install a folder."""
@@ -76,11 +75,11 @@ class Shipping:
     @cached_property
     def _is_unclear(self) -> bool:
         """True if the CMake file installs nothing that is known, or something else as well."""
-        if not self._targets or _UNCLEAR.search(self._text):
+        if not self._targets or re.search(_UNCLEAR, self._text):
             return True
         known = set(known_variables(self._package))
-        for command, first, rest in _COMMAND.findall(self._text):
-            if not known.issuperset(_VARIABLE.findall(rest)):
+        for command, first, rest in re.findall(_COMMAND, self._text):
+            if not known.issuperset(re.findall(_VARIABLE, rest)):
                 return True
             if command.lower() != "install":
                 known.add(first)
