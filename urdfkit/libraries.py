@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from functools import lru_cache
 
-from urdfkit.static import TYPE_CHECKING
+TYPE_CHECKING = False
 
 if TYPE_CHECKING:
     from importlib.machinery import ModuleSpec
