@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import cache
+from io import BytesIO
 from math import asin, atan, degrees, radians, sin, tan
 from pathlib import Path
 
@@ -216,6 +217,24 @@ def test_a_shape_is_seen_where_perspective_puts_it(
     pixels = [slope / tan(radians(20)) * height for slope in slopes]
     assert count_hits(page, width, "t, 0.5") == pytest.approx(pixels[0], abs=2)
     assert count_hits(page, height, "0.5, t") == pytest.approx(pixels[1], abs=2)
+
+
+def test_what_is_black_shows_its_shape(page: Page, tmp_path: Path) -> None:
+    """A black sphere is shaded: its brightest part is not as dark as its darkest one."""
+    image = pytest.importorskip("PIL.Image")
+    ball = '<geometry><sphere radius="0.5"/></geometry>'
+    black = '<material name="black"><color rgba="0 0 0 1"/></material>'
+    robot = tmp_path / "ball.urdf"
+    robot.write_text(
+        f'<robot name="r"><link name="ball"><visual>{ball}{black}</visual></link></robot>',
+        encoding="utf-8",
+    )
+    page.open(written(robot, tmp_path))
+    picture = image.open(BytesIO(page.find("canvas").screenshot_as_png)).convert("L")
+    width, height = picture.size
+    box = (width // 2 - 40, height // 2 - 40, width // 2 + 40, height // 2 + 40)
+    darkest, brightest = picture.crop(box).getextrema()
+    assert 10 < darkest < brightest - 20 < 120
 
 
 def test_the_keyboard_turns_the_view(page: Page, tmp_path: Path) -> None:
