@@ -52,10 +52,21 @@ def check(subject: Subject) -> Iterator[Finding]:
     paths = subject.files.unreferenced
     if not paths:
         return
-    names = [f"'{os.path.basename(path)}'" for path in paths[:_MOST]]
+    names = [f"'{name}'" for name in _names(paths)[:_MOST]]
     more = f" and {len(paths) - _MOST} more" if len(paths) > _MOST else ""
     yield Finding(
         subject.model.root,
         f"no file of the workspace mentions {', '.join(names)}{more}, beside the meshes of this "
         "robot",
     )
+
+
+def _names(paths: list[str]) -> list[str]:
+    """Names of files, with their folder where one name stands for several."""
+    names = [os.path.basename(path) for path in paths]
+    return [
+        os.path.join(os.path.basename(os.path.dirname(path)), name)
+        if names.count(name) > 1
+        else name
+        for path, name in zip(paths, names, strict=True)
+    ]

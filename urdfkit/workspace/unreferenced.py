@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 
 from urdfkit.meshes.facts import BY_SUFFIX
@@ -13,6 +14,13 @@ _TEXTS = frozenset(
     ".urdf .xacro .xml .sdf .srdf .world .launch .yaml .yml .py .rviz .config .json .toml".split()
 )
 
+#: What follows an expression in the name of a mesh: of xacro, or of a string in Python.
+_MADE = re.compile(
+    rb"(?:[})]|%s|\+ ?[\"'])([\w.-]*\.("
+    + b"|".join(suffix[1:].encode() for suffix in BY_SUFFIX)
+    + rb"))\b"
+)
+
 #: More is not read; a workspace of more text is not judged.
 MAX_FOLDERS = 2000
 MAX_BYTES = 8 * 1024 * 1024
@@ -21,7 +29,8 @@ MAX_BYTES = 8 * 1024 * 1024
 def unreferenced(used: Iterable[str], package: str, workspace: str, folders: Folders) -> list[str]:
     """The mesh files beside those that a robot uses whose names no text of the workspace holds.
 
-    Nothing where a text makes names of meshes by expressions, for these cannot be foreseen.
+    Where a text makes names of meshes by expressions, the files that may be meant are left out:
+    those that end as ``${variant}_base.stl`` does, and all of them if the whole name is made.
 
     Args:
         used: the mesh files of the robot.
@@ -40,13 +49,19 @@ def unreferenced(used: Iterable[str], package: str, workspace: str, folders: Fol
     ]
     left = [path for path in beside if os.path.realpath(path) not in known]
     text = _text(workspace, folders) if left else None
-    if text is None or any(b"}" + suffix.encode() in text for suffix in BY_SUFFIX):
+    ends = tuple({end for end, _ in _MADE.findall(text or b"")})
+    if text is None or not all(map(_stem, ends)):
         return []
-    return [path for path in left if _stem(path) not in text]
+    return [
+        path
+        for path in left
+        if _stem(path) not in text and not os.fsencode(path).lower().endswith(ends)
+    ]
 
 
-def _stem(path: str) -> bytes:
-    return os.fsencode(os.path.splitext(os.path.basename(path))[0]).lower()
+def _stem(path: str | bytes) -> bytes:
+    name = os.path.basename(os.fsencode(path)).lower()
+    return name.rpartition(b".")[0]
 
 
 def _text(workspace: str, folders: Folders) -> bytes | None:
