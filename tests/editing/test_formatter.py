@@ -48,6 +48,19 @@ def inside(text: str, width: int = 100) -> str:
             '<gazebo>\n  <joint type="t" name="j"/>\n</gazebo>',
         ),
         ('<xacro:macro params="b a" name="m"/>', '<xacro:macro name="m" params="b a"/>'),
+        (
+            '<xacro:macro name="m" params="\n  a\t b:=1 \n *c "/>',
+            '<xacro:macro name="m" params="a b:=1 *c"/>',
+        ),
+        (
+            '<xacro:macro name="m" params="a:=\'0  0\'  b"/>',
+            '<xacro:macro name="m" params="a:=\'0  0\' b"/>',
+        ),
+        (
+            '<xacro:macro name="m" params="a:=\'0\n 0\'  b"/>',
+            '<xacro:macro name="m" params="a:=\'0  0\' b"/>',
+        ),
+        ('<xacro:m params=" a  b"/>', '<xacro:m params=" a  b"/>'),
         # vectors, spelt as they were
         ('<origin xyz=" 1.0  .5\t-2e-3\n"/>', '<origin xyz="1.0 .5 -2e-3"/>'),
         ('<box size="${a  +  b}  1"/>', '<box size="${a  +  b}  1"/>'),
@@ -115,6 +128,26 @@ def test_long_tags_are_broken_between_attributes(written: str, expected: str) ->
     assert inside(expected, width=200) == written
 
 
+def test_parameters_of_a_macro_keep_their_lines_and_stand_below_one_another() -> None:
+    written = (
+        '<xacro:macro name="wheel" params="prefix parent \n\t reflect:=1  *origin\n'
+        "  a_long_one:='0 0 0' another_long_one:=${pi}\n\"/>"
+    )
+    expected = (
+        '<xacro:macro name="wheel"\n'
+        '             params="prefix parent\n'
+        "                     reflect:=1 *origin\n"
+        "                     a_long_one:='0 0 0'\n"
+        '                     another_long_one:=${pi}"/>'
+    )
+    assert inside(written, width=60) == expected
+    assert inside(expected, width=60) == expected
+    assert inside(expected, width=200) == (
+        '<xacro:macro name="wheel" params="prefix parent reflect:=1 *origin '
+        "a_long_one:='0 0 0' another_long_one:=${pi}\"/>"
+    )
+
+
 def test_what_stands_around_the_robot_stays() -> None:
     text = '<?xml version="1.0" ?>\n<!-- a -->\n\n\n<robot name="r"/>\n<!-- b -->\n\n'
     assert laid_out(text) == '<?xml version="1.0" ?>\n<!-- a -->\n\n<robot name="r"/>\n<!-- b -->\n'
@@ -154,12 +187,12 @@ def test_it_is_deep_or_wide() -> None:
     assert laid_out(f'<robot name="r">{wide}</robot>').count("\n") == 20_002
 
 
-_names = st.sampled_from(["link", "origin", "gazebo", "xacro:m", "mesh", "a"])
+_names = st.sampled_from(["link", "origin", "gazebo", "xacro:m", "xacro:macro", "a"])
 _values = st.text("01 .-\n\t$<&'\"{}é", max_size=12).map(
     lambda text: text.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
 )
 _blanks = st.sampled_from(["", " ", "\n", "\n\n\n", "\n\t", "\r\n  "])
-_attributes = st.dictionaries(st.sampled_from(["name", "xyz", "rpy", "b", "size"]), _values).map(
+_attributes = st.dictionaries(st.sampled_from(["name", "xyz", "rpy", "b", "params"]), _values).map(
     lambda found: "".join(f'\n {key}="{value}"' for key, value in found.items())
 )
 _leaves = st.one_of(

@@ -27,9 +27,10 @@ MAX_DEPTH = 1000
 #: What a tab in front of a comment's line stands for.
 _TAB = 4
 
+_MACRO = "xacro:macro"
 #: First attributes of tags of xacro; those of URDF come from its grammar.
 _XACRO_ORDER = {
-    "xacro:macro": ("name", "params"),
+    _MACRO: ("name", "params"),
     "xacro:property": ("name", "value"),
     "xacro:arg": ("name", "default"),
     "xacro:include": ("filename",),
@@ -200,6 +201,8 @@ class _Writer:
         pairs = list(self._attributes(token))
         attributes = [f"{name}={value}" for name, value in pairs]
         one_line = " ".join((f"<{token.name}", *attributes)) + close
+        if token.name == _MACRO:
+            one_line = one_line.replace("\n", " ")
         if not attributes or len(self._indent) + len(one_line) <= self._width:
             return one_line
         hang = len(self._indent) + len(token.name) + 2
@@ -212,6 +215,8 @@ class _Writer:
         elif tuple(name for name, _ in pairs) == _TENSOR:
             rows = [attributes[:3], attributes[3:5], attributes[5:]]
         else:
+            if token.name == _MACRO:
+                attributes = [_filled(name, value, hang, room) for name, value in pairs]
             rows = _rows(attributes, len(first), hang, room)
         lines = [" ".join(row) for row in rows]
         return (first + f"\n{' ' * hang}".join(lines)).lstrip() + close
@@ -225,7 +230,31 @@ class _Writer:
             value = quoted[1:-1]
             if name in _vectors() and not self._is_foreign:
                 value = _vector(value)
+            elif (token.name, name) == (_MACRO, "params"):
+                value = "\n".join(map(" ".join, _parameters(value) or [[value]]))
             yield name, f"'{value}'" if '"' in value else f'"{value}"'
+
+
+def _filled(name: str, value: str, hang: int, width: int) -> str:
+    """An attribute of a macro; its parameters in the lines that they had, each below the first.
+
+    Args:
+        name: of it.
+        value: with its quotes.
+        hang: columns before it.
+        width: columns of a line.
+    """
+    found = _parameters(value[1:-1]) if name == "params" else []
+    rows: list[str] = []
+    hang += len(name) + 2
+    for line in found:
+        rows.append("")
+        for word in line:
+            if rows[-1] and hang + len(f"{rows[-1]} {word}") >= width:
+                rows.append("")
+            rows[-1] += f" {word}" if rows[-1] else word
+    text = f"\n{' ' * hang}".join(rows)
+    return f"{name}={value[0]}{text}{value[0]}" if rows else f"{name}={value}"
 
 
 def _rows(attributes: list[str], first: int, hang: int, width: int) -> list[list[str]]:
@@ -313,6 +342,28 @@ def _vector(value: str) -> str:
     return " ".join(value.split()) if _VECTOR.fullmatch(value) else value
 
 
+_PARAMETER = re.compile(r"""(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+""")
+
+
+def _parameters(value: str) -> list[list[str]]:
+    """The parameters of a macro, line by line; none where that is not sure.
+
+    White space between them says nothing to xacro; that in quotes is part of a default, and a
+    line end there is a space.
+    """
+    lines = value.split("\n")
+    if any(map(_rest, lines)):
+        lines = [" ".join(lines)]
+    if "&" in value or _rest(lines[0]):
+        return []
+    return [words for line in lines if (words := _PARAMETER.findall(line))]
+
+
+def _rest(line: str) -> str:
+    """What is no parameter: a quote that is open at the end."""
+    return _PARAMETER.sub("", line).strip()
+
+
 @cache
 def _grammars() -> dict[str, schema.Grammar]:
     """The grammars of URDF's elements by tag."""
@@ -351,6 +402,8 @@ def _meaning(text: str) -> Iterator[tuple[object, ...]]:
         known = {
             key: value.split() if key in _vectors() else value for key, value in values.items()
         }
+        if name == _MACRO and "params" in values:
+            known["params"] = _parameters(values["params"]) or values["params"]
         events.append(("start", name, known))
 
     parser = expat.ParserCreate("utf-8")
