@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache
+from itertools import chain
 from xml.parsers import expat
 
 from urdfkit import schema
@@ -399,11 +400,11 @@ def _meaning(text: str) -> Iterator[tuple[object, ...]]:
     events: list[tuple[object, ...]] = []
 
     def start(name: str, values: dict[str, str]) -> None:
-        known = {
+        known: dict[str, object] = {
             key: value.split() if key in _vectors() else value for key, value in values.items()
         }
         if name == _MACRO and "params" in values:
-            known["params"] = _parameters(values["params"]) or values["params"]
+            known["params"] = [*chain(*_parameters(values["params"]))] or values["params"]
         events.append(("start", name, known))
 
     parser = expat.ParserCreate("utf-8")
