@@ -39,7 +39,7 @@ ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT02
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
-ABOUT_SENSORS = frozenset((*(f"GAZ{number:03}" for number in range(40, 57)), "GAZ015"))
+ABOUT_SENSORS = frozenset((*(f"GAZ{number:03}" for number in range(40, 63)), "GAZ015"))
 
 _DRIVES = ("drive", "Drive", "steering")
 _LIDARS = ("ray", "lidar")

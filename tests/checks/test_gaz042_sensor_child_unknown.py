@@ -16,3 +16,29 @@ def test_the_nearest_name_is_told():
 @pytest.mark.parametrize("tag", ["update_rate", "ray", "camera", "plugin", "gz_frame_id", "my:tag"])
 def test_what_sensors_have_is_calm(tag):
     assert findings("GAZ042", "ray", f"<{tag}/>") == []
+
+
+def test_a_slip_deep_in_the_settings_is_told_where_it_is():
+    inner = "<camera><image>\n<widht>640</widht></image></camera>"
+    (finding,) = findings("GAZ042", "camera", inner)
+    assert finding.message == "sensor 's': <image> has no <widht>; did you mean 'width'?"
+    assert (finding.span.line, finding.span.text) == (11, "<widht>")
+    assert finding.fix
+
+
+def test_what_is_in_an_unknown_tag_is_not_told_as_well():
+    inner = "<camera><imaeg><widht>640</widht></imaeg></camera>"
+    assert len(findings("GAZ042", "camera", inner)) == 1
+
+
+@pytest.mark.parametrize(
+    "inner",
+    [
+        "<camera><noise><type>gaussian</type><mean>0</mean><stddev>1</stddev></noise></camera>",
+        "<ray><scan><vertical><samples>16</samples></vertical></scan></ray>",
+        "<imu><angular_velocity><x><noise type='none'><bias_mean>0</bias_mean></noise></x>"
+        "</angular_velocity></imu>",
+    ],
+)
+def test_what_sdf_knows_is_calm(inner):
+    assert findings("GAZ042", "camera", inner) == []

@@ -12,3 +12,18 @@ def test_the_least_must_be_below_the_greatest(least, most, count):
     found = findings("GAZ046", "ray", scan(-1, 1, least=least, most=most))
     assert len(found) == count
     assert all(finding.span.text == "<min>" for finding in found)
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "samples", "count"),
+    [(2, -2, 360, 1), (2, 2, 360, 1), (0, 0, 1, 0), (-2, 2, 360, 0)],
+)
+def test_the_first_beam_must_be_before_the_last(first, last, samples, count):
+    found = findings("GAZ046", "ray", scan(first, last, samples))
+    assert len(found) == count
+    assert all(finding.span.text == "<min_angle>" for finding in found)
+
+
+def test_without_a_range_nothing_is_seen():
+    (finding,) = findings("GAZ046", "ray", "<ray><scan/></ray>")
+    assert finding.message == "sensor 's' has no <range>: the least and the greatest are both 0 m"

@@ -1,6 +1,7 @@
-"""A sensor has a child that no sensor has.
+"""A sensor has a child that no sensor has, or its settings have one that SDF does not know there.
 
-Gazebo prints a warning and passes over it, so the setting that it was meant for keeps its default.
+Gazebo prints a warning and passes over it, so the setting that it was meant for keeps its default:
+a camera with a misspelt `<width>` makes pictures 320 pixels wide.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -13,7 +14,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.catalog.sensors import children
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import rename_element
-from urdfkit.gazebo.sensors import sensors
+from urdfkit.gazebo.sensors import sensors, written
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -53,9 +54,15 @@ def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
         for child in sensor.at.children:
             if child.tag not in known and ":" not in child.tag:
-                hint = did_you_mean(child.tag, known)
-                message = f"{sensor.who}: a sensor has no <{child.tag}>{hint}"
-                yield Finding(child, message, fix=_fix(child, known))
+                yield _finding(child, f"{sensor.who}: a sensor", known)
+        for inner in written(sensor):
+            if inner.setting is None and ":" not in inner.at.tag:
+                yield _finding(inner.at, f"{sensor.who}: <{inner.parent}>", inner.siblings)
+
+
+def _finding(child: Element, who: str, known: Iterable[str]) -> Finding:
+    message = f"{who} has no <{child.tag}>{did_you_mean(child.tag, known)}"
+    return Finding(child, message, fix=_fix(child, known))
 
 
 def _fix(child: Element, known: Iterable[str]) -> Fix | None:

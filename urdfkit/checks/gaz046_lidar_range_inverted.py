@@ -1,7 +1,8 @@
-"""A lidar's least range is not below its greatest.
+"""A lidar's least range or angle is not below its greatest.
 
-No beam can ever hit anything: the lidar is blind, and navigation sees an empty world. Both are 0 if
-they are not written.
+No beam can ever hit anything: the lidar is blind, and navigation sees an empty world. Both ranges
+are 0 if they are not written. gz-sim rejects a model whose beams begin at a larger angle than they
+end.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -14,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import swap
-from urdfkit.gazebo.sensors import sensors
+from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -50,15 +51,30 @@ FIXED = GOOD
     "GAZ046",
     "lidar-range-inverted",
     Severity.ERROR,
-    help="let the least range be below the greatest",
+    help="let the least be below the greatest",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
-        least = sensor.number(f"{sensor.lidar}/range/min")
-        greatest = sensor.number(f"{sensor.lidar}/range/max")
-        if sensor.lidar and least and greatest and least.value >= greatest.value:
-            message = f"{sensor.who}: the least range {least.value:g} m is not below the greatest"
-            message += f", {greatest.value:g} m"
-            edits = swap(least.at, greatest.at)
-            yield Finding(least, message, fix=Fix("swap the two", edits) if edits else None)
+        block = sensor.at.child(sensor.lidar) if sensor.lidar else None
+        if block is None:
+            continue
+        if sensor.find(f"{block.tag}/range") is None:
+            message = f"{sensor.who} has no <range>: the least and the greatest are both 0 m"
+            yield Finding(block, message, "add <range> with <min> and <max>")
+        yield from _inverted(sensor, "range", "range/min", "range/max", "m")
+        for way in ("horizontal", "vertical"):
+            first, last = (f"scan/{way}/{end}_angle" for end in ("min", "max"))
+            samples = sensor.number(f"{block.tag}/scan/{way}/samples")
+            if samples and samples.value > 1:
+                yield from _inverted(sensor, f"{way} angle", first, last, "rad")
+
+
+def _inverted(sensor: Sensor, what: str, first: str, last: str, unit: str) -> Iterator[Finding]:
+    least, greatest = (sensor.number(f"{sensor.lidar}/{path}") for path in (first, last))
+    if least is None or greatest is None or least.value < greatest.value:
+        return
+    message = f"{sensor.who}: the least {what} {least.value:g} {unit} is not below the greatest"
+    edits = swap(least.at, greatest.at)
+    fix = Fix("swap the two", edits) if edits and least.value > greatest.value else None
+    yield Finding(least, f"{message}, {greatest.value:g} {unit}", fix=fix)

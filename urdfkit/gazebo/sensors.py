@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from urdfkit.catalog.sensors import Setting, settings
 from urdfkit.model import Placed, number
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
@@ -52,6 +53,51 @@ class Sensor(Record):
     @property
     def plugins(self) -> list[Element]:
         return self.at.all("plugin")
+
+
+class Written(Record):
+    """An element in the block that holds a sensor's settings.
+
+    Attributes:
+        at: the element.
+        parent: the tag around it.
+        setting: what SDF knows of it; None if SDF does not know it.
+        siblings: the tags that may stand in its place.
+    """
+
+    at: Element
+    parent: str
+    setting: Setting | None
+    siblings: tuple[str, ...]
+
+
+def written(sensor: Sensor) -> Iterator[Written]:
+    """The elements below the blocks of a sensor; what is in an unknown one is passed over."""
+    for block in sensor.at.children:
+        known = settings(block.tag)
+        if not known:
+            continue
+        stack = [("", child, known) for child in reversed(block.children)]
+        while stack:
+            path, element, known = stack.pop()
+            path += element.tag
+            setting = known.get(path)
+            around = element.parent.tag if element.parent else block.tag
+            yield Written(element, around, setting, _beside(path, known))
+            if setting is None:
+                continue
+            if element.tag == "noise":
+                path, known = "", settings("noise")
+            else:
+                path += "/"
+            stack += [(path, child, known) for child in reversed(element.children)]
+
+
+def _beside(path: str, known: Mapping[str, Setting]) -> tuple[str, ...]:
+    """The tags that may stand where a path leads."""
+    above = path.rpartition("/")[0]
+    rests = (name.removeprefix(f"{above}/") for name in known if name.startswith(above))
+    return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
 
 
 def sensors(model: RobotModel) -> Iterator[Sensor]:
