@@ -6,13 +6,14 @@ the robot.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import os
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from urdfkit.document import Attribute, Element
+from urdfkit.document import Attribute, Document, Element
 from urdfkit.errors import UnreadableFile
-from urdfkit.reading import is_xacro, read_xml
+from urdfkit.reading import Problem, is_xacro, read_xml
 from urdfkit.workspace.beside import srdf_files
 
 if TYPE_CHECKING:
@@ -163,16 +164,42 @@ def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
 
 def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
     """An SRDF file, of the robot with this tree; None if it cannot be read."""
-    try:
-        source = resolver.read(path)
-    except UnreadableFile:
-        return None
-    if is_xacro(source):
-        from urdfkit.expansion import expand
-
-        document = expand(source, resolver, trust=trust).document
-    else:
-        document, _ = read_xml(source)
+    document, _ = _parsed(path, resolver, trust=trust)
     if document is None or document.root.tag != "robot":
         return None
     return Srdf(path, document.root, tree)
+
+
+def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
+    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
+
+    Args:
+        path: of the robot's file.
+        name: of the robot.
+        resolver: finds and reads the files.
+    """
+    paths = srdf_files(path, resolver)
+    for one in paths:
+        if len(paths) == 1 or _stem(one) in (name, _stem(path)):
+            document, problems = _parsed(one, resolver, trust=False)
+            if document is None:
+                yield from problems
+
+
+def _stem(path: str) -> str:
+    return os.path.basename(path).partition(".")[0]
+
+
+def _parsed(
+    path: str, resolver: Resolver, *, trust: bool
+) -> tuple[Document | None, Sequence[Problem]]:
+    try:
+        source = resolver.read(path)
+    except UnreadableFile:
+        return None, ()
+    if is_xacro(source):
+        from urdfkit.expansion import expand
+
+        # What it lacks may be what a launch file passes.
+        return expand(source, resolver, trust=trust).document, ()
+    return read_xml(source)

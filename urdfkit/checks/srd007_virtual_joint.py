@@ -60,7 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     roots = {link.name for link in subject.tree.roots}
     for joint in srdf.virtual_joints:
         name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
-        if kind not in _TYPES:
+        if kind is not None and kind not in _TYPES:
             types = ", ".join(_TYPES)
             yield Finding(joint, f"virtual joint '{name}' is of type '{kind}', not one of {types}")
         elif child in subject.model.links_by_name and child not in roots:

@@ -1,0 +1,64 @@
+"""An element or attribute of the SRDF is misspelt.
+
+srdfdom passes over what it does not know. A group loses its chain, a pair of links is checked for
+collisions again, and MoveIt says nothing, or complains of something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.document import Element
+from urdfkit.editing.edits import rename_attribute, rename_element
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.srdf_grammar import slips
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <joint name="shoulder" type="fixed">
+    <parent link="base"/>
+    <child link="arm"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = {
+    "bad.srdf": b"""<robot name="bad">
+  <disable_collision link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+""",
+    "good.srdf": b"""<robot name="good">
+  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+""",
+}
+FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
+
+
+@rule(
+    "SRD016",
+    "misspelt-name",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.SRDF),
+    help="mend the name",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.srdf is None:
+        return
+    for slip in slips(subject.srdf.root):
+        if isinstance(slip.at, Element):
+            what, edits = f"element <{slip.name}>", rename_element(slip.at, slip.meant)
+        else:
+            what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
+        message = f"<{slip.parent.tag}> has no {what}; did you mean '{slip.meant}'?"
+        fix = Fix(f"rename it to {slip.meant}", edits) if edits else None
+        at = slip.at if isinstance(slip.at, Element) else Written(slip.at.name_span)
+        yield Finding(at, message, fix=fix)
