@@ -36,8 +36,10 @@ def test_what_is_in_an_unknown_tag_is_not_told_as_well():
     [
         "<camera><noise><type>gaussian</type><mean>0</mean><stddev>1</stddev></noise></camera>",
         "<ray><scan><vertical><samples>16</samples></vertical></scan></ray>",
-        "<imu><angular_velocity><x><noise type='none'><bias_mean>0</bias_mean></noise></x>"
-        "</angular_velocity></imu>",
+        (
+            "<imu><angular_velocity><x><noise type='none'><bias_mean>0</bias_mean></noise></x>"
+            "</angular_velocity></imu>"
+        ),
     ],
 )
 def test_what_sdf_knows_is_calm(inner):

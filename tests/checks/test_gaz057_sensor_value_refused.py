@@ -35,8 +35,10 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         ),
         (
             "imu",
-            "<imu><angular_velocity><x><noise type='gaussian'><stddev>-1</stddev></noise></x>"
-            "</angular_velocity></imu>",
+            (
+                "<imu><angular_velocity><x><noise type='gaussian'><stddev>-1</stddev></noise></x>"
+                "</angular_velocity></imu>"
+            ),
             "<stddev> is '-1', and must be 0 or more",
         ),
     ],

@@ -12,12 +12,12 @@ from tests.srdfs import findings
     [
         (
             '<group_sate name="s" group="g"/>',
-            '<group_sate name="s" group="g"/>',
+            "group_sate",
             "<robot> has no element <group_sate>; did you mean 'group_state'?",
         ),
         (
             '<group name="g"><chian base_link="base" tip_link="arm"/></group>',
-            '<chian base_link="base" tip_link="arm"/>',
+            "chian",
             "<group> has no element <chian>; did you mean 'chain'?",
         ),
         (
@@ -33,7 +33,7 @@ def test_slips_are_told_with_what_was_meant(
     (finding,) = findings(tmp_path, body, "SRD016")
     assert finding.message == message
     assert finding.span.line == 2
-    assert finding.span.text.startswith(text)
+    assert finding.span.text == text
 
 
 @pytest.mark.parametrize(

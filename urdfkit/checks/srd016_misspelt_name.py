@@ -60,5 +60,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
         message = f"<{slip.parent.tag}> has no {what}; did you mean '{slip.meant}'?"
         fix = Fix(f"rename it to {slip.meant}", edits) if edits else None
-        at = slip.at if isinstance(slip.at, Element) else Written(slip.at.name_span)
+        at = Written(edits[0].span) if edits else slip.at
         yield Finding(at, message, fix=fix)
