@@ -13,7 +13,8 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
-from urdfkit.placed_yaml import Node, Value, load
+from urdfkit.nearest import nearest
+from urdfkit.placed_yaml import Key, Node, Value, load, slip
 from urdfkit.record import Record
 from urdfkit.ros_control import control_plugins
 from urdfkit.source import Source, Span
@@ -34,11 +35,15 @@ class Controller(Record):
         name: of its node.
         type: its class, as the controller manager loads it.
         parameters: by name, with dots between levels; a single value is a list of one.
+        type_at: where the type is written.
+        places: of the names of parameters.
     """
 
     name: str
     type: str
     parameters: dict[str, list[Value]]
+    type_at: Span
+    places: dict[str, Span]
 
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""
@@ -80,13 +85,18 @@ def parameter_files(subject: Subject) -> list[ParameterFile]:
 
 def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controller]]]:
     """The controllers of each file of parameters that can be read."""
+    for file, source in _sources(subject):
+        yield file, read(source)
+
+
+def _sources(subject: Subject) -> Iterator[tuple[ParameterFile, Source]]:
     for file in parameter_files(subject):
         if file.found and subject.resolver.allows(file.found, subject.source.path):
             try:
                 source = subject.resolver.read(file.found)
             except UrdfkitError:
                 continue
-            yield file, read(source)
+            yield file, source
 
 
 def read(source: Source) -> list[Controller]:
@@ -94,19 +104,24 @@ def read(source: Source) -> list[Controller]:
     root = load(source)
     if not any(True for _ in _nodes(root)):
         return list(_of_ros1(root))
-    types: dict[tuple[str, ...], str] = {}
+    types: dict[tuple[str, ...], Value] = {}
     parameters: dict[tuple[str, ...], dict[str, list[Value]]] = {}
+    places: dict[tuple[str, ...], dict[str, Span]] = {}
     for path, node in _nodes(root):
         given = dict(_flat(node))
         parameters.setdefault(path, {}).update(given)
+        places.setdefault(path, {}).update(_places(node))
         prefixes = [("", path)]
         if path[-1] == _MANAGER:
             names = {name.rpartition(".")[0] for name in given if name.endswith(".type")}
             prefixes = [(f"{name}.", (*path[:-1], name)) for name in names]
         for prefix, owner in prefixes:
             if value := given.get(f"{prefix}type"):
-                types[owner] = value[0].text
-    return [Controller(p[-1], kind, parameters.get(p, {})) for p, kind in types.items()]
+                types[owner] = value[0]
+    return [
+        Controller(p[-1], kind.text, parameters.get(p, {}), kind.span, places.get(p, {}))
+        for p, kind in types.items()
+    ]
 
 
 def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node]]]:
@@ -133,9 +148,72 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             continue
         kind = node.get("type")
         if isinstance(kind, Value) and "/" in kind.text:
-            yield Controller(name, kind.text, dict(_flat(node)))
+            yield Controller(name, kind.text, dict(_flat(node)), kind.span, _places(node))
         else:
             stack += node.items()
+
+
+def unparsed(subject: Subject) -> Iterator[tuple[ParameterFile, Span, str]]:
+    """The files of parameters that are no YAML, with the place and the reason."""
+    for file, source in _sources(subject):
+        if found := slip(source):
+            yield file, *found
+
+
+def lost(subject: Subject) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
+    """Of each file the keys under which nobody looks: place, message and remedy."""
+    for file, source in _sources(subject):
+        yield file, list(_lost(load(source)))
+
+
+def _lost(root: Node) -> Iterator[tuple[Span, str, str]]:
+    if not isinstance(root, dict):
+        return
+    sections = [(key, node) for key, node in root.items() if isinstance(node, dict)]
+    for key, node in sections:
+        for inner in node:
+            if inner == _PARAMETERS or not isinstance(inner, Key):
+                continue
+            if _slip_of(inner, [_PARAMETERS]):
+                message = f"what '{key}' holds is not read: '{inner}' is not '{_PARAMETERS}'"
+                yield inner.span, message, f"write {_PARAMETERS}"
+    declared = {
+        name.rpartition(".")[0]
+        for key, node in sections
+        if _node_of(key) == _MANAGER and isinstance(inside := node.get(_PARAMETERS), dict)
+        for name, _ in _flat(inside)
+        if name.endswith(".type")
+    }
+    without = declared.difference(_node_of(key) for key, _ in sections)
+    for key, _ in sections:
+        meant = _slip_of(_node_of(key), without) if _node_of(key) not in declared else None
+        if meant and isinstance(key, Key):
+            message = f"'{key}' is no controller of the controller manager, and not read"
+            yield key.span, message, f"did you mean '{meant}'?"
+
+
+def _node_of(key: str) -> str:
+    """The name of a node in a key such as ``/**/drive``."""
+    return key.strip("/").rpartition("/")[2]
+
+
+def _slip_of(word: str, known: Iterable[str]) -> str | None:
+    return nearest(word, known, 0.8)
+
+
+def _places(node: dict[str, Node]) -> dict[str, Span]:
+    """Where the names of parameters are written, with dots between levels."""
+    found: dict[str, Span] = {}
+    stack: list[tuple[str, Node]] = [("", node)]
+    while stack:
+        name, inner = stack.pop()
+        if isinstance(inner, dict):
+            for key, value in inner.items():
+                path = f"{name}.{key}" if name else key
+                stack.append((path, value))
+                if isinstance(key, Key):
+                    found[path] = key.span
+    return found
 
 
 def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:

@@ -69,8 +69,10 @@ ABOUT_WORDS = {
 }
 
 #: Silent without ``<ros2_control>``, and without ``<transmission>``.
-ABOUT_COMPONENTS = frozenset(f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18))
-ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016"))
+ABOUT_COMPONENTS = frozenset(
+    f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18, 22, 23, 28)
+)
+ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024"))
 
 #: Silent if nothing moves, or nothing weighs.
 ABOUT_STATICS = frozenset(("DYN003", "DYN004", "DYN005", "DYN006"))

@@ -35,7 +35,18 @@ class Value(Record):
         return Span(self.source, start, end)
 
 
-#: None stands for an alias.
+class Key(str):
+    """A key of a mapping, which knows its place."""
+
+    __slots__ = ("at",)
+    at: Value
+
+    @property
+    def span(self) -> Span:
+        return self.at.span
+
+
+#: None stands for an alias. Keys that are scalars are ``Key``.
 Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
 
 
@@ -77,7 +88,7 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
                 owner.append(node)
             elif isinstance(owner, dict):
                 if keys[-1] is None:
-                    keys[-1] = node.text if isinstance(node, Value) else ""
+                    keys[-1] = _key(node)
                 else:
                     owner[keys[-1]] = node
                     keys[-1] = None
@@ -87,6 +98,32 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
             if len(stack) > MAX_LEVELS:
                 return None
     return top[0] if top else None
+
+
+def _key(node: Node) -> str:
+    if not isinstance(node, Value):
+        return ""
+    key = Key(node.text)
+    key.at = node
+    return key
+
+
+def slip(source: Source) -> tuple[Span, str] | None:
+    """Where and why a file is no YAML; None if it is."""
+    if len(source.data) > MAX_BYTES:
+        return None
+    import yaml
+
+    try:
+        for _ in yaml.parse(source.data, yaml.SafeLoader):
+            pass
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        start = source.offset(mark.line + 1, mark.column + 1) if mark else 0
+        return Span(source, start, start), error.problem or str(error)
+    except yaml.YAMLError as error:  # a character that YAML does not allow
+        return Span(source, 0, 0), str(error).partition("\n")[0]
+    return None
 
 
 def _node(source: Source, event: Any) -> Node:

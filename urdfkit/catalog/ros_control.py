@@ -154,3 +154,9 @@ def controllers() -> dict[str, Controller]:
         )
         for name, entry in _content()["controllers"].items()
     }
+
+
+def parameters(controller: str) -> list[str]:
+    """The names of parameters that a type of controller reads; empty if not all are known."""
+    found: list[str] = _content()["controllers"].get(controller, {}).get("parameters", [])
+    return found

@@ -1,0 +1,45 @@
+"""RCT026: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.driving import DRIVE, place, told
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "text"),
+    [
+        ("drive:\n  ros__parameters", "drive:\n  ros_parameters", 6, "ros_parameters"),
+        ("manager:\n  ros__p", "manager:\n  ros_p", 2, "ros_parameters"),
+        ("\ndrive:", "\ndriev:", 5, "driev"),
+        ("\ndrive:", "\n/**/dirve:", 5, "/**/dirve"),
+    ],
+)
+def test_keys_under_which_nobody_looks(
+    tmp_path: Path, old: str, new: str, line: int, text: str
+) -> None:
+    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    assert place(found) == ("c.yaml", line, text)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line"),
+    [("    wheel_sep", "\twheel_sep", 9), ("[left_joint]", "[left_joint", 8)],
+)
+def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
+    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    assert found.message.startswith("the file is no YAML: ")
+    assert found.span.line == line
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("\ndrive:", "\n/**/drive:"),
+        ("\ndrive:", "\n/robot/drive:"),
+        ("\ndrive:", "\nother:"),  # the controller may have its parameters elsewhere
+    ],
+)
+def test_what_may_be_read_is_calm(tmp_path: Path, old: str, new: str) -> None:
+    assert told(tmp_path, "RCT026", DRIVE.replace(old, new)) == []

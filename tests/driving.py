@@ -1,0 +1,39 @@
+"""A robot on two wheels and its file of controllers, for the tests of the rules RCT."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.controls import plugin
+from tests.gazebos import WHEELS
+from urdfkit import Diagnostic, check
+from urdfkit.examples import whole_robot
+
+DRIVE = """\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: diff_drive_controller/DiffDriveController
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+    wheel_separation: 0.3
+    wheel_radius: 0.1
+    base_frame_id: base
+"""
+
+
+def told(folder: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
+    """What a rule says about a robot with these controllers."""
+    (folder / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
+    (folder / "r.urdf").write_text(whole_robot(robot + names))
+    report = check(folder / "r.urdf", select=[code])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def place(found: Diagnostic) -> tuple[str, int, str]:
+    """File, line and text of a finding."""
+    return Path(found.span.source.path).name, found.span.line, found.span.text

@@ -1,0 +1,75 @@
+"""A joint, sensor or hardware in `<ros2_control>` holds an element that nothing reads.
+
+The parser takes what it knows and passes over the rest: a misspelt interface is missing, and a
+controller that needs it cannot be activated; a misspelt parameter keeps its default.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from urdfkit.catalog.ros_control import grammar
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element
+from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <comand_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("comand_", "command_")
+FIXED = GOOD
+
+#: How like a tag a word must be to be taken for a slip of it.
+_SLIP = 0.8
+
+
+@rule(
+    "RCT022",
+    "unknown-control-element",
+    Severity.WARNING,
+    help="mend the name of the tag, or remove it",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    tags = grammar()
+    for block in subject.model.ros2_controls:
+        stack = [child for child in reversed(block.children) if child.tag in tags]
+        while stack:
+            element = stack.pop()
+            known = tags[element.tag].children
+            for child in element.children:
+                if child.tag not in known and ":" not in child.tag:
+                    yield _finding(element, child, known)
+            # A transmission has joints and actuators of its own.
+            if element.tag != "transmission":
+                stack += [child for child in reversed(element.children) if child.tag in tags]
+
+
+def _finding(element: Element, child: Element, known: Iterable[str]) -> Finding:
+    name = element.get("name")
+    who = f"{element.tag} '{name}'" if name else f"<{element.tag}>"
+    message = f"{who} in <ros2_control> has no <{child.tag}>{did_you_mean(child.tag, known)}"
+    meant = nearest(child.tag, known, _SLIP)
+    edits = rename_element(child, meant) if meant else None
+    return Finding(child, message, fix=Fix(f"rename it to <{meant}>", edits) if edits else None)

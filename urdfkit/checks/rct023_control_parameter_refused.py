@@ -1,0 +1,76 @@
+"""A parameter of an interface is misspelt, or its value is no number.
+
+`min`, `max` and `initial_value` are read by name. One with a slip in its name does nothing, and the
+joint starts at 0 or is commanded without bounds; text that is no number makes the hardware throw
+when it is loaded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import replace_value
+from urdfkit.grammar import is_expression
+from urdfkit.model import number
+from urdfkit.nearest import nearest
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_components/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position">
+      <param name="inital_value">0.5</param>
+    </state_interface>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("inital_value", "initial_value")
+FIXED = GOOD
+
+_NUMBERS = ("min", "max", "initial_value")
+#: How like the name a word must be to be taken for a slip of it.
+_SLIP = 0.85
+
+
+@rule("RCT023", "control-parameter-refused", Severity.WARNING, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for component in components(subject.model):
+        for part in component.parts:
+            for interface in part.interfaces:
+                who = f"{part.kind} '{part.name}', {interface.name}"
+                for element in interface.at.all("param"):
+                    yield from _judged(who, element)
+
+
+def _judged(who: str, element: Element) -> Iterator[Finding]:
+    name, text = element.attributes.get("name"), element.text.strip()
+    if name is None:
+        return  # RCT017
+    if name.value in _NUMBERS:
+        if number(text) is None and not is_expression(text):
+            shown = f"'{text}'" if text else "empty"
+            message = f"{who}: parameter '{name.value}' is {shown}, and no number"
+            yield Finding(element, message, "write a number")
+    elif meant := nearest(name.value, ("initial_value",), _SLIP):
+        edits = replace_value(name, meant)
+        fix = Fix(f"rename it to {meant}", edits) if edits else None
+        message = f"{who}: parameter '{name.value}' is nearly '{meant}'"
+        yield Finding(name, message, f"write {meant}", fix)

@@ -1,0 +1,90 @@
+"""A transmission has a type that is not there, a ratio of 0, or an element that nothing reads.
+
+ros_control loads transmissions by their type and divides by the ratio of the gear: with an unknown
+type, a ratio of 0 or one that is no number it leaves the transmission out, and no controller finds
+the joint. A misspelt element is passed over, and its default taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.catalog.ros_control import words
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rename_element, rewrite
+from urdfkit.model import number
+from urdfkit.nearest import nearest
+from urdfkit.ros_control import is_of_pr2, reads_transmissions
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<transmission name="shoulder_transmission">
+  <type>transmission_interface/SimpleTransmission</type>
+  <joint name="shoulder">
+    <hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>
+  </joint>
+  <actuator name="shoulder_motor">
+    <mechanicalReducton>50</mechanicalReducton>
+  </actuator>
+</transmission>"""
+GOOD = BAD.replace("Reducton", "Reduction")
+FIXED = GOOD
+
+_CHILDREN = {
+    "transmission": ("type", "joint", "actuator"),
+    "joint": ("hardwareInterface", "role", "offset", "mechanicalReduction"),
+    "actuator": ("hardwareInterface", "role", "mechanicalReduction", "motorTorqueConstant"),
+}
+#: How like a name a word must be to be taken for a slip of it.
+_SLIP = 0.85
+
+
+@rule("RCT024", "transmission-refused", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.model.transmissions or not reads_transmissions(subject.targets):
+        return
+    for transmission in subject.model.transmissions:
+        if is_of_pr2(transmission):
+            continue
+        yield from _type(transmission)
+        for element in (transmission, *transmission.children):
+            yield from _children(element, transmission.get("name") or "")
+
+
+def _type(transmission: Element) -> Iterator[Finding]:
+    element, known = transmission.child("type"), words("transmission", "types")
+    name = element.text.strip() if element else ""
+    meant = nearest(name, known, _SLIP) if name not in known else None
+    if element and meant and abs(len(meant) - len(name)) <= 2:
+        edits = rewrite(element, meant)
+        fix = Fix(f"write {meant}", edits) if edits else None
+        message = f"transmission '{transmission.get('name') or ''}': type '{name}' is nearly"
+        yield Finding(element, f"{message} '{meant}'", f"write {meant}", fix)
+
+
+def _children(element: Element, name: str) -> Iterator[Finding]:
+    for child in element.children:
+        known = _CHILDREN.get(element.tag, ())
+        meant = nearest(child.tag, known, _SLIP) if child.tag not in known else None
+        if meant:
+            edits = rename_element(child, meant)
+            fix = Fix(f"rename it to <{meant}>", edits) if edits else None
+            message = f"transmission '{name}': <{element.tag}> has no <{child.tag}>"
+            yield Finding(child, f"{message}; did you mean '{meant}'?", "mend the tag", fix)
+        elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
+            shown = child.text.strip() or "empty"
+            message = f"transmission '{name}': the ratio is {shown}, and must be a number other"
+            yield Finding(child, f"{message} than 0", "write the ratio of the gear, such as 50")

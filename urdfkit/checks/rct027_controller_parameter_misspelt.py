@@ -1,0 +1,114 @@
+"""The type of a controller or the name of one of its parameters is misspelt.
+
+The controller manager does not find the class, or the controller takes a default for what the
+parameter was meant to set: a robot whose `wheel_seperation` is never read turns by the wrong angle.
+Only slips of names that urdfkit knows are told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.catalog.ros_control import controllers as catalogue
+from urdfkit.catalog.ros_control import parameters
+from urdfkit.controllers import Controller, controllers
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <collision>
+    <origin rpy="1.5707963 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="continuous">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}\
+<ros2_control name="base" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="left_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+  <joint name="right_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: diff_drive_controller/DiffDriveController
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+    wheel_separation: 0.3
+    wheel_radius: 0.1
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"wheel_separation", b"wheel_seperation"),
+    "config/good.yaml": _YAML,
+}
+
+#: How like a name a word must be to be taken for a slip of it.
+_SLIP = 0.88
+
+
+@rule("RCT027", "controller-parameter-misspelt", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    for file, found in controllers(subject):
+        for controller in found:
+            for span, word, meant in _slips(controller):
+                yield Finding(
+                    Written(span),
+                    f"controller '{controller.name}': '{word}' is nearly '{meant}'",
+                    f"write {meant}",
+                    related=(Related(file.span, "the file is named here"),),
+                )
+
+
+def _slips(controller: Controller) -> Iterator[tuple[Span, str, str]]:
+    known = catalogue()
+    if controller.type not in known:
+        meant = nearest(controller.type, known, 0.93)
+        if meant:
+            yield controller.type_at, controller.type, meant
+        return
+    names = parameters(controller.type)
+    for name in controller.parameters:
+        meant = nearest(name, names, _SLIP) if name not in names else None
+        if meant and meant not in controller.parameters and len(meant) > 4:
+            yield controller.places[name], name, meant

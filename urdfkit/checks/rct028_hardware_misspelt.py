@@ -1,0 +1,58 @@
+"""The class of a hardware plugin is nearly one that ros2_control or a simulator has.
+
+The class loader finds no plugin of that name, and the controller manager starts without hardware.
+Classes that urdfkit does not know are taken to be the robot's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.catalog.ros_control import hardware
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.edits import rewrite
+from urdfkit.nearest import nearest
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base"/>
+<link name="arm"/>
+<joint name="shoulder" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="10" velocity="1"/>
+</joint>
+<ros2_control name="arm" type="system">
+  <hardware>
+    <plugin>mock_component/GenericSystem</plugin>
+  </hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>"""
+GOOD = BAD.replace("mock_component/", "mock_components/")
+FIXED = GOOD
+
+#: Of ros2_control itself, and of a package that many simulators are driven through.
+_COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
+_SLIP = 0.9
+
+
+@rule("RCT028", "hardware-misspelt", Severity.ERROR, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = (*_COMMON, *hardware())
+    for component in components(subject.model):
+        name = component.hardware
+        meant = nearest(name, known, _SLIP) if name and name not in known else None
+        if component.plugin and meant and not name.startswith("fake_"):
+            edits = rewrite(component.plugin, meant)
+            fix = Fix(f"write {meant}", edits) if edits else None
+            message = f"{component.called}: hardware '{name}' is nearly '{meant}'"
+            yield Finding(component.plugin, message, f"write {meant}", fix)

@@ -1,0 +1,122 @@
+"""A wheel controller publishes the pose of a frame that is not in the robot, or not its root.
+
+`base_frame_id` is the child of the transform that the odometry sends. A name that is no link leaves
+the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link that hangs on
+another one gets two parents, and the robot jumps between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.controllers import Controller, controllers
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import did_you_mean
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.placed_yaml import Value
+    from urdfkit.subject import Subject
+
+_WHEEL = """\
+<link name="{side}_wheel">
+  <collision>
+    <origin rpy="1.5707963 0 0"/>
+    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
+  </collision>
+  <inertial>
+    <mass value="0.2"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="{side}_joint" type="continuous">
+  <parent link="base"/>
+  <child link="{side}_wheel"/>
+  <origin xyz="0 {y} 0"/>
+  <axis xyz="0 1 0"/>
+</joint>
+"""
+BAD = f"""\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}\
+<ros2_control name="base" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="left_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+  <joint name="right_joint">
+    <command_interface name="velocity"/>
+    <state_interface name="position"/>
+  </joint>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    drive:
+      type: diff_drive_controller/DiffDriveController
+drive:
+  ros__parameters:
+    left_wheel_names: [left_joint]
+    right_wheel_names: [right_joint]
+    wheel_separation: 0.3
+    wheel_radius: 0.1
+    base_frame_id: base
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"_id: base", b"_id: base_link"),
+    "config/good.yaml": _YAML,
+}
+
+
+@rule("RCT029", "odometry-frame-unknown", Severity.WARNING)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.is_part or len(subject.tree.roots) != 1:
+        return
+    root = subject.tree.roots[0].name
+    for file, found in controllers(subject):
+        for controller in found:
+            value = _frame(controller)
+            if value is None or value.text.strip("/") == root:
+                continue
+            name = value.text.strip("/")
+            if name not in subject.model.links_by_name:
+                hint = did_you_mean(name, subject.model.links_by_name)
+                message = f"the robot has no link '{name}'{hint}"
+            else:
+                above = subject.tree.parents[name][0].parent
+                parent = above.value if above else root
+                message = f"'{name}' hangs on '{parent}' already, and a frame has one parent"
+            yield Finding(
+                Written(value.span),
+                f"controller '{controller.name}' sends the transform to '{name}': {message}",
+                f"name the root link '{root}'",
+                related=(Related(file.span, "the file is named here"),),
+            )
+
+
+def _frame(controller: Controller) -> Value | None:
+    """The frame whose pose it sends, if it sends one and says which."""
+    if "drive" not in controller.type and "steering" not in controller.type:
+        return None
+    sends = controller.values(["enable_odom_tf"])
+    prefixed = controller.values(["tf_frame_prefix"])
+    frame = controller.values(["base_frame_id"])
+    if not frame or (sends and sends[0].text.lower() == "false") or prefixed:
+        return None
+    return None if is_expression(frame[0].text) or not frame[0].text else frame[0]
