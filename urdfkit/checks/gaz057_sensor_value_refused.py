@@ -4,6 +4,10 @@ Text where a number belongs, a pose of three numbers, a word that SDF does not k
 pixels or a noise with a negative deviation: gz-sim rejects the model with a line in its log, and
 Gazebo Classic takes a default or makes no sensor. Angles in degrees and inverted ranges have rules
 of their own.
+
+Sources:
+    SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
+    sdformat, Camera.cc: https://github.com/gazebosim/sdformat/blob/main/src/Camera.cc
 """
 
 from __future__ import annotations

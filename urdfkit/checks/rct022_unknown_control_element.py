@@ -2,6 +2,9 @@
 
 The parser takes what it knows and passes over the rest: a misspelt interface is missing, and a
 controller that needs it cannot be activated; a misspelt parameter keeps its default.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.catalog.ros_control import grammar
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rename_element
+from urdfkit.editing.edits import rename_element
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING

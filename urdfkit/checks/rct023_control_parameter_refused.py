@@ -3,6 +3,10 @@
 `min`, `max` and `initial_value` are read by name. One with a slip in its name does nothing, and the
 joint starts at 0 or is commanded without bounds; text that is no number makes the hardware throw
 when it is loaded.
+
+Sources:
+    ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
 """
 
 from __future__ import annotations
@@ -10,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import replace_value
+from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.model import number
 from urdfkit.nearest import nearest

@@ -3,6 +3,9 @@
 ros_control loads transmissions by their type and divides by the ratio of the gear: with an unknown
 type, a ratio of 0 or one that is no number it leaves the transmission out, and no controller finds
 the joint. A misspelt element is passed over, and its default taken.
+
+Sources:
+    ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
 """
 
 from __future__ import annotations
@@ -11,7 +14,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import words
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rename_element, rewrite
+from urdfkit.editing.edits import rename_element, rewrite
 from urdfkit.model import number
 from urdfkit.nearest import nearest
 from urdfkit.ros_control import is_of_pr2, reads_transmissions

@@ -3,6 +3,10 @@
 The controller rolls both sides forwards by turning their joints in the positive sense, and takes
 the first list for the left. With the lists interchanged the robot turns to the wrong side and its
 odometry with it; with axes that point in opposite directions it spins instead of going straight.
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.controllers import Controller, controllers
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.drives import Rolling, between, dot, rolling
+from urdfkit.gazebo.drives import Rolling, between, dot, rolling
 from urdfkit.placed_yaml import Value
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING

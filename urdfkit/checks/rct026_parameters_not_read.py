@@ -3,6 +3,9 @@
 The file is no YAML, `ros__parameters` is misspelt (two underscores), or parameters stand under a
 name that no controller has. The controller then starts without its joints, and stops: "parameter
 'joints' was not set".
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
 from __future__ import annotations

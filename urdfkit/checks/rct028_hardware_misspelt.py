@@ -2,6 +2,9 @@
 
 The class loader finds no plugin of that name, and the controller manager starts without hardware.
 Classes that urdfkit does not know are taken to be the robot's own.
+
+Sources:
+    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import hardware
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.edits import rewrite
+from urdfkit.editing.edits import rewrite
 from urdfkit.nearest import nearest
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, rule

@@ -3,6 +3,9 @@
 `base_frame_id` is the child of the transform that the odometry sends. A name that is no link leaves
 the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link that hangs on
 another one gets two parents, and the robot jumps between them.
+
+Sources:
+    diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 srdfdom passes over what it does not know. A group loses its chain, a pair of links is checked for
 collisions again, and MoveIt says nothing, or complains of something else.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

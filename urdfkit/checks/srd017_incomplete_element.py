@@ -2,6 +2,9 @@
 
 srdfdom writes a line to the log and leaves the element out: the group has no chain, the state does
 not set the joint, the pair of links is checked for collisions.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

@@ -1,6 +1,9 @@
 """The SRDF beside the robot is not well-formed.
 
 move_group stops with it, and the rules about groups, states and allowed collisions cannot look.
+
+Sources:
+    srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
 """
 
 from __future__ import annotations

@@ -1,6 +1,9 @@
 """A state of a group sets a joint that the group does not have.
 
 MoveIt warns and leaves the value out, so the robot goes elsewhere than the state says.
+
+Sources:
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations
