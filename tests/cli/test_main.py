@@ -50,6 +50,13 @@ def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> 
     assert captured.err == ""
 
 
+@pytest.mark.parametrize("group", [[], ["mesh"]])
+def test_what_each_command_does_is_told_on_one_line_of_80_columns(group: list[str]) -> None:
+    commands = run(*group, "--help").stdout.decode().partition("Commands:")[2].splitlines()
+    assert len(commands) > 5
+    assert [line for line in commands if line.endswith("...")] == []
+
+
 @pytest.mark.parametrize("command", [[], ["check"], ["explain"], ["rules"]])
 def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*command, "--help"]) == 0

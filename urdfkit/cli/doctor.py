@@ -60,7 +60,7 @@ _PROGRAMS = {"git": "comparing a robot with an earlier revision"}
 @click.option("--isolated", is_flag=True, help="Take no configuration.")
 @click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
 def command(words: tuple[str, ...], **values: Any) -> int:
-    """Tell what urdfkit has to work with: programs, environment, configuration.
+    """Tell what urdfkit has to work with: libraries, configuration.
 
     With FILE, a description or a folder, also what a check of it works with: the packages
     around it, the programs that severities are weighed for and why, and the rules that do not

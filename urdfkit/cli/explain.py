@@ -25,7 +25,7 @@ _NEEDS = {
 @click.argument("rule", metavar="RULE")
 @click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
 def command(rule: str, rules: tuple[str, ...]) -> int:
-    """Explain a rule: what it finds, why it matters, what to do, with examples and sources.
+    """Explain a rule: what it finds, why it matters, what to do.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
     """

@@ -44,7 +44,7 @@ def command(
     package: tuple[str, ...],
     trust: bool,
 ) -> int:
-    """Compare the inertia of every link with that of its shapes, and propose what to write.
+    """Compare inertias with those of the shapes, and propose some.
 
     Shapes are taken for solids of uniform density with the declared mass. Proposed is what is
     missing, impossible, or differs by more than a factor of three; with --link, those links.

@@ -16,7 +16,7 @@ class NotInstalled(UrdfkitError):
     "--stdio", is_flag=True, help="Talk over standard input and output, as it always does."
 )
 def command(stdio: bool) -> int:
-    """Serve an editor: findings while typing, hover, completion, renaming, fixes.
+    """Serve an editor: findings, hover, completion, renaming, fixes.
 
     Editors start it themselves and talk to it over standard input and output. It needs the extra
     [lsp].

@@ -23,9 +23,10 @@ from urdfkit.rules import Rule, all_rules
 )
 @click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
 def command(kind: str, rules: tuple[str, ...]) -> int:
-    """List all rules: those of urdfkit, of installed packages of rules, and of NAMES.
+    """List all rules: those of urdfkit and those of other packages.
 
-    A line has the code, the severity, 'fix' if there is one, the name, and what the rule finds.
+    Packages of rules that are installed are listed, and those of NAMES. A line has the code, the
+    severity, 'fix' if there is one, the name, and what the rule finds.
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})

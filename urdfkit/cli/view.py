@@ -34,7 +34,7 @@ def command(
     isolated: bool,
     trust: bool,
 ) -> int:
-    """Show a robot in the browser, and show it again whenever one of its files is saved.
+    """Show a robot in the browser, and follow changes of its files.
 
     The page is that of urdfkit report, with the xacro arguments as inputs. The server listens on
     this machine only, at an address that nobody can guess. Ctrl-C ends it.

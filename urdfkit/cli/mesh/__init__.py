@@ -19,7 +19,7 @@ COMMANDS = ("info", "convert", "repair", "simplify", "hull", "decompose", "colli
 )
 @click.pass_context
 def command(context: click.Context) -> int:
-    """Look at mesh files, convert, repair and simplify them, make what is missing."""
+    """Look at mesh files; convert, repair, simplify, generate them."""
     if context.invoked_subcommand is None:
         click.echo(context.get_help())
     return 0

@@ -29,10 +29,11 @@ def command(
     package: tuple[str, ...],
     trust: bool,
 ) -> int:
-    """Propose a simple collision for every link whose collision is missing or is its visual mesh.
+    """Propose simple collisions in the place of detailed meshes.
 
-    Tried are a box, a cylinder and a sphere, then the convex hull, then convex pieces; taken is
-    the simplest that sticks out of the mesh by no more than --error, or than 5 % of its diagonal.
+    For every link whose collision is missing or is its visual mesh. Tried are a box, a cylinder
+    and a sphere, then the convex hull, then convex pieces; taken is the simplest that sticks out
+    of the mesh by no more than --error, or than 5 % of its diagonal.
 
     Exit codes: 0 done, 1 a link could not be written, 2 it cannot be done.
     """

@@ -24,7 +24,9 @@ from urdfkit.meshes.transforms import in_metres
 @click.option("--engine", type=click.Choice(ENGINES), default="vhacd", help="What cuts.")
 @click.option("--force", is_flag=True, help="Replace OUT though it is a good mesh.")
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
-    """Cut a mesh into convex pieces, which physics engines take as they are.
+    """Cut a mesh into convex pieces.
+
+    Physics engines take these as they are.
 
     Exit codes: 0 done, 2 it cannot be done.
     """

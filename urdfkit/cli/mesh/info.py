@@ -19,7 +19,7 @@ VERSION = 1
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(files: tuple[str, ...], form: str) -> int:
-    """Tell what mesh files hold: size, triangles, materials, unit, and whether they are solids.
+    """Tell what mesh files hold: size, triangles, unit; solid or not.
 
     Exit codes: 0 done, 2 a file holds no triangles.
     """
