@@ -14,6 +14,7 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import inf
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.inertials.claims import center_is_outside
@@ -55,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
             f"about {_point(outline.center)}",
             confidence=Confidence.INFERRED,
-            weight=distance / max(outline.edges),
+            weight=distance / max(outline.edges) if any(outline.edges) else inf,
         )
 
 

@@ -1,7 +1,7 @@
 """What gravity asks of the joints of a robot that stands still, against what they can exert.
 
 The poses looked at: all joints at zero; each joint at its limits, alone and all together; poses
-sampled with a fixed seed; and for every joint a climb from its worst one among these, one
+sampled with a fixed seed; and for every joint climbs from its worst ones among these, one
 coordinate at a time. The torque of a joint is a sine of the angle of any other one, and linear in
 the way of a slide, so each step of the climb is a closed form. The root is held.
 """
@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from urdfkit.dynamics.robot import Dynamics, Floats
 from urdfkit.mechanics.joints import bounds
@@ -21,6 +22,9 @@ from urdfkit.record import Record
 
 #: Sampled poses, the seed of them, and rounds of a climb at most.
 SAMPLES, SEED, ROUNDS = 1000, 0, 50
+
+#: Climbs for each joint, from so many poses.
+CLIMBS = 8
 
 #: Torques that all climbs together may compute: a serial arm needs some thousands, and a chain of
 #: a hundred joints is no robot that is worth minutes.
@@ -109,7 +113,7 @@ def statics(
         for column, name in enumerate(robot.columns)
         if name in by_name and name in wanted
     ]
-    search = _Search(robot, BUDGET // max(1, len(columns)))
+    search = _Search(robot, BUDGET // max(1, CLIMBS * len(columns)))
     poses = np.array([*search.corners(), *search.drawn(samples, seed)])
     torques = np.zeros((len(poses), robot.nv))
     asked = robot.gravity(pose or {})
@@ -121,8 +125,9 @@ def statics(
     for column, name in columns:
         if progress:
             progress(len(poses) + len(found), len(poses) + len(columns))
-        start = poses[int(np.argmax(np.abs(torques[:, column])))]
-        worst, x = search.climb(column, start)
+        starts = np.argsort(-np.abs(torques[:, column]), kind="stable")[:CLIMBS]
+        climbs = (search.climb(column, poses[start]) for start in starts)
+        worst, x = max(climbs, key=lambda climb: climb[0])
         x = search.rested(column, x, worst)
         where = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
         held = float(torques[0, column]), float(asked[column])
@@ -153,6 +158,7 @@ class _Search:
         self.slides = np.array([name in slides for name in robot.columns], dtype=bool)
         led = np.count_nonzero(robot.selection, axis=0) > 1
         self.is_led = led  # more than one joint moves with the coordinate
+        self.others = _on_one_branch(robot) & (self.low < self.high)
 
     def corners(self) -> Iterator[Floats]:
         """Zero, or what is nearest to it; each joint at its ends; all at their ends."""
@@ -180,7 +186,7 @@ class _Search:
         sign = 1.0 if best >= 0 else -1.0
         for _ in range(ROUNDS):
             before = abs(best)
-            for other in range(self.robot.nv):
+            for other in np.flatnonzero(self.others[column]).tolist():
                 if self.computed <= self.budget:
                     best = self._improve(x, column, other, sign, best)
             if abs(best) <= before * (1 + 1e-12) or self.computed > self.budget:
@@ -231,6 +237,20 @@ class _Search:
     def _torque(self, x: Floats, column: int) -> float:
         self.computed += 1
         return float(self.robot.gravity_at(self.robot.expanded(x))[column])
+
+
+def _on_one_branch(robot: Dynamics) -> NDArray[np.bool_]:
+    """(nv, nv): which coordinates stand above or below one another, and may change its torque."""
+    found: NDArray[np.bool_] = np.eye(robot.nv, dtype=bool)
+    above = [np.zeros(robot.nv, dtype=bool)] * 2  # of the world and the free-flyer
+    for own, parent in zip(
+        list(robot.model.joints)[2:], list(robot.model.parents)[2:], strict=True
+    ):
+        moved_by = np.any(robot.selection[own.idx_v : own.idx_v + own.nv] != 0, axis=0)
+        above.append(above[parent] | moved_by)
+        found[moved_by] |= above[-1]
+    found |= found.T
+    return found
 
 
 def span(joint: Joint | None) -> tuple[float, float]:

@@ -110,7 +110,7 @@ def _density_one(volume: float, first: Floats, second: Floats, about: Floats) ->
     if not np.isfinite(tensor).all():
         return None
     ixx, ixy, ixz, iyy, iyz, izz = (float(tensor[i, k]) for i in range(3) for k in range(i, 3))
-    return Uniform(abs(volume), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
+    return Uniform(float(abs(volume)), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
 
 
 def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Floats]:
