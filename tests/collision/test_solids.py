@@ -135,3 +135,12 @@ def test_the_unit_of_a_collada_file_is_applied_or_not(tmp_path: Path) -> None:
     (ignored,), _ = solids(subject.model, subject.meshes, unit=False)
     assert applied.vertices.max() == pytest.approx(0.01)
     assert ignored.vertices.max() == pytest.approx(1)
+
+
+def test_a_mesh_of_next_to_nothing_is_left_out(tmp_path: Path) -> None:
+    """coal's hull of it would end the process."""
+    tiny = mesh(cube(tmp_path / "c.stl", 0.5), "1e-80 1e-80 1e-80")
+    _, omitted = made(robot(link("a", tiny)))
+    assert omitted == (Omitted("a", 0, f"it is smaller than {THINNEST:g} m"),)
+    (small,), _ = made(robot(link("a", mesh(tmp_path / "c.stl", "2e-6 2e-6 2e-6"))))
+    form(small)

@@ -1,7 +1,7 @@
 """The collision geometry of a model as plain arrays, with what would harm coal left out.
 
-coal crashes the process on a hull of points that lie in a plane, on NaN and infinity, and on
-faces that name vertices which are not there; it gives nonsense for bodies without thickness.
+coal crashes the process on a hull of points that lie in a plane, or within 1e-80 m, on NaN and
+infinity, and on faces that name vertices which are not there; it gives nonsense for bodies without thickness.
 Nothing of that passes here.
 """
 
@@ -18,7 +18,7 @@ from urdfkit.model import RobotModel, Shape
 
 #: In m: bodies that are larger, or farther from their link, are left out.
 LARGEST = 1e6
-#: In m: thinner primitives are made so thick.
+#: In m: thinner primitives are made so thick, and smaller meshes left out.
 THINNEST = 1e-6
 
 
@@ -119,6 +119,8 @@ def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> _Made | str:
         return "none of its triangles has an area"
     if np.abs(vertices).max() > LARGEST:
         return f"it is larger than {LARGEST:g} m"
+    if np.ptp(vertices, axis=0).max() < THINNEST:
+        return f"it is smaller than {THINNEST:g} m"
     return "mesh", (), vertices, faces
 
 
