@@ -1,7 +1,8 @@
 """The collision geometry of a model as plain arrays, with what would harm coal left out.
 
 coal crashes the process on a hull of points that lie in a plane, or within 1e-80 m, on NaN and
-infinity, and on faces that name vertices which are not there; it gives nonsense for bodies without thickness.
+infinity, and on faces that name vertices which are not there; it gives nonsense for bodies without
+thickness.
 Nothing of that passes here.
 """
 
