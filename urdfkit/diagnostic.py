@@ -92,6 +92,7 @@ class Diagnostic(Record):
         help: what to do.
         fix: a remedy as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
+        alike: the same for findings of one rule that are told as one where they are many.
     """
 
     code: str
@@ -105,6 +106,7 @@ class Diagnostic(Record):
     help: str
     fix: Fix | None
     targets: tuple[str, ...] = ()
+    alike: str = ""
 
     @property
     def element(self) -> str:

@@ -125,6 +125,10 @@ class _Run:
 
             sifted = sift(diagnostics, self.subject.ignores)
             diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
+        if sum(bool(one.alike) for one in diagnostics) > 1:
+            from urdfkit.gathering import gathered
+
+            diagnostics = gathered(diagnostics)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return Verdict(
             diagnostics,
@@ -334,6 +338,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         worst.help or rule.help,
         worst.fix,
         suffering,
+        worst.alike,
     )
 
 

@@ -112,6 +112,8 @@ class Finding(Record):
         related: other places that explain it.
         confidence: how sure it is.
         weight: the larger, the worse; orders the calls of one macro.
+        alike: the same for findings that many robots have in numbers, and that one slip made:
+            more than a few of them are told as one.
     """
 
     at: Element | Attribute | Placed[object] | Written
@@ -121,6 +123,7 @@ class Finding(Record):
     related: tuple[Related, ...] = ()
     confidence: Confidence = Confidence.MEASURED
     weight: float = 0.0
+    alike: str = ""
 
 
 def told(subject: Subject, code: str) -> Iterator[Finding]:

@@ -16,3 +16,22 @@ def test_the_type_is_the_place_and_the_nearest_is_named():
 @pytest.mark.parametrize("type", ["ray", "gpu_lidar", "camera", "imu", "contact", "force_torque"])
 def test_types_of_every_gazebo_are_known(type):
     assert findings("GAZ040", type) == []
+
+
+SONAR = '<plugin name="p" filename="{}"/>'
+
+
+def test_a_type_that_a_foreign_plugin_brings_is_its_own_affair():
+    assert findings("GAZ040", "acme_sonar", SONAR.format("libacme_sonar.so")) == []
+
+
+@pytest.mark.parametrize(
+    ("type", "library"),
+    [
+        ("acme_sonar", "libgazebo_ros_ray_sensor.so"),  # known, and it brings no type
+        ("gpu_lidr", "libacme_sonar.so"),  # a slip, whatever the plugin
+        ("", "libacme_sonar.so"),
+    ],
+)
+def test_other_types_are_told_with_a_plugin_too(type, library):
+    assert len(findings("GAZ040", type, SONAR.format(library))) == 1

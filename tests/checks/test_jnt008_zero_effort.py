@@ -76,3 +76,10 @@ def test_a_macro_is_one_place() -> None:
     (found,) = told("JNT008", text, "robot.xacro")
     assert found.message == "joints 'a' and 'b': the effort limit is 0 N m"
     assert found.related == ()
+
+
+@pytest.mark.parametrize("ends", [("0", "0"), ("0.3", "0.3")])
+def test_a_joint_that_cannot_move_needs_none(ends: tuple[str, str]) -> None:
+    text = robot(joint("a", "revolute", limit(*ends, effort="0")))
+    assert messages("JNT008", text) == []
+    assert len(messages("JNT004", text)) == 1

@@ -44,7 +44,9 @@ def test_other_references(robot: str, reference: str) -> None:
     assert told(CODE, mesh_link(reference), robot) == []
 
 
-@pytest.mark.parametrize("start", ["file://$(find arm)", "$(find arm)", "${folder}"])
+@pytest.mark.parametrize(
+    "start", ["file://$(find arm)", "file:///$(find arm)", "$(find arm)", "${folder}"]
+)
 def test_what_xacro_makes_absolute_is_fine(robot: str, start: str) -> None:
     text = f"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

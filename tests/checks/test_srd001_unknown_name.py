@@ -28,6 +28,11 @@ BAD = [
         "h",
     ),
     (
+        '<group_state name="s" group=""><joint name="root_joint" value="0"/></group_state>',
+        "there is no joint 'root_joint'",
+        "root_joint",
+    ),
+    (
         '<passive_joint name="x"/>',
         "there is no joint 'x'",
         "x",
@@ -42,6 +47,10 @@ GOOD = [
     (
         '<virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>'
         '<group name="g"><joint name="v"/></group>'
+    ),
+    (  # Pinocchio's floating base
+        '<group name="g"><link name="arm"/></group><group_state name="s" group="g">'
+        '<joint name="root_joint" value="0 0 1 0 0 0 1"/></group_state>'
     ),
 ]
 

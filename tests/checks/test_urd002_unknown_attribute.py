@@ -73,3 +73,23 @@ def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> 
     assert [related.message for related in finding.related] == [
         f"joint 'j{i}'" for i in range(1, 6)
     ]
+
+
+def test_all_foreign_attributes_of_a_tag_are_one_finding() -> None:
+    robot = "".join(
+        f'<joint name="j{i}" type="fixed"><parent link="a"/><child link="b{i}"/>'
+        f'<dynamics K="1" D="2" mu="3"/></joint>\n<link name="b{i}"/>\n'
+        for i in range(2)
+    )
+    (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
+    assert finding.message == (
+        "joint 'j0': <dynamics> has no attributes 'K', 'D' and 'mu' (and 1 more that have them)"
+    )
+
+
+def test_a_long_list_of_attributes_is_cut() -> None:
+    foreign = " ".join(f'{letter}="1"' for letter in "ABCDEFGH")
+    (finding,) = told("URD002", f'<link name="a" {foreign}/>')
+    assert finding.message == (
+        "link 'a': <link> has no attributes 'A', 'B', 'C', 'D', 'E' and 3 more"
+    )

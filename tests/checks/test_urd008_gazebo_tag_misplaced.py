@@ -60,3 +60,9 @@ def test_every_tag_that_the_converter_handles_is_known() -> None:
         pytest.skip("the catalogue of Gazebo's tags is not beside this checkout")
     handled = {row["tag"] for row in json.loads(catalog.read_text("utf-8"))["handled_tags"]}
     assert handled - GAZEBO_TAGS == {"material", "collision", "visual"}  # those of URDF
+
+
+def test_the_pose_of_sdf_has_its_words_in_urdf() -> None:
+    (found,) = told("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
+    assert "by the <origin> of its joint" in found.help
+    assert found.fix is None

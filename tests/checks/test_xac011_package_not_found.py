@@ -46,3 +46,10 @@ def test_found_by_name_and_beside(tmp_path: Path) -> None:
     assert len(told_of("XAC011", here / "robot.xacro")) == 1
     report = engine.check(here / "robot.xacro", select=["XAC"], packages={"hand": str(there)})
     assert report.diagnostics == ()
+
+
+def test_a_package_that_is_used_often_is_told_once() -> None:
+    uses = "\n".join(f'<link name="$(find arm)/{i}"/>' for i in range(7))
+    (found,) = told("XAC011", uses)
+    assert found.message.endswith("(and 6 more likewise)")
+    assert len(found.related) == 6

@@ -415,3 +415,11 @@ def test_many_errors_are_told_in_bounded_number(tmp_path: Path) -> None:
     assert len(run(tmp_path, body).problems) == 500
     body = "".join(f"<xacro:x{number}/>" for number in range(200))
     assert len(run(tmp_path, body).problems) == 51
+
+
+def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> None:
+    (problem,) = run(tmp_path, '<include filename="arm.xacro"/>\n<xacro:arm/>').problems
+    assert problem.message == "macro 'arm' is not defined"
+    assert (
+        problem.help == "write <xacro:include>: xacro passes over an <include> without the prefix"
+    )

@@ -80,4 +80,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"{-1000 * one.distance:.3g} mm {still.beginning}",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
+                alike="overlap",
             )

@@ -63,4 +63,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             subject.model.links_by_name[near.second].at,
             f"links '{near.first}' and '{near.second}' come within "
             f"{1000 * near.distance:.2g} mm at {pose or 'zero'}",
+            alike="near",
         )

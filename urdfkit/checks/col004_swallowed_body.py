@@ -54,4 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"link '{one.small.link}' is inside the collision geometry of "
                 f"'{one.large.link}': nothing can touch it",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
+                alike=one.large.link,
             )

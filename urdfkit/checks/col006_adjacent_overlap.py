@@ -64,4 +64,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"{-one.distance:.3g} m",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
+                alike="overlap",
             )

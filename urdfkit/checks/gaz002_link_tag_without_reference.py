@@ -51,4 +51,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"Gazebo ignores <{child.tag}> here: it belongs to a {owner}, and this block "
                     "refers to none",
                     f'move it into <gazebo reference="...">, with the name of the {owner}',
+                    alike=child.tag,
                 )

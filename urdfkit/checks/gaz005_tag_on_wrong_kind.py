@@ -67,10 +67,21 @@ def check(subject: Subject) -> Iterator[Finding]:
                 help = (
                     f'move <{child.tag}> into <gazebo reference="{other.name if other else "..."}">'
                 )
-                yield Finding(child, message, help, _moved(block, child, other) if other else None)
+                yield Finding(
+                    child,
+                    message,
+                    help,
+                    _moved(block, child, other) if other else None,
+                    alike=child.tag,
+                )
             elif joint and child.tag in _FIXED_ONLY and joint.kind not in ("fixed", ""):
                 message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
-                yield Finding(child, message, "remove it, or name the fixed joint that is meant")
+                yield Finding(
+                    child,
+                    message,
+                    "remove it, or name the fixed joint that is meant",
+                    alike=child.tag,
+                )
 
 
 def _other(subject: Subject, name: str, kind: str) -> Link | Joint | None:

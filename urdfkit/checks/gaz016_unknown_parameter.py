@@ -46,4 +46,4 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use, found in subject.unread:
         if found.meant is None and found.other is None:
             path = "> in <".join(reversed(found.item.path.split("/")))
-            yield Finding(found.item.at, f"{use.title} does not read <{path}>")
+            yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)

@@ -90,6 +90,7 @@ def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
         f"link '{survivor}'{outcome}",
         help,
         _fix(use, joint) if joint is not None and mass > 0 else None,
+        alike=use.filename,
     )
 
 

@@ -1,7 +1,8 @@
 """A sensor is of a type that no Gazebo knows.
 
 The sensor is not made, and its topics never appear. Gazebo says so once in its log. The name is
-misspelt, or it is that of a product instead of a kind of sensor.
+misspelt, or it is that of a product instead of a kind of sensor. A type that is like no other, of a
+sensor whose plugin is not known either, is taken for one that the plugin's own package brings.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -53,13 +54,22 @@ _SLIP = 0.8
 def check(subject: Subject) -> Iterator[Finding]:
     known = types()
     for sensor in sensors(subject.model):
-        if sensor.type not in known:
+        if sensor.type not in known and not _brings_its_type(sensor, known):
             at = sensor.at.attributes.get("type", sensor.at)
             what = f"of type '{sensor.type}', which" if sensor.type else "without a type, which"
             hint = did_you_mean(sensor.type, known)
             yield Finding(
                 at, f"{sensor.who} is {what} no Gazebo knows{hint}", fix=_fix(sensor, known)
             )
+
+
+def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
+    """True for a type of a foreign package, whose plugin stands in the sensor."""
+    from urdfkit.catalog.plugins import find  # loads the catalogue
+
+    files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
+    foreign = bool(files) and not any(map(find, files))
+    return foreign and bool(sensor.type) and not nearest(sensor.type, known, _SLIP)
 
 
 def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:

@@ -74,7 +74,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 message = (
                     f"{sensor.who} looks along x of '{sensor.reference}', to the robot's right"
                 )
-                yield Finding(sensor.at, message)
+                yield Finding(sensor.at, message, alike="optical")
 
 
 def _is_turned(pose: Element | None) -> bool:

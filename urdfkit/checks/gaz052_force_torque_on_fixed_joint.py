@@ -67,4 +67,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 sensor.at,
                 f"{sensor.who} is on joint '{joint.name}', which Gazebo merges",
                 fix=Fix("keep the joint in Gazebo", insert_before(sensor.at, (line,))),
+                alike="merged",
             )

@@ -62,7 +62,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 message = (
                     f"{sensor.who}: its pictures are stamped with '{name}', which looks along x"
                 )
-                yield Finding(frame, message)
+                yield Finding(frame, message, alike="not optical")
 
 
 def _frames(sensor: Sensor) -> Iterator[Element]:

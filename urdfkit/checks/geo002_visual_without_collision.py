@@ -65,4 +65,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     for link in links:
         if not link.collisions:
-            yield Finding(link.visuals[0].at, f"link '{link.name}' has a visual and no collision")
+            yield Finding(
+                link.visuals[0].at,
+                f"link '{link.name}' has a visual and no collision",
+                alike="no collision",
+            )

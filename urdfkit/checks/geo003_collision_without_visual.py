@@ -45,4 +45,4 @@ def check(subject: Subject) -> Iterator[Finding]:
     for link in subject.model.links:
         if link.collisions and not link.visuals:
             message = f"link '{link.name}' has a collision and no visual"
-            yield Finding(link.collisions[0].at, message)
+            yield Finding(link.collisions[0].at, message, alike="no visual")

@@ -58,4 +58,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 mass,
                 f"link '{link.name}' has a mass of 0 kg and is moved by "
                 f"the {joint.kind} joint '{joint.name}'",
+                alike="zero",
             )

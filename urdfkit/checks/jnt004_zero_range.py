@@ -49,6 +49,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             "set lower and upper"
             + (", make it continuous if it turns without end," if joint.kind == "revolute" else "")
             + " or make it fixed",
+            alike="cannot move",
         )
 
 

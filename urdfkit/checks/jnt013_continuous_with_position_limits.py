@@ -57,6 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
                 fix=_without(written),
+                alike="continuous",
             )
 
 

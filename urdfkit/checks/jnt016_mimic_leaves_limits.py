@@ -65,6 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"'{leader.name}', beyond its limits {own[0]:g} to {own[1]:g} {unit(joint)}",
             _remedy(joint, leading, own),
             related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
+            alike="beyond",
         )
 
 

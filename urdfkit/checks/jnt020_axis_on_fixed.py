@@ -48,4 +48,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 axis,
                 f"joint '{joint.name}' is fixed; its axis has no effect",
                 fix=Fix("remove the axis", edits, safe=True),
+                alike="axis",
             )

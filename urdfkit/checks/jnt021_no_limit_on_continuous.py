@@ -62,4 +62,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"joint '{joint.name}' has no effort and velocity limit; '{other.name}' beside it has "
             f"{limit.effort.value:g} N m and {limit.velocity.value:g} rad/s",
             related=(Related(limit.at.span, f"the limit of '{other.name}'"),),
+            alike=other.name,
         )

@@ -68,6 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 + ", ".join(differences),
                 related=(Related(first.at.span, f"the twin '{first.name}'"),),
                 confidence=Confidence.INFERRED,
+                alike="twins",
             )
 
 

@@ -15,6 +15,7 @@ Sources:
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
@@ -68,7 +69,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         message = f"{mesh.who} does not exist{where}; tried {located.attempts}"
         meant = files.nearest(mesh)
         if meant is None:
-            yield Finding(mesh.at, message)
+            yield Finding(mesh.at, message, alike=os.path.dirname(mesh.at.value) or ".")
             continue
         edits = (
             replace_value(mesh.literal, meant.reference) if mesh.literal and meant.sure else None

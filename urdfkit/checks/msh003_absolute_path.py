@@ -46,7 +46,9 @@ FILES = {
     "meshes/forearm.stl": PLATE,
 }
 
-_WRITTEN_ABSOLUTE = re.compile(r"(?:file://(?:localhost)?|file:(?!//))?(?:/|[A-Za-z]:[/\\])")
+_WRITTEN_ABSOLUTE = re.compile(
+    r"(?:file://(?:localhost)?|file:(?!//))?(?:/(?!/*\$)|[A-Za-z]:[/\\])"
+)
 
 
 @rule(
@@ -70,4 +72,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         known = reference.startswith("package://")
         edits = replace_value(mesh.literal, reference) if mesh.literal and known else None
         fix = Fix(f"Refer to {reference}", edits) if edits else None
-        yield Finding(mesh.at, f"{mesh.who} is an absolute path of this machine", fix=fix)
+        yield Finding(
+            mesh.at, f"{mesh.who} is an absolute path of this machine", fix=fix, alike="absolute"
+        )

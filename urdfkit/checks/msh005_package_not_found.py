@@ -88,4 +88,4 @@ def _not_named(subject: Subject, mesh: MeshReference) -> Finding:
     fix = Fix("Remove the third slash", edits) if edits else None
     scheme = mesh.located.scheme
     message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
-    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix)
+    return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, alike=scheme)

@@ -57,4 +57,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             mesh.at,
             f"{mesh.who} says that its unit is {facts.unit:g} m: RViz and Gazebo multiply by it, "
             "MoveIt, Pinocchio and coal do not",
+            alike=f"{facts.unit:g}",
         )

@@ -57,4 +57,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.who} is not closed: {' and '.join(parts)} among "
             f"{counted(found.triangles, 'triangle')}",
             weight=found.open_edges,
+            alike="open",
         )

@@ -48,4 +48,4 @@ def check(subject: Subject) -> Iterator[Finding]:
         what = "its triangles look inwards"
         if found.bodies > 1 and found.inverted_bodies:
             what = f"{found.inverted_bodies} of its {found.bodies} pieces look inwards"
-        yield Finding(use.at, f"{use.who} is turned inside out: {what}")
+        yield Finding(use.at, f"{use.who} is turned inside out: {what}", alike="inside out")

@@ -50,4 +50,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.who}: {found.degenerate} of {counted(found.triangles, 'triangle')} "
             f"{'has' if found.degenerate == 1 else 'have'} no area",
             weight=found.degenerate / found.triangles,
+            alike="degenerate",
         )

@@ -45,7 +45,8 @@ FILES = {
     help="urdfkit mesh collision or urdfkit mesh simplify makes a lighter one",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH019", ()):
+    uses = subject.measured.claims.get("MSH019", ())
+    for use in sorted(uses, key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         refused = f", and MuJoCo refuses over {MUJOCO_MOST}" if number > MUJOCO_MOST else ""
         yield Finding(
@@ -53,4 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.who} has {number} triangles; over {DENSE_COLLISION} collision checks are slow"
             f"{refused}",
             weight=number,
+            alike="dense",
         )

@@ -45,4 +45,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             use.at,
             f"{use.who} has {number} triangles, more than the {DENSE_VISUAL} that are drawn easily",
             weight=number,
+            alike="dense",
         )

@@ -50,4 +50,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             use.at,
             f"{use.who} has {found.bodies} pieces; its convex hull, which several simulators take, "
             f"has {found.hull.volume / found.solid.volume:.2g} times their volume",
+            alike="pieces",
         )

@@ -44,4 +44,4 @@ FILES = {
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.measured.claims.get("MSH028", ()):
         (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
-        yield Finding(use.at, f"{use.who} holds {colours}, which no reader shows")
+        yield Finding(use.at, f"{use.who} holds {colours}, which no reader shows", alike="colours")

@@ -48,4 +48,4 @@ FILES = {
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.measured.claims.get("MSH029", ()):
         message = f"{use.who} also holds {', '.join(extras(use))}; only triangles count"
-        yield Finding(use.at, message)
+        yield Finding(use.at, message, alike=", ".join(extras(use)))

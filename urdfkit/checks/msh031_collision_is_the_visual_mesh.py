@@ -54,4 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.who} is that of the visual, too, and has {use.measures.triangles} triangles; "
             f"over {DENSE_SHARED} a simpler one is worth it",
             weight=use.measures.triangles,
+            alike="shared",
         )

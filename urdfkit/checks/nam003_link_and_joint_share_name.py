@@ -49,4 +49,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 joint.at.attributes["name"],
                 f"joint '{joint.name}' has the name of a link, which Gazebo's SDF does not allow",
                 related=(Related(links[joint.name].at.span, "the link"),),
+                alike="shared",
             )

@@ -39,7 +39,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         moves = name.element.tag == "joint" and name.element.get("type") != "fixed"
         if reason := _reason(name.value, moves=moves):
-            yield Finding(name, f"{name.element.tag} '{name.value}': {reason}")
+            yield Finding(name, f"{name.element.tag} '{name.value}': {reason}", alike=reason)
 
 
 def _reason(name: str, *, moves: bool) -> str | None:

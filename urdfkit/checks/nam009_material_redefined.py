@@ -53,6 +53,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"link '{link.name}': material '{material.name.value}' is {_shown(look)} here and "
                 f"{_shown(_look(known))} before; readers keep the first",
                 related=(Related(known.at.span, "the first"),),
+                alike=material.name.value,
             )
 
 

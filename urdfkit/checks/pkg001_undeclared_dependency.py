@@ -78,6 +78,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"package '{name}' is used, and {manifest.path} does not declare it",
                 f"add <exec_depend>{name}</exec_depend> to package.xml",
                 _fix(subject.resolver.read(manifest.path), name),
+                alike="undeclared",
             )
 
 

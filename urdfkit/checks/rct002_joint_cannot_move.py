@@ -57,6 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 element.attributes["name"],
                 f"{owner} drives joint '{joint.name}', which is fixed",
+                alike="fixed",
             )
 
 

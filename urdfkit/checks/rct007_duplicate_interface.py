@@ -70,4 +70,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                         f"{part.kind} '{part.name}': {interface.direction} interface "
                         f"'{interface.name}' is declared twice",
                         related=(first[key],),
+                        alike=component.called,
                     )

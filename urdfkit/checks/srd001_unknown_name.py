@@ -56,10 +56,16 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
-        if attribute.value and attribute.value not in known:
+        if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
             hint = did_you_mean(attribute.value, known)
             message = f"there is no {kind} '{attribute.value}'{hint}"
             yield Finding(attribute, message, fix=_fix(attribute, known))
+
+
+def _is_free_flyer(attribute: Attribute) -> bool:
+    """True for Pinocchio's floating base, which no URDF has: a position and a quaternion."""
+    value = attribute.element.get("value") or ""
+    return attribute.value == "root_joint" and len(value.split()) == 7
 
 
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:

@@ -50,6 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{message}; did you mean <{meant}>?" if meant else message,
             f"rename it to <{meant}>" if meant else "",
             _fix(element, meant),
+            alike=f"{element.tag} in {element.parent.tag}",
         )
 
 

@@ -33,7 +33,7 @@ BAD = """\
 GOOD = BAD.replace("fricton", "friction")
 FIXED = GOOD
 
-#: Elements with the same foreign attribute that are shown.
+#: Foreign attributes, and elements that have them, that are shown.
 _SHOWN = 5
 
 
@@ -45,14 +45,14 @@ _SHOWN = 5
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    alike: dict[tuple[str, str], list[Attribute]] = {}
+    foreign: dict[str, list[Attribute]] = {}
     for element, attribute, _, meant in subject.deviations.get("URD002", ()):
         assert attribute is not None
         if meant:
             yield _slip(element, attribute, meant)
         else:
-            alike.setdefault((element.tag, attribute.name), []).append(attribute)
-    for attributes in alike.values():
+            foreign.setdefault(element.tag, []).append(attribute)
+    for attributes in foreign.values():
         yield _foreign(attributes)
 
 
@@ -69,11 +69,18 @@ def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
 
 
 def _foreign(attributes: list[Attribute]) -> Finding:
-    """An attribute of some other program; one finding for all elements that have it."""
-    first, *others = attributes
+    """Attributes of some other program; one finding for all elements of a tag that have them."""
+    first = attributes[0]
     element = first.element
-    message = f"{owner(element)}: <{element.tag}> has no attribute '{first.name}'"
+    names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]
+    if len(names) > _SHOWN:
+        names = [*names[:_SHOWN], f"{len(names) - _SHOWN} more"]
+    listed = f"attribute {names[0]}"
+    if len(names) > 1:
+        listed = f"attributes {', '.join(names[:-1])} and {names[-1]}"
+    message = f"{owner(element)}: <{element.tag}> has no {listed}"
+    others = {one.element: one for one in attributes if one.element is not element}
     if others:
-        message += f" (and {len(others)} more that have it)"
-    related = tuple(Related(other.span, owner(other.element)) for other in others[:_SHOWN])
+        message += f" (and {len(others)} more that have {'it' if len(names) == 1 else 'them'})"
+    related = tuple(Related(one.span, owner(one.element)) for one in list(others.values())[:_SHOWN])
     return Finding(first, message, related=related)

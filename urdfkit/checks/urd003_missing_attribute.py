@@ -43,7 +43,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for element, attribute, missing, meant in subject.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None:
-            yield Finding(element, message)
+            yield Finding(element, message, alike=f"{missing} of {element.tag}")
             continue
         edits = rename_attribute(attribute, meant)
         yield Finding(

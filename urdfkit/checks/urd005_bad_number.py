@@ -52,11 +52,13 @@ def check(subject: Subject) -> Iterator[Finding]:
         length = schema.LENGTHS.get(kind, 1)
         if better := _mended(text, length):
             title, edits = f'write {attribute.name}="{better}"', replace_value(attribute, better)
+        reason = _reason(text, length)
         yield Finding(
             attribute,
-            f"{owner(element)}: {attribute.name} of <{element.tag}> {_reason(text, length)}",
+            f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
             title,
             Fix(title, edits) if edits else None,
+            alike=reason,
         )
 
 

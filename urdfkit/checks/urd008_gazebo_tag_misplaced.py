@@ -47,8 +47,9 @@ def check(subject: Subject) -> Iterator[Finding]:
             element,
             f"{owner(element.parent)}: Gazebo never sees the <{element.tag}> in "
             f"<{element.parent.tag}>, which URDF readers pass over",
-            f"move it into {_block(element)}",
+            _help(element),
             fixes.get(element),
+            alike=f"{element.tag} in {element.parent.tag}",
         )
 
 
@@ -89,11 +90,12 @@ def _moved(subject: Subject, owner: Element, elements: list[Element]) -> Fix | N
     return Fix(title, (*removals, *insert_after(owner, (*block, "</gazebo>"))))
 
 
-def _block(element: Element) -> str:
-    """The block that it belongs in."""
+def _help(element: Element) -> str:
+    if element.tag == "pose":  # SDF's word for what URDF has, too
+        return "place the link by the <origin> of its joint, and a shape by one of its own"
     owner = _owner(element)
     name = owner.get("name") if owner else None
-    return f'<gazebo reference="{name}">' if name else "a <gazebo> block"
+    return "move it into " + (f'<gazebo reference="{name}">' if name else "a <gazebo> block")
 
 
 def _owner(element: Element) -> Element | None:

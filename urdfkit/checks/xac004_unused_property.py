@@ -57,5 +57,8 @@ def check(subject: Subject) -> Iterator[Finding]:
             name = definition.name.removeprefix("**")
             edits = remove_spans([definition.tag.whole_span])
             yield Finding(
-                place, f"property '{name}' is never used", fix=Fix("delete the property", edits)
+                place,
+                f"property '{name}' is never used",
+                fix=Fix("delete the property", edits),
+                alike="unused",
             )

@@ -48,4 +48,4 @@ def check(subject: Subject) -> Iterator[Finding]:
     if unused and not is_included(subject.source.path, subject.resolver.packages):
         for argument in unused:
             place = Written(argument.tag.span, argument.frame)
-            yield Finding(place, f"argument '{argument.name}' is never used")
+            yield Finding(place, f"argument '{argument.name}' is never used", alike="unused")

@@ -23,6 +23,7 @@ _BLOCK_TOO_MANY = re.compile(r'Unused block "([^"]*)"')
 _NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
 _CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
 _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
+_BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _DEFINED = re.compile(rb"""<xacro:(?:property|macro)\b[^<>]*?\bname\s*=\s*["'](\w+)["']""")
 
 
@@ -61,6 +62,8 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
         name = found.group(1)
         known = (macro.name for macro in run.macros)
         help = "define the macro above its call, or include the file that does"
+        if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
+            help = "write <xacro:include>: xacro passes over an <include> without the prefix"
         return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
     return _of_call(text, macro_of(error)) or Words(
         text.replace("\n", "; ") or type(cause).__name__

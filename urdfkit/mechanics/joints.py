@@ -21,6 +21,12 @@ SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
 _MAX_RELATED = 20
 
 
+def can_move(joint: Joint) -> bool:
+    """True for a joint with one degree of freedom, unless its limits take that from it."""
+    ends = bounds(joint)
+    return joint.kind in MOVING and (ends is None or ends[0] != ends[1])
+
+
 def bounds(joint: Joint) -> tuple[float, float] | None:
     """The lower and the upper limit of a revolute or prismatic joint, in rad or m.
 
@@ -83,14 +89,14 @@ def driven(model: RobotModel) -> frozenset[str]:
 def limited_to_zero(model: RobotModel, of: str) -> list[tuple[Joint, Placed[float]]]:
     """The joints whose limit of ``effort`` or ``velocity`` is 0, each with that limit.
 
-    Not those that follow another joint, nor, where some joints have a transmission or
+    Not those that cannot move or that follow another joint, nor, where some joints have a transmission or
     ros2_control, those that have none: they are taken for passive.
     """
     active = driven(model)
     limits = [
         (joint, getattr(joint.limit, of))
         for joint in model.joints
-        if joint.kind in MOVING
+        if can_move(joint)
         and joint.mimic is None
         and joint.limit
         and (not active or joint.name in active)

@@ -1,0 +1,65 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.told import fixed, told
+from urdfkit.gathering import MAX_NOTES, MAX_SINGLE
+
+
+def links(number: int, tag: str = "<tint/>") -> str:
+    return "".join(f'<link name="l{i}">\n  {tag}\n</link>\n' for i in range(number))
+
+
+def test_a_few_that_are_alike_are_told_one_by_one() -> None:
+    assert len(told("URD001", links(MAX_SINGLE))) == MAX_SINGLE
+
+
+def test_many_that_are_alike_are_told_as_the_first() -> None:
+    (finding,) = told("URD001", links(MAX_SINGLE + 1))
+    assert finding.message == "link 'l0': <link> has no element <tint> (and 4 more likewise)"
+    assert (finding.span.line, finding.span.text) == (3, "<tint/>")
+    assert [(note.span.line, note.message) for note in finding.related] == [
+        (3 + 3 * i, f"link 'l{i}': <link> has no element <tint>") for i in range(1, 5)
+    ]
+
+
+def test_the_fixes_of_all_are_one_fix() -> None:
+    (finding,) = told("URD001", links(9))
+    assert finding.fix is not None
+    assert finding.fix.title == "remove the <tint> (and 8 more likewise)"
+    assert fixed("URD001", links(9)).count("tint") == 0
+
+
+def test_without_a_fix_for_each_there_is_none() -> None:
+    (finding,) = told("URD001", links(8) + '<link name="last"><tint>dark</tint></link>')
+    assert finding.fix is None
+
+
+def test_tags_of_one_link_are_moved_once() -> None:
+    pairs = "".join(
+        f'<link name="l{i}">\n  <mu1>1</mu1>\n  <mu1>1</mu1>\n</link>' for i in range(5)
+    )
+    (finding,) = told("URD008", pairs)
+    assert finding.fix is not None
+    assert fixed("URD008", pairs).count("<mu1>") == 10
+
+
+def test_the_places_that_are_told_are_bounded() -> None:
+    (finding,) = told("URD001", links(60))
+    assert "and 59 more likewise" in finding.message
+    assert len(finding.related) == MAX_NOTES
+
+
+@pytest.mark.parametrize("other", ["<hue/>", "<glow/>"])
+def test_other_slips_are_told_beside_them(other: str) -> None:
+    found = told("URD001", links(5) + links(5, other).replace('"l', '"k'))
+    assert [one.message.split(":")[0] for one in found] == ["link 'l0'", "link 'k0'"]
+
+
+def test_what_a_comment_accepts_is_not_among_them() -> None:
+    robot = links(6).replace(
+        '<link name="l1">', '<!-- urdfkit: ignore[URD001] our own reader --><link name="l1">'
+    )
+    (finding,) = told("URD001", robot)
+    assert "likewise" in finding.message
+    assert [note.message.split("'")[1] for note in finding.related] == ["l2", "l3", "l4", "l5"]

@@ -1,0 +1,42 @@
+"""Many findings that are alike, told as one: who made a slip thirty times, made it once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfkit.diagnostic import Diagnostic, Fix, Related
+
+#: Findings that are alike and still told one by one: a car has four wheels.
+MAX_SINGLE = 4
+#: Of the others, those whose places are told.
+MAX_NOTES = 20
+
+
+def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Findings of one robot, with those that are alike in the place of the first of them."""
+    groups: dict[object, list[Diagnostic]] = {}
+    for number, one in enumerate(diagnostics):
+        groups.setdefault((one.code, one.alike) if one.alike else number, []).append(one)
+    found: list[Diagnostic] = []
+    for group in groups.values():
+        found += [_as_one(group)] if len(group) > MAX_SINGLE else group
+    return tuple(found)
+
+
+def _as_one(group: list[Diagnostic]) -> Diagnostic:
+    first, *others = group
+    return first._replace(
+        message=f"{first.message} (and {len(others)} more likewise)",
+        related=first.related + tuple(Related(o.span, o.message) for o in others[:MAX_NOTES]),
+        fix=_together([one.fix for one in group]),
+    )
+
+
+def _together(fixes: list[Fix | None]) -> Fix | None:
+    """The fixes of all as one; none if one of them has none."""
+    known = [fix for fix in fixes if fix is not None]
+    if not known or len(known) < len(fixes):
+        return None
+    edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
+    title = f"{known[0].title} (and {len(known) - 1} more likewise)"
+    return Fix(title, tuple(edits), all(fix.safe for fix in known))
