@@ -89,8 +89,8 @@ def driven(model: RobotModel) -> frozenset[str]:
 def limited_to_zero(model: RobotModel, of: str) -> list[tuple[Joint, Placed[float]]]:
     """The joints whose limit of ``effort`` or ``velocity`` is 0, each with that limit.
 
-    Not those that cannot move or that follow another joint, nor, where some joints have a transmission or
-    ros2_control, those that have none: they are taken for passive.
+    Not those that cannot move or that follow another joint. Where some joints have a transmission
+    or ros2_control, those that have none are taken for passive and left out, too.
     """
     active = driven(model)
     limits = [
