@@ -8,6 +8,7 @@ import re
 from urdfkit.diagnostic import Edit
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
+from urdfkit.lsp.mentions import mentions
 from urdfkit.lsp.names import Name
 from urdfkit.lsp.workspace import Robot
 from urdfkit.source import Source, Span
@@ -39,7 +40,19 @@ def references(robot: Robot, page: Page, offset: int, *, definitions: bool) -> l
     name = robot.names.at(page.source, offset)
     if name is None:
         return []
-    return [one.span for one in robot.names.same(name) if definitions or not one.is_definition]
+    same = robot.names.same(name)
+    own = [one.span for one in same if definitions or not one.is_definition]
+    return own + _beside(robot, name, same)
+
+
+def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
+    """Where other files of the package name a link or a joint."""
+    kinds = {one.kind for one in same if one.is_definition} & {"link", "joint"}
+    if not kinds:
+        return []
+    values = robot.names.values(name)
+    found = mentions(values, robot.path, robot.names.paths, robot.resolver)
+    return [one.span for one in found if one.kind in kinds]
 
 
 def _file(robot: Robot, page: Page, offset: int) -> Source | None:
@@ -101,4 +114,4 @@ def rename(robot: Robot, page: Page, offset: int, new: str) -> list[Edit]:
     kinds = {one.kind for one in same if one.is_definition}
     if new in robot.given(*kinds):
         raise CannotRename(f"there is a {name.kind} '{new}' already")
-    return [Edit(one.span, new) for one in same]
+    return [Edit(span, new) for span in (*(one.span for one in same), *_beside(robot, name, same))]
