@@ -28,6 +28,11 @@ GLB = made.glb()
             f"declares 9999 bytes of JSON and has {len(GLB) - 20}",
         ),
         (made.glb(b"{}"), Kind.NOT_A_MESH, "is JSON, but not glTF"),
+        (
+            made.glb(made.gltf(asset={"version": "1.0"})),
+            Kind.UNREADABLE,
+            "is glTF of version 1.0; readers know version 2",
+        ),
         (made.glb(made.gltf(meshes=[])), Kind.EMPTY, "holds no triangles"),
     ],
 )

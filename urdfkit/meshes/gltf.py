@@ -46,6 +46,9 @@ def judge_json(data: bytes) -> tuple[Defect | None, str]:
         return unreadable("is not JSON"), ""
     if not isinstance(content, dict) or "asset" not in content:
         return not_a_mesh("is JSON, but not glTF"), ""
+    version = content["asset"].get("version") if isinstance(content["asset"], dict) else None
+    if version == "1.0" or isinstance(content.get("meshes"), dict):
+        return unreadable("is glTF of version 1.0; readers know version 2"), ""
     return (None if _has_primitives(content) else empty("holds no triangles")), ""
 
 

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import logging
 from io import BytesIO
-from struct import unpack_from
 from typing import Any
 
 import numpy as np
 
 from urdfkit.meshes import facts
 from urdfkit.meshes.assemble import Losses, Stream, assemble, counted_kinds, transformed
+from urdfkit.meshes.check_gltf import check_gltf
 from urdfkit.meshes.geometry import Floats, Material, Mesh, NoTriangles, Part
 
 _TYPES = {facts.PLY: "ply", facts.GLB: "glb", facts.GLTF: "gltf"}
-
-#: Numbers in one list of a glTF file; a list that only declares its length is allocated too.
-MAX_ACCESSOR = 60_000_000
 
 
 def read(data: bytes, form: str, folder: str) -> Mesh:
@@ -31,9 +27,9 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
     Raises:
         NoTriangles: it holds none, or trimesh cannot read it.
     """
-    if form != facts.PLY:
-        _check_sizes(data, form)
     try:
+        if form != facts.PLY:
+            check_gltf(data, form)
         return _read(data, form, folder)
     except NoTriangles:
         raise
@@ -61,7 +57,8 @@ def _read(data: bytes, form: str, folder: str) -> Mesh:
         if part is not None:
             parts.append(transformed(part, np.asarray(matrix, dtype=np.float64)))
     if not parts:
-        raise NoTriangles("holds no triangles")
+        lost = "; ".join(losses.sentences())
+        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
     extras = counted_kinds({"line or point set": others})
     # So glTF has it, whatever the numbers are; PLY says nothing.
     up_axis = "" if form == facts.PLY else "Y_UP"
@@ -106,19 +103,3 @@ def _material(material: Any) -> Material | None:
         colour = (255, 255, 255, 255) if image is not None else material.main_color
     red, green, blue, alpha = (float(part) / 255 for part in colour)
     return Material(str(getattr(material, "name", None) or ""), (red, green, blue, alpha), texture)
-
-
-def _check_sizes(data: bytes, form: str) -> None:
-    """Refuse lists whose declared length alone would fill the memory.
-
-    Raises:
-        NoTriangles: there is such a list.
-    """
-    text = data
-    if form == facts.GLB:
-        (size,) = unpack_from("<I", data, 12)
-        text = data[20 : 20 + size]
-    accessors = json.loads(text).get("accessors", [])
-    counts = [one.get("count", 0) for one in accessors if isinstance(one, dict)]
-    if any(not isinstance(count, int) or count > MAX_ACCESSOR for count in counts):
-        raise NoTriangles(f"declares a list of more than {MAX_ACCESSOR} numbers")
