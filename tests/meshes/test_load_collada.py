@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import base64
+import os
 from pathlib import Path
 from time import perf_counter
 
@@ -205,6 +206,26 @@ def test_a_texture(tmp_path: Path, sampler: str, parameters: str, image: str) ->
     expected = Material("red paint", (1, 1, 1, 1), str(tmp_path / "picture.png"))
     assert mesh.parts[0].material == expected
     assert (mesh.losses, mesh.textures, mesh.missing) == ((), (image,), ())
+
+
+@pytest.mark.parametrize(
+    ("reference", "expected"), [("cover", "cover.jpg"), ("../cover.png", "../cover.png")]
+)
+def test_an_image_that_the_library_lacks(tmp_path: Path, reference: str, expected: str) -> None:
+    """As in ANYmal D's meshes, whose textures assimp finds."""
+    parameters = PARAMETERS.replace("picture", reference)
+    mesh = square(tmp_path, looks=TEXTURED.format("sampler"), parameters=parameters)
+    assert mesh.missing == (expected,)
+    (tmp_path / os.path.basename(expected)).write_bytes(PIXEL)
+    mesh = square(tmp_path, looks=TEXTURED.format("sampler"), parameters=parameters)
+    assert mesh.missing == ()
+    assert mesh.parts[0].material is not None
+    assert mesh.parts[0].material.texture == str(tmp_path / os.path.basename(expected))
+
+
+def test_decimal_commas_are_named(tmp_path: Path) -> None:
+    with pytest.raises(UnloadableMesh, match="with commas for points, such as .0,5."):
+        square(tmp_path, places="0,5 0 0 1,0 0 0 1 1,0 0 0,0 1,0 0,0")
 
 
 def test_a_texture_that_is_missing(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 import numpy as np
@@ -124,5 +125,9 @@ class Looks:
         instance = child(parameters.get(sampler), "sampler2D", "instance_image")  # COLLADA 1.5
         reference = instance.get("url", "")[1:] if instance is not None else identity
         image = self._tree.with_id(reference, "image")
+        if image is None and reference != sampler:
+            # An image that the library lacks: assimp, which RViz and Gazebo read with, takes the
+            # reference for the name of a JPEG.
+            return reference if os.path.splitext(reference)[1] else f"{reference}.jpg"
         source = child(image, "init_from")
         return text(child(source, "ref")) or text(source)

@@ -7,6 +7,7 @@ recorded and not applied, for every consumer does otherwise with them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -24,6 +25,9 @@ MAX_DEPTH = 200
 MAX_NODES = 20_000
 MAX_TRIANGLES = 20_000_000
 
+#: A number as programs in German or French print it.
+_DECIMAL_COMMA = re.compile(rb"<float_array[^>]*>\s*(-?\d+,\d+)\s")
+
 _EXTRAS = {"instance_camera": "camera", "instance_light": "light", "animation": "animation"}
 _INSTANCES = ("instance_geometry", "instance_controller")
 
@@ -40,7 +44,14 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
     Raises:
         NoTriangles: it shows nothing, or is not to be read.
     """
-    return _Reader(Tree(data, recover=recover), folder).mesh(unplaced=recover)
+    try:
+        return _Reader(Tree(data, recover=recover), folder).mesh(unplaced=recover)
+    except NoTriangles:
+        comma = _DECIMAL_COMMA.search(data)
+        if comma is None:
+            raise
+        number = comma.group(1).decode()
+        raise NoTriangles(f"writes numbers with commas for points, such as '{number}'") from None
 
 
 class _Reader:
