@@ -224,7 +224,7 @@ def test_an_image_that_the_library_lacks(tmp_path: Path, reference: str, expecte
 
 
 def test_decimal_commas_are_named(tmp_path: Path) -> None:
-    with pytest.raises(UnloadableMesh, match="with commas for points, such as .0,5."):
+    with pytest.raises(UnloadableMesh, match=r"with commas for points, such as .0,5."):
         square(tmp_path, places="0,5 0 0 1,0 0 0 1 1,0 0 0,0 1,0 0,0")
 
 
