@@ -122,7 +122,7 @@ def test_a_finding_on_another_line_with_other_numbers_is_the_same(pair: Path) ->
 def test_surfaces_are_measured(pair: Path) -> None:
     """The mesh turned about an edge: its far vertex is 0.01 off."""
     pytest.importorskip("trimesh")
-    pytest.importorskip("rtree")
+    pytest.importorskip("scipy")
     bent = TRIANGLE.replace("v 0 1 0", f"v 0 {cos(0.01)} {sin(0.01)}")
     (pair / "b" / "base.obj").write_text(bent)
     (one,) = compare("a/arm.urdf", "b/arm.urdf").differences
@@ -133,7 +133,7 @@ def test_surfaces_are_measured(pair: Path) -> None:
 
 def test_the_same_surface_in_other_bytes_does_not_differ(pair: Path) -> None:
     pytest.importorskip("trimesh")
-    pytest.importorskip("rtree")
+    pytest.importorskip("scipy")
     (pair / "b" / "base.obj").write_text("# again\nv 0 1 0\nv 0 0 0\nv 1 0 0\nf 2 3 1\n")
     assert compare("a/arm.urdf", "b/arm.urdf").kinds == set()
 

@@ -14,7 +14,7 @@ import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh
 from urdfkit.meshes.geometry import Mesh, Part
-from urdfkit.meshes.hull import ENGINES, NoEngine, NoHull, decompose, hull
+from urdfkit.meshes.hull import ENGINES, NoEngine, NoHull, decompose, hull, with_few_corners
 
 RING = trimesh.creation.annulus(0.5, 1.0, 0.5)
 
@@ -63,3 +63,29 @@ def test_a_missing_engine_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "coacd", None)
     with pytest.raises(NoEngine, match=r"pip install 'urdfkit\[decompose\]'"):
         decompose(as_mesh(RING), engine="coacd")
+
+
+@pytest.mark.parametrize("scale", [1e-4, 1.0, 1e3])
+@pytest.mark.parametrize(
+    "shape", [trimesh.creation.icosphere(4), trimesh.creation.cylinder(1, 3, sections=300)]
+)
+def test_a_hull_with_few_corners_is_around_all_and_close(
+    shape: trimesh.Trimesh, scale: float
+) -> None:
+    shape = shape.copy().apply_scale(scale).apply_translation((scale, 0, 7 * scale))
+    shell = hull(as_mesh(shape))
+    lean = as_trimesh(with_few_corners(shell))
+    assert len(shell.vertices) > 64
+    assert len(lean.vertices) <= 64
+    assert lean.is_volume
+    beyond = (
+        lean.face_normals @ (shape.vertices.T)
+        - np.einsum("ij,ij->i", lean.face_normals, lean.triangles[:, 0])[:, None]
+    )
+    assert beyond.max() < 1e-6 * scale
+    assert shape.volume < lean.volume < 1.2 * shape.volume
+
+
+def test_a_hull_of_few_corners_stays_as_it_is() -> None:
+    shell = hull(as_mesh(trimesh.creation.box((1, 2, 3))))
+    assert with_few_corners(shell) is shell

@@ -100,9 +100,10 @@ def propose(
         for link in known.values()
         if (link.name in links if links else _has_mesh(link) and _lacks_shape(link))
     ]
+    fitted: dict[tuple[object, ...], Fits] = {}
     proposals = []
     for number, link in enumerate(chosen):
-        proposals.append(_proposal(subject, link, error, most))
+        proposals.append(_proposal(subject, link, error, most, fitted))
         if progress:
             progress(number + 1, len(chosen))
     return tuple(proposals)
@@ -123,7 +124,14 @@ def _filename(body: Body) -> str:
     return body.shape.filename.value if body.shape and body.shape.filename else ""
 
 
-def _proposal(subject: Subject, link: Link, error: float | None, most: int) -> Proposal:
+def _proposal(
+    subject: Subject,
+    link: Link,
+    error: float | None,
+    most: int,
+    fitted: dict[tuple[object, ...], Fits],
+) -> Proposal:
+    """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
     from urdfkit.meshes.fitting import fit
     from urdfkit.meshes.hull import NoHull
     from urdfkit.meshes.repair.soup import soup_of
@@ -131,14 +139,17 @@ def _proposal(subject: Subject, link: Link, error: float | None, most: int) -> P
     fits, bounds = [], []
     for body in link.visuals:
         mesh = body_mesh(subject, body)
-        if mesh is None:
+        if mesh is None or body.shape is None:
             why = subject.meshes.reason(body.shape) if body.shape else ""
             return Proposal(link, link.visuals, (), (), why or "a visual cannot be read")
         bound = RELATIVE * soup_of(mesh).size if error is None else error
+        key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
         try:
-            fits.append(fit(mesh, bound, most=most))
+            if key not in fitted:
+                fitted[key] = fit(mesh, bound, most=most)
         except NoHull as reason:
             return Proposal(link, link.visuals, (), (), str(reason))
+        fits.append(fitted[key])
         bounds.append(bound)
     if not fits:
         return Proposal(link, (), (), (), "it has no visual")

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from urdfkit.meshes.geometry import Floats, Integers
 
-if TYPE_CHECKING:
-    from trimesh import Trimesh
-
 #: Points of each surface from which the other one is measured.
 MAX_VERTICES, SAMPLES = 1500, 1500
+#: Points of the other surface by which near triangles are found, and how many are looked at.
+_GUIDES, _NEAREST = 20_000, 8
 _SEED = 7
+#: Less is rounding, on surfaces about 1 large.
+_NOTHING = 1e-12
 
 
 def distance(
@@ -43,21 +42,74 @@ def one_way(
 
     Arguments as for `distance`.
     """
-    import trimesh
+    step = max(1, len(vertices) // MAX_VERTICES)
+    spread, _ = _spread(vertices[faces], SAMPLES)
+    points, triangles = np.concatenate([vertices[::step], spread]), other_vertices[other_faces]
+    # trimesh knows what is small by its number, so the surfaces are made about 1 large.
+    low = np.minimum(points.min(axis=0), triangles.min(axis=(0, 1)))
+    high = np.maximum(points.max(axis=0), triangles.max(axis=(0, 1)))
+    size = float((high - low).max()) or 1.0
+    return size * _farthest((points - low) / size, (triangles - low) / size)
 
-    one = trimesh.Trimesh(vertices, faces, process=False)
-    other = trimesh.Trimesh(other_vertices, other_faces, process=False)
-    return _farthest(one, other)
+
+def _farthest(points: Floats, triangles: Floats) -> float:
+    """Of some points, (n, 3), the greatest distance to a surface, (m, 3, 3), both about 1 large.
+
+    For every point a distance to some near triangles is quick to have, and it bounds the true one
+    from above. Where it is the greatest, all triangles that may be nearer are looked at, until no
+    other point can be farther away.
+    """
+    bounds = _to_near_ones(points, triangles)
+    low, high = triangles.min(axis=1), triangles.max(axis=1)
+    farthest = 0.0
+    for i in np.argsort(-bounds):
+        if bounds[i] <= farthest + _NOTHING:
+            break
+        outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
+        may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
+        near = triangles[may_be_nearer]
+        found = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
+        farthest = max(farthest, float(found.min(initial=bounds[i])))
+    return farthest
 
 
-def _farthest(one: Trimesh, other: Trimesh) -> float:
-    """Of the points of one mesh, the greatest distance to another mesh."""
-    import trimesh
+def _to_near_ones(points: Floats, triangles: Floats) -> Floats:
+    """(n,), from each point the distance to the nearest of a few near triangles."""
+    from scipy.spatial import cKDTree
 
-    step = max(1, len(one.vertices) // MAX_VERTICES)
-    points = [one.vertices[::step]]
-    if one.area > 0:
-        points.append(trimesh.sample.sample_surface(one, SAMPLES, seed=_SEED)[0])
-    query = trimesh.proximity.ProximityQuery(other)
-    _, distances, _ = query.on_surface(np.concatenate(points))
-    return float(distances.max())
+    spread, of_spread = _spread(triangles, _GUIDES)
+    guides = np.concatenate([triangles.reshape(-1, 3), spread])
+    owner = np.concatenate([np.repeat(np.arange(len(triangles)), 3), of_spread])
+    _, nearest = cKDTree(guides).query(points, k=min(_NEAREST, len(guides)))
+    near = owner[nearest.reshape(len(points), -1)]
+    every = np.repeat(points, near.shape[1], axis=0)
+    found = _to_triangles(every, triangles[near.reshape(-1)])
+    bounds: Floats = found.reshape(near.shape).min(axis=1)
+    return bounds
+
+
+def _to_triangles(points: Floats, triangles: Floats) -> Floats:
+    """(n,), from each point to its triangle; to a corner of one without area."""
+    from trimesh.triangles import closest_point
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = np.linalg.norm(closest_point(triangles, points) - points, axis=1)
+    to_corners = np.linalg.norm(triangles - points[:, None], axis=2).min(axis=1)
+    distances: Floats = np.fmin(found, to_corners)
+    return distances
+
+
+def _spread(triangles: Floats, number: int) -> tuple[Floats, Integers]:
+    """Points spread evenly over a surface, (n, 3), and the triangle that each is on.
+
+    None on one without area.
+    """
+    areas = np.linalg.norm(np.cross(*(triangles[:, 1:] - triangles[:, :1]).swapaxes(0, 1)), axis=1)
+    total = float(areas.sum())
+    if not 0 < total < np.inf:
+        return np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
+    random = np.random.default_rng(_SEED)
+    chosen = np.searchsorted(np.cumsum(areas), random.random(number) * total)
+    chosen = np.minimum(chosen, len(triangles) - 1)
+    weights = random.dirichlet((1.0, 1.0, 1.0), number)
+    return np.einsum("nk,nkj->nj", weights, triangles[chosen]), chosen

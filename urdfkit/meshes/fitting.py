@@ -13,7 +13,7 @@ import numpy as np
 from urdfkit.meshes import solids
 from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.geometry import Floats, Mesh
-from urdfkit.meshes.hull import NoHull, decompose, hull
+from urdfkit.meshes.hull import NoHull, decompose, hull, with_few_corners
 from urdfkit.meshes.transforms import moved
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
@@ -77,8 +77,8 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     tried = [_judged(mesh, *one) for one in (_box(points), _cylinder(points), _sphere(points))]
     good = [one for one in tried if one.error <= bound]
     if not good:
-        for kind, shape in _meshes(mesh, shell, most):
-            tried.append(_judged(mesh, kind, (0.0, 0.0, 0.0), Frame(), shape))
+        for one in _meshes(mesh, shell, bound, most):
+            tried.append(one)
             good = [one for one in tried if one.error <= bound]
             if good:
                 break
@@ -86,17 +86,23 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     return Fits(best, tuple(tried), bool(good))
 
 
-def _meshes(mesh: Mesh, shell: Mesh, most: int) -> Iterator[tuple[str, Mesh]]:
-    yield "hull", shell
+def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
+    lean = _judged(mesh, "hull", _NO_SIZE, Frame(), with_few_corners(shell))
+    yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Frame(), shell)
     if most > 1:
-        yield "pieces", decompose(mesh, most=most)
+        yield _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=most))
+
+
+_NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 
 def _judged(mesh: Mesh, kind: str, size: Vector, frame: Frame, shape: Mesh) -> Fit:
     placed = moved(shape, frame)
-    # Where pieces touch, their faces lie deep in the mesh, and stick out of nothing.
-    outside = solids.united(placed) if len(placed.parts) > 1 else placed
-    error = one_way(outside.vertices, outside.faces, mesh.vertices, mesh.faces)
+    # Where pieces meet, their faces lie deep in the mesh, and stick out of nothing.
+    outside = solids.beyond(placed, mesh) if len(placed.parts) > 1 else placed
+    error = 0.0
+    if len(outside.faces):
+        error = one_way(outside.vertices, outside.faces, mesh.vertices, mesh.faces)
     return Fit(kind, size, frame, placed, error)
 
 

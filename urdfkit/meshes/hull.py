@@ -10,8 +10,10 @@ from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
 
 #: The engines that cut into convex pieces.
 ENGINES = ("vhacd", "coacd")
-#: Corners of each piece: what physics engines take.
+#: Corners of a hull or piece: what physics engines take.
 _MOST_CORNERS = 64
+#: Degrees between the faces of a hull with few corners; the first that leaves few enough is taken.
+_APART = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
 #: In which vhacd looks at the mesh; four times as many take four times as long.
 _VOXELS = 50_000
 
@@ -38,13 +40,72 @@ def hull(mesh: Mesh) -> Mesh:
     if solid.is_empty() or not solid.volume() > 0:
         raise NoHull("all points lie in a plane, which has no hull")
     found = solid.to_mesh64()
-    material = mesh.parts[0].material if mesh.parts else None
     part = Part(
         np.asarray(found.vert_properties[:, :3], dtype=np.float64),
         np.asarray(found.tri_verts, dtype=np.int64),
-        material,
+        _material(mesh),
     )
     return mesh._replace(parts=(part,))
+
+
+def with_few_corners(shell: Mesh) -> Mesh:
+    """A convex solid of at most `_MOST_CORNERS` corners around another one, close to it.
+
+    Of its faces the large ones stay, and of those that look nearly the same way one, moved outwards
+    until all lies behind it. Where that gives no fewer corners, the solid itself.
+
+    Args:
+        shell: a convex hull.
+    """
+    from scipy.spatial import HalfspaceIntersection, QhullError
+
+    points = shell.vertices
+    if len(points) <= _MOST_CORNERS:
+        return shell
+    size, middle = float(np.ptp(points, axis=0).max()), points.mean(axis=0)
+    scaled = (points - middle) / size
+    every = _normals(scaled, shell.faces)
+    for degrees in _APART:
+        normals = _spread_out(every, degrees)
+        reach = (normals @ scaled.T).max(axis=1)
+        try:
+            corners = HalfspaceIntersection(
+                np.column_stack([normals, -reach]), np.zeros(3)
+            ).intersections
+        except QhullError:  # so flat that no inside is left
+            continue
+        around = hull(_loose(corners * size + middle))
+        if len(around.vertices) <= _MOST_CORNERS:
+            return shell._replace(parts=(around.parts[0]._replace(material=_material(shell)),))
+    return shell
+
+
+def _normals(points: Floats, faces: Integers) -> Floats:
+    """Of triangles, those of the largest first."""
+    a, b, c = (points[faces[:, corner]] for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    lengths = np.linalg.norm(normals, axis=1)
+    order = np.argsort(-lengths[lengths > 0], kind="stable")
+    found: Floats = (normals[lengths > 0] / lengths[lengths > 0][:, None])[order]
+    return found
+
+
+def _spread_out(normals: Floats, degrees: float) -> Floats:
+    """The first of some normals, the next that is not near it, and so on."""
+    chosen: list[Floats] = []
+    while len(normals):
+        chosen.append(normals[0])
+        normals = normals[normals @ normals[0] < np.cos(np.radians(degrees))]
+    return np.array(chosen)
+
+
+def _material(mesh: Mesh) -> Material | None:
+    return mesh.parts[0].material if mesh.parts else None
+
+
+def _loose(corners: Floats) -> Mesh:
+    """Points without a surface, to take the hull of."""
+    return Mesh((Part(corners, np.arange(len(corners)).reshape(1, -1)),))
 
 
 def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
@@ -70,7 +131,7 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         return hull(mesh)
     parts = []
     for number, corners in enumerate(pieces):
-        shell = hull(Mesh((Part(corners, np.arange(len(corners)).reshape(1, -1)),)))
+        shell = hull(_loose(corners))
         color = _COLORS[number % len(_COLORS)]
         parts.append(shell.parts[0]._replace(material=Material(f"piece_{number + 1}", color)))
     return mesh._replace(parts=tuple(parts))

@@ -11,7 +11,7 @@ from math import cos, pi, sin
 import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
 
-from urdfkit.meshes.geometry import Floats, Material, Mesh, Part
+from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
 from urdfkit.meshes.shading import shaded
 from urdfkit.spatial import Vector
 
@@ -62,10 +62,24 @@ def _united(solids: Sequence[Manifold]) -> Manifold:
     return whole.simplify(_SLIVER)
 
 
-def united(mesh: Mesh) -> Mesh:
-    """The surface around all parts of a mesh, each of which is a solid."""
-    solids = [Manifold(Mesh64(part.vertices, part.faces.astype(np.uint64))) for part in mesh.parts]
-    return as_mesh(Manifold.batch_boolean(solids, OpType.Add))
+def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
+    """What of some solids lies outside of a mesh; all of them, if that is none itself.
+
+    Args:
+        pieces: each part a solid; they may overlap.
+        mesh: any.
+    """
+    from urdfkit.meshes.edges import welded
+
+    solids = [_solid(part.vertices, part.faces) for part in pieces.parts]
+    whole = Manifold.batch_boolean(solids, OpType.Add)
+    inside = _solid(*welded(mesh.vertices, mesh.faces))
+    return as_mesh(whole if inside.is_empty() else whole - inside)
+
+
+def _solid(vertices: Floats, faces: Integers) -> Manifold:
+    """Empty, if the triangles are none."""
+    return Manifold(Mesh64(vertices, faces.astype(np.uint64)))
 
 
 def as_mesh(solid: Manifold, material: Material | None = None) -> Mesh:
