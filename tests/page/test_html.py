@@ -150,6 +150,17 @@ def test_a_robot_may_be_too_large_for_a_page(
     assert reason in text
 
 
+@pytest.mark.parametrize("content", ["", '<robot name="r"><link', '<robot name="r"/>'])
+def test_a_robot_of_which_little_is_known_has_a_short_page(content: str, tmp_path: Path) -> None:
+    path = tmp_path / "r.urdf"
+    path.write_text(content)
+    text = report(str(path))[0]
+    assert '<section id="findings">' in text
+    assert 'id="model"' not in text  # and no engine, which is most of a page
+    assert len(text) < 60_000
+    assert text.count("the description cannot be read") <= 2
+
+
 def test_a_page_without_jinja_cannot_be(monkeypatch: pytest.MonkeyPatch) -> None:
     html._environment.cache_clear()
     monkeypatch.setitem(__import__("sys").modules, "jinja2", None)

@@ -209,6 +209,24 @@ def test_progress_goes_from_the_first_step_to_the_last() -> None:
     assert sorted(told) == [(done, told[-1][1]) for done in range(1, told[-1][1] + 1)]
 
 
+@pytest.mark.parametrize("orthographic", [False, True])
+def test_a_collision_on_its_visual_covers_it_without_patches(orthographic: bool) -> None:
+    ball = '<geometry><sphere radius="0.3"/></geometry>'
+    inner = '<geometry><sphere radius="0.2995"/></geometry>'  # a hair below
+    body = f'<visual>{ball}<material name="m"><color rgba="0 0 1 1"/></material></visual>'
+    subject = robot(f'<link name="a">{body}<collision>{inner}</collision></link>')
+    shown = build(subject, roles=("visual", "collision"))
+    camera = looking(shown.points(), "iso", size=SIZE, orthographic=orthographic)
+    alone_, both = (alone(one, camera).astype(int) for one in (build(subject), shown))
+    inside = alone_[..., 3] == 255
+    inside[[0, -1]] = inside[:, [0, -1]] = False
+    core = inside.copy()
+    for _ in range(6):  # the rim, where both are seen edge on, is left out
+        core[1:-1, 1:-1] &= core[:-2, 1:-1] & core[2:, 1:-1] & core[1:-1, :-2] & core[1:-1, 2:]
+    assert core.sum() > 5000
+    assert (both[core][:, 0] > alone_[core][:, 0] + 20).all()  # reddish everywhere
+
+
 @pytest.mark.parametrize("tilt", [-0.6, 0.0, 0.6])
 def test_a_wall_that_nothing_shades_is_of_one_brightness(tilt: float) -> None:
     of = scene(link("a", '<box size="0.02 1 1"/>', rpy=f"0 {tilt} 0", rgba="0.8 0.8 0.8 1"))

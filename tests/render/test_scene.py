@@ -127,6 +127,22 @@ def test_a_mesh_that_is_not_to_be_had_is_a_marked_box(
     assert missing.reason
 
 
+def test_a_box_for_a_mesh_is_as_large_as_the_mesh_beside_it(tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / "there.stl")
+    file = tmp_path / "robot.urdf"
+    file.write_text(
+        '<robot name="r"><link name="a"><visual><geometry><mesh filename="gone.stl"/></geometry>'
+        '</visual><collision><origin xyz="0 0 5"/><geometry>'
+        '<mesh filename="there.stl" scale="2 2 2"/></geometry></collision></link></robot>',
+        encoding="utf-8",
+    )
+    (item,) = build(read(file)).items
+    assert item.look == PLACEHOLDER
+    assert np.ptp(item.vertices, axis=0) == pytest.approx((0.2, 0.4, 0.6))
+    assert item.vertices.mean(axis=0) == pytest.approx((0, 0, 5), abs=1e-6)
+
+
 def test_a_box_for_a_mesh_of_which_nothing_is_known_reaches_to_the_next_joints() -> None:
     mesh = '<link name="{}"><visual><geometry><mesh filename="no.stl"/></geometry></visual></link>'
     joint = (

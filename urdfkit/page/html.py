@@ -110,6 +110,8 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
         "drawings": drawings,
         "_": words,
         "title": printable(name or os.path.basename(document["file"])),
+        "absent": _by_reason(document["missing"].items()),
+        "skipped": _by_reason((one["code"], one["reason"]) for one in document["skipped"]),
         "groups": _groups(found[:MAX_FINDINGS]),
         "more": max(0, len(found) - MAX_FINDINGS),
         "rows": MAX_ROWS,
@@ -154,6 +156,14 @@ def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
         if pair["near_miss"] or pair["verdict"] not in ("adjacent", "never")
     ]
     return sorted(pairs, key=lambda pair: -(pair["frequency"] or 0.0))
+
+
+def _by_reason(missing: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """What cannot be had, each with the reason: by the reason."""
+    found: dict[str, list[str]] = {}
+    for name, reason in missing:
+        found.setdefault(reason, []).append(name)
+    return found
 
 
 def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[int, Any]]]]:

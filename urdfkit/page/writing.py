@@ -103,7 +103,7 @@ def drawn(told: Told, *, has_pictures: bool) -> tuple[dict[str, str], Scene | No
 
     subject = told.subject
     found = drawings.tree(subject)
-    if subject.reading.document is None:
+    if subject.reading.document is None or not subject.model.links:
         return found, None
     try:
         built = scene.surfaces(subject)

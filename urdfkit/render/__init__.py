@@ -26,13 +26,14 @@ try:
     )
     from urdfkit.render.camera import VIEWS, Camera, looking
     from urdfkit.render.difference import difference
-    from urdfkit.render.draw import QUALITIES, draw
+    from urdfkit.render.draw import draw
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
     from urdfkit.render.looks import Look
     from urdfkit.render.picture import PictureError, colour, picture, save
     from urdfkit.render.pixels import STUDIO, Background
+    from urdfkit.render.quality import QUALITIES
     from urdfkit.render.scene import Item, Label, Missing, Scene, build
 except ImportError as error:
     raise MissingLibrary(

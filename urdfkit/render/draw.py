@@ -29,6 +29,7 @@ from urdfkit.render.pixels import (
     means,
     summed,
 )
+from urdfkit.render.quality import QUALITIES, Quality
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.rays import Tracer
 from urdfkit.render.scene import Scene
@@ -45,32 +46,13 @@ PEELS = 4
 HIDDEN = 0.45
 #: What is less transparent than this hides what is behind it.
 SOLID = 0.98
+#: How much nearer collisions are drawn than they are, as a part of the robot's size.
+LIFT = 0.004
 #: How far around them surfaces hide the sky from one another, as a part of the robot's size.
 REACH = 0.12
 #: The mean of light over a lattice leaves out what is further in depth, as a part of the size.
 NEAR = 0.012
 
-
-class Quality(NamedTuple):
-    """How much work a picture is worth.
-
-    Attributes:
-        samples: of a pixel, for smooth edges.
-        sky, sun: samples of what hides the sky and the sun; none are taken for 0.
-        rays: whether these are rays, where Embree is installed.
-    """
-
-    samples: int
-    sky: int
-    sun: int
-    rays: bool = False
-
-
-QUALITIES = {
-    "draft": Quality(3, 0, 4),
-    "default": Quality(6, 16, 10),
-    "high": Quality(16, 32, 16, rays=True),
-}
 
 _OPAQUE, _CLEAR, _SIGN = range(3)
 
@@ -150,6 +132,7 @@ class _Drawing:
             self.floor = ground(world, casts, solid, self.sun, camera, level, workers)
         everything = cut(everything, camera)
         x, y, near = camera.project(everything.points)
+        self._lift(near, everything, (lowest + highest) / 2)
         self.screen: Projected
         self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0], workers)
         self.soup: Soup = everything
@@ -198,6 +181,26 @@ class _Drawing:
         """What each triangle is: opaque, seen through, or a sign, (m,)."""
         result: Integers = np.array(self.kinds, dtype=np.int8)[some.item]
         return result
+
+    def _lift(self, near: Floats, everything: Soup, middle: Floats) -> None:
+        """Bring collisions that are seen through a little nearer.
+
+        Many lie on their visuals, or a hair below: without it both would show in patches.
+
+        Args:
+            near: of the vertices, as the camera projects them.
+            everything: the triangles.
+            middle: of the robot, in the world.
+        """
+        step = np.float32(LIFT * self.size)
+        distance = float(np.dot(np.asarray(self.camera.eye) - middle, self.camera.axes[2]))
+        for item, piece, kind in zip(self.scene.items, everything.pieces, self.kinds, strict=True):
+            if item.role != "collision" or kind != _CLEAR:
+                continue
+            if self.camera.is_orthographic:
+                near[piece] += step
+            else:
+                near[piece] *= 1 + step / np.float32(max(distance, self.size))
 
     def _world(self, everything: Soup) -> Floats:
         """The vertices in the world."""

@@ -13,7 +13,7 @@ from urdfkit.render.textures import srgb_to_linear
 
 #: Two colours, above and below, sRGB from 0 to 1.
 Background = tuple[tuple[float, float, float], tuple[float, float, float]]
-STUDIO: Background = ((0.965, 0.97, 0.978), (0.862, 0.878, 0.9))
+STUDIO: Background = ((0.925, 0.935, 0.95), (0.8, 0.82, 0.845))
 
 
 def means(

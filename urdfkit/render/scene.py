@@ -12,7 +12,7 @@ from urdfkit.mechanics import kinematics
 from urdfkit.meshes.geometry import Part
 from urdfkit.model import Body, Link, Shape
 from urdfkit.render import arrays, primitives
-from urdfkit.render.arrays import Bools, Floats, Integers
+from urdfkit.render.arrays import Bools, Floats, Integers, bounds
 from urdfkit.render.looks import PLACEHOLDER, Look, Looks
 from urdfkit.render.normals import smooth
 from urdfkit.spatial import Frame, Vector
@@ -259,14 +259,20 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
 def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> Item:
     """A marked box where a mesh should be.
 
-    It is as large as a shape that the link has beside; else it reaches to the joints that hang
-    on the link.
+    It is as large as a shape that the link has beside, or a mesh; else it reaches to the joints
+    that hang on the link.
     """
-    halves = [b.shape.half_extents for b in (*link.collisions, *link.visuals) if b.shape]
+    bodies = (*link.collisions, *link.visuals)
+    halves = [other.shape.half_extents for other in bodies if other.shape]
     known = next((half for half in halves if half), None)
+    extents = (_extent(subject, other) for other in bodies)
+    around = None if known else next((ends for ends in extents if ends), None)
     if known:
         vertices, faces, _, uv = primitives.box(*(2 * part for part in known))
         vertices = placed(vertices, body.origin)
+    elif around:
+        vertices, faces, _, uv = primitives.box(*(around[1] - around[0]))
+        vertices = vertices + (around[0] + around[1]) / 2
     else:
         joints = [joint.origin.position for joint in subject.tree.children[link.name]]
         ends = np.array([(0.0, 0.0, 0.0), *joints])
@@ -276,6 +282,17 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
         vertices = vertices + ((lowest + highest) / 2).astype(np.float32)
     label = f"missing: {os.path.basename(_filename(body.shape))}"
     return Item(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv)
+
+
+def _extent(subject: Subject, body: Body) -> tuple[Floats, Floats] | None:
+    """The least and the greatest coordinates of a mesh in its link; None if it is not to be had."""
+    if body.shape is None or body.shape.kind != "mesh":
+        return None
+    vertices = subject.meshes.vertices(body.shape)
+    if vertices is None:
+        return None
+    lowest, highest = bounds(placed(vertices.astype(np.float32), body.origin))
+    return (lowest, highest) if np.abs((lowest, highest)).max() < LIMIT else None
 
 
 def _reach(scene: Scene) -> float:
