@@ -53,6 +53,7 @@ ABOUT_WORDS = {
     "GAZ025": _DRIVES,
     "GAZ026": _DRIVES,
     "GAZ033": ("gz", "ignition"),
+    "GAZ035": ("gz", "ignition", "ign_"),
     "GAZ043": ("update_rate",),
     "GAZ044": ("update_rate",),
     "GAZ045": _LIDARS,
