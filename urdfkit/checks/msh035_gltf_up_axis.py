@@ -6,8 +6,10 @@ that, assimp and trimesh take the numbers as they are. No file suits both. COLLA
 and STL mean the same to all of them: `urdfkit mesh convert hand.glb hand.dae` keeps the numbers,
 and with `--upright` turns them as the new RViz does.
 
-Sources: [rviz pull request 1482](https://github.com/ros2/rviz/pull/1482), Gazebo's
-[AssimpLoader.cc](https://github.com/gazebosim/gz-common/blob/main/graphics/src/AssimpLoader.cc).
+Sources:
+    glTF 2.0, coordinates: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+    ros2/rviz#1482: https://github.com/ros2/rviz/pull/1482
+    Gazebo, AssimpLoader.cc: https://github.com/gazebosim/gz-common/blob/main/graphics/src/AssimpLoader.cc
 """
 
 from __future__ import annotations
