@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from math import radians
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
@@ -39,7 +40,9 @@ class PlannedLimit(Record):
         value, on = self.values.get(name), self.values.get(switch)
         if value is None or on is None or on.text.strip().lower() not in _ON:
             return None
-        return number(value.text)
+        found = number(value.text)
+        # Launch files of ROS 1 and xacro read these tags; radians are what there is without one.
+        return radians(found) if found is not None and value.tag == "!degrees" else found
 
 
 def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:

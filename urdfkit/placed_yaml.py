@@ -21,17 +21,18 @@ MAX_LEVELS = 30
 
 
 class Value(Record):
-    """A scalar, and the lines and columns of its ends, from 0."""
+    """A scalar, the lines and columns of its ends, from 0, and its tag, such as ``!degrees``."""
 
     text: str
     source: Source
     start: tuple[int, int]
     end: tuple[int, int]
+    tag: str = ""
 
     @property
     def span(self) -> Span:
         """Its place, counted when it is asked for: the lines of a hostile file are long."""
-        start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:])
+        start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:4])
         return Span(self.source, start, end)
 
 
@@ -131,7 +132,8 @@ def _node(source: Source, event: Any) -> Node:
 
     if isinstance(event, yaml.ScalarEvent):
         ends: tuple[Any, Any] = (event.start_mark, event.end_mark)
-        return Value(event.value, source, *((mark.line, mark.column) for mark in ends))
+        start, end = ((mark.line, mark.column) for mark in ends)
+        return Value(event.value, source, start, end, event.tag or "")
     if isinstance(event, yaml.MappingStartEvent):
         return {}
     return [] if isinstance(event, yaml.SequenceStartEvent) else None  # None for an alias

@@ -91,3 +91,9 @@ def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:
         "links 'panda_link7' and 'panda_link5'",
         "links 'panda_hand' and 'panda_link5'",
     ]
+
+
+@pytest.mark.parametrize(("limits", "told"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])
+def test_a_joint_above_both_that_cannot_be_at_zero(limits: str, told: int) -> None:
+    below = bent(0.004) + link("stand") + joint("stand", "base", "revolute", more=limits)
+    assert len(messages("COL001", below)) == told

@@ -53,3 +53,9 @@ def test_links_that_are_no_neighbours_count_too() -> None:
     assert message.startswith("link 'tip' is inside")
     assert messages("COL001", CHASSIS + arm + joints) == []
     assert messages("COL002", CHASSIS + arm + joints) == []
+
+
+@pytest.mark.parametrize(("reach", "told"), [(0.1, 1), (0.9, 0)])
+def test_a_part_that_comes_out_is_not_swallowed(reach: float, told: int) -> None:
+    slide = joint("chassis", "wheel", "prismatic", more=revolute(0, reach))
+    assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == told

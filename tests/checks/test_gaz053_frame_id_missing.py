@@ -30,3 +30,7 @@ def test_a_model_is_told_once():
     assert found.message == (
         "sensor 'first' names no frame for its measurements (and 1 more likewise)"
     )
+
+
+def test_a_contact_sensor_needs_no_frame():
+    assert findings("GAZ053", "contact", targets=("gz-harmonic",)) == []

@@ -47,3 +47,13 @@ def test_a_collision_that_is_away_from_the_same_visual_is_told_by_geo004(tmp_pat
     assert (
         len(messages(tmp_path, "MSH032", link(mesh("a.stl", origin=away)), {"a.stl": at(0)})) == 1
     )
+
+
+@pytest.mark.parametrize(("end", "is_told"), [(1.95, False), (1.5, True)])
+def test_the_end_of_a_long_part_is_where_it_should_be(
+    tmp_path: Path, end: float, is_told: bool
+) -> None:
+    arm = stl(box((0, -0.1, -0.1), (end, 0.1, 0.1)))
+    robot = link(mesh("arm.stl", "visual"), mesh("a.stl", "visual"))
+    found = messages(tmp_path, "MSH032", robot, {"arm.stl": arm, "a.stl": at(2)})
+    assert bool(found) is is_told

@@ -35,3 +35,9 @@ def test_nothing_is_left(tmp_path: Path) -> None:
 
 def test_what_the_bytes_give_away_is_told_elsewhere(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH034", link(mesh("a.stl")), {"a.stl": SOUND[:-1]}) == []
+
+
+@pytest.mark.parametrize(("role", "number"), [("visual", 1), ("collision", 0)])
+def test_the_looks_of_a_collision_matter_to_nobody(tmp_path: Path, role: str, number: int) -> None:
+    bad = collada(look="<diffuse><color>0.01.0 0 1</color></diffuse>")
+    assert len(messages(tmp_path, "MSH034", link(mesh("a.dae", role)), {"a.dae": bad})) == number

@@ -26,6 +26,13 @@ def told(folder: Path, **values: str) -> list[Diagnostic]:
             "joint 'shoulder': MoveIt plans with min_position -2 rad, the robot allows -1 rad",
         ),
         (
+            {"has_velocity_limits": "true", "max_velocity": "!degrees 90"},
+            (
+                "joint 'shoulder': MoveIt plans with max_velocity 1.5708 rad/s, the robot allows "
+                "1 rad/s"
+            ),
+        ),
+        (
             {"has_position_limits": "True", "max_position": "1.2"},
             "joint 'shoulder': MoveIt plans with max_position 1.2 rad, the robot allows 1 rad",
         ),
@@ -43,6 +50,7 @@ def test_wider(tmp_path: Path, values: dict[str, str], message: str) -> None:
     "values",
     [
         {"has_velocity_limits": "true", "max_velocity": "1.005"},
+        {"has_velocity_limits": "true", "max_velocity": "!degrees 57"},
         {"has_velocity_limits": "false", "max_velocity": "5"},
         {"max_velocity": "5"},
         {"has_velocity_limits": "true", "max_velocity": "fast"},

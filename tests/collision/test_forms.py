@@ -16,6 +16,7 @@ from urdfkit.collision.bounds import Cover, apart, moved, poses
 from urdfkit.collision.forms import TOUCH, Form, Gauge, form, volume
 from urdfkit.collision.solids import solids
 from urdfkit.meshes.geometry import Floats
+from urdfkit.meshes.samples import stl
 
 SAME = np.eye(3)
 
@@ -129,3 +130,15 @@ def test_what_was_measured_bounds_what_is_around() -> None:
     for known in range(200):
         cover.add(some[known], max(0.0, true[known]))
     assert (cover.bound(some) <= np.maximum(true, 0) + 1e-5).all()
+
+
+def test_a_vertex_with_more_edges_than_coal_can_count(tmp_path: Path) -> None:
+    turn = np.linspace(0, 2 * np.pi, 300, endpoint=False)
+    rim = np.stack([0.1 * np.cos(turn), 0.1 * np.sin(turn), 0 * turn], axis=1)
+    faces = [[rim[i], rim[i - 1], (0, 0, end)] for i in range(300) for end in (-0.1, 0.1)]
+    (tmp_path / "spindle.stl").write_bytes(stl(faces))
+    spindle = mesh(tmp_path / "spindle.stl")
+    for gap in (0.3, 1e-3):
+        assert distance(spindle, sphere(0.05), 0, 0, 0.15 + gap) == pytest.approx(gap, abs=1e-6)
+        assert distance(spindle, sphere(0.05), 0.15 + gap, 0, 0) == pytest.approx(gap, abs=1e-4)
+    assert distance(spindle, sphere(0.05), 0, 0, 0.14) < 0

@@ -35,6 +35,9 @@ FAR_RATIO, FAR = 3.0, 0.3
 #: A convex hull with this many times the volume of its pieces fills what is meant to be open.
 EMPTY = 3.0
 
+#: Words of the losses that only concern looks.
+_OF_LOOKS = ("normals", "texture coordinates", "material", "colour")
+
 #: What an extra begins with that is told by a rule of its own.
 COLOURS = "colours of"
 
@@ -51,7 +54,7 @@ def claims(measured: Measured) -> dict[str, list[Use]]:
     for use in measured.uses:
         if looks_like_millimetres(use, span):
             found.setdefault("MSH012", []).append(use)
-        elif _is_far(use) and not _has_near_twin(use, measured):
+        elif _is_far(use) and not _has_neighbour(use, measured):
             found.setdefault("MSH032", []).append(use)
         if id(use) in shared:
             found.setdefault("MSH031", []).append(use)
@@ -67,6 +70,14 @@ def missing_textures(use: Use) -> list[str]:
 def extras(use: Use) -> list[str]:
     """What a file holds besides triangles and colours."""
     return [extra for extra in use.measures.extras if not extra.startswith(COLOURS)]
+
+
+def losses(use: Use) -> list[str]:
+    """What is broken in a file and matters: nobody sees the looks of a collision."""
+    found = use.measures.losses
+    if use.role == "visual":
+        return list(found)
+    return [loss for loss in found if not any(word in loss for word in _OF_LOOKS)]
 
 
 def looks_like_millimetres(use: Use, span: float) -> bool:
@@ -89,12 +100,24 @@ def _is_far(use: Use) -> bool:
     return distance(use) > max(FAR, FAR_RATIO * use.longest)
 
 
-def _has_near_twin(use: Use, measured: Measured) -> bool:
-    """True if the link has the same mesh elsewhere, too, nearby; GEO004 tells that."""
+def _has_neighbour(use: Use, measured: Measured) -> bool:
+    """True if other meshes of the link lead there: it is the end of a long part.
+
+    Or if the link has the same mesh nearby, too; GEO004 tells that.
+    """
     return any(
-        other.link is use.link and other.path == use.path and not _is_far(other)
+        other.link is use.link
+        and not _is_far(other)
+        and (other.path == use.path or _gap(other, use) < use.longest / 2)
         for other in measured.uses
     )
+
+
+def _gap(one: Use, other: Use) -> float:
+    """The distance of the boxes around two meshes of a link, in m."""
+    a, b = one.box, other.box
+    apart = zip(a.low, a.high, b.low, b.high, strict=True)
+    return hypot(*(max(low - top, bottom - high, 0.0) for bottom, top, low, high in apart))
 
 
 def rest_of_robot(measured: Measured) -> float:
@@ -150,5 +173,5 @@ OF_FILES: dict[str, Callable[[Use], bool]] = {
     "MSH028": lambda use: any(extra.startswith(COLOURS) for extra in use.measures.extras),
     "MSH029": lambda use: bool(extras(use)),
     "MSH033": _is_flat,
-    "MSH034": lambda use: bool(use.measures.losses),
+    "MSH034": lambda use: bool(losses(use)),
 }

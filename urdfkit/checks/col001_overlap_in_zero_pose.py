@@ -2,10 +2,10 @@
 
 They are neither neighbours nor held together by fixed joints, and some poses of the robot part
 them. Yet it begins in a collision: MoveIt refuses to plan from there, and a simulator with self-
-collision on throws the parts against each other in its first step. A joint whose limits exclude
-zero counts at the middle of its range. Correct the origin of a joint or of a collision, make the
-collision geometry smaller, or begin in another pose. An overlap of less than 1 mm is taken for a
-closed gripper.
+collision on throws the parts against each other in its first step. Links above which a joint cannot
+be at zero are passed over: such a robot begins in a pose of its own. Correct the origin of a joint
+or of a collision, make the collision geometry smaller, or begin in another pose. An overlap of less
+than 1 mm is taken for a closed gripper.
 
 Sources:
     MoveIt, check_start_state_collision.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/planning_request_adapter_plugins/src/check_start_state_collision.cpp
@@ -71,13 +71,13 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     still = subject.collisions.still
     for one in still.meetings:
-        loose = not (one.is_adjacent or one.is_rigid or one.is_swallowed)
+        loose = not (one.is_adjacent or one.is_rigid) and still.is_at_zero(one)
         if loose and one.distance < -_DEEP and not still.always(one):
             small, large = (subject.model.collision(*body) for body in one.bodies)
             yield Finding(
                 small,
                 f"links '{one.small.link}' and '{one.large.link}' overlap by "
-                f"{-1000 * one.distance:.3g} mm {still.beginning}",
+                f"{-1000 * one.distance:.3g} mm where all joints are at zero",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
                 alike="overlap",

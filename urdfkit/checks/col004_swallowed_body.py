@@ -46,8 +46,9 @@ GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 def check(subject: Subject) -> Iterator[Finding]:
     if not subject.is_crowded or subject.is_part:
         return
-    for one in subject.collisions.still.meetings:
-        if one.is_swallowed and not one.is_rigid:
+    still = subject.collisions.still
+    for one in still.meetings:
+        if one.is_swallowed and not one.is_rigid and still.always(one):
             small, large = (subject.model.collision(*body) for body in one.bodies)
             yield Finding(
                 small,

@@ -78,4 +78,5 @@ def _finding(joint: Joint, load: Load) -> Finding:
         f"joint '{joint.name}': gravity asks {load.worst:.4g} {effort_unit(joint)} at "
         f"{pose or 'zero'}; its effort is {load.effort:.4g}",
         weight=load.used or 0.0,
+        alike="effort",
     )

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.claims import losses
 from urdfkit.diagnostic import Severity
 from urdfkit.meshes.samples import collada
 from urdfkit.rules import Finding, Need, rule
@@ -47,4 +48,4 @@ def check(subject: Subject) -> Iterator[Finding]:
         who = f"link '{mesh.link}': the {mesh.role} mesh '{mesh.at.value}'"
         yield Finding(mesh.at, f"{who} {mesh.reason}")
     for use in subject.measured.claims.get("MSH034", ()):
-        yield Finding(use.at, f"{use.who} is broken in parts: {'; '.join(use.measures.losses)}")
+        yield Finding(use.at, f"{use.who} is broken in parts: {'; '.join(losses(use))}")

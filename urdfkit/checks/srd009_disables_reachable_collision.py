@@ -99,4 +99,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 element,
                 f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}",
                 weight=collision.depth,
+                alike="never",
             )

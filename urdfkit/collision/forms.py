@@ -23,6 +23,10 @@ _FLAT = 1e-6
 #: A mesh is its own hull if their volumes differ by no more than this, relatively.
 _CONVEX = 1e-6
 
+#: Of a cube, with a triangle, as coal makes hulls of surfaces only.
+_CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
+_BOX = np.array([[0, 1, 2]])
+
 _STILL = coal.Transform3s()
 
 _PRIMITIVES: dict[str, Callable[..., Any]] = {
@@ -85,18 +89,31 @@ def _mesh(solid: Solid) -> Form:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     center, half = (low + high) / 2, (high - low) / 2
     radius = float(np.linalg.norm(vertices - center, axis=1).max())
-    triangles = coal.BVHModelOBBRSS()
-    triangles.beginModel(len(faces), len(vertices))
-    triangles.addVertices(vertices)
-    triangles.addTriangles(faces.astype(np.uint32))
-    triangles.endModel()
+    triangles = _surface(vertices, faces)
     if _is_flat(vertices):
         return Form(solid, triangles, triangles, center, half, radius)
-    triangles.buildConvexHull(True, "Qt")
-    hull = triangles.convex
+    hull = _hull(triangles) or _hull(_surface(center + _CORNERS * half, _BOX))
     inside = abs(volume(vertices - center, faces))
     exact = hull if abs(inside - hull.computeVolume()) <= _CONVEX * inside else triangles
     return Form(solid, exact, hull, center, half, radius)
+
+
+def _surface(vertices: Floats, faces: Integers) -> Any:
+    model = coal.BVHModelOBBRSS()
+    model.beginModel(len(faces), len(vertices))
+    model.addVertices(vertices)
+    model.addTriangles(faces.astype(np.uint32))
+    model.endModel()
+    return model
+
+
+def _hull(surface: Any) -> Any:
+    """The convex hull of a surface; None where 256 edges meet, which coal cannot count."""
+    try:
+        surface.buildConvexHull(True, "Qt")
+    except RuntimeError:
+        return None
+    return surface.convex
 
 
 def _is_flat(vertices: Floats) -> bool:

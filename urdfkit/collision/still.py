@@ -117,6 +117,20 @@ class Still:
         (seen,) = self._examiner.look([pair]).at(rows, count=True)
         return seen.hits == len(rows)
 
+    def is_at_zero(self, meeting: Meeting) -> bool:
+        """True if no joint above two links begins elsewhere than at zero.
+
+        A robot that cannot be at zero is never there: its users begin in a pose of their own.
+        """
+        above = {step.child: step for step in self.chain.steps}
+        for link in (meeting.small.link, meeting.large.link):
+            at = self._number[link]
+            while step := above.get(at):
+                if step.column >= 0 and self.chain.axes[step.column].default:
+                    return False
+                at = step.parent
+        return True
+
     @cached_property
     def near_misses(self) -> tuple[NearMiss, ...]:
         """Links that come within a hair's breadth of one another, and collide in no pose."""
