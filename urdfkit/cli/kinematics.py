@@ -87,6 +87,9 @@ def render(found: Mapping[str, Any], root: str) -> Iterator[str]:
     """The lines for people; angles also in degrees, since nobody reads radians."""
     where = "at the given pose" if found["pose"] else "all joints at zero"
     if "frames" in found:
+        if not found["frames"]:
+            yield "no frames: no link is a root"
+            return
         yield f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
         width = max(map(len, found["frames"]), default=0)
         for name, frame in found["frames"].items():

@@ -195,7 +195,7 @@ class _Sampling:
 
     def _descend(self) -> None:
         """Bring the others together: a rare collision is found so, whatever the seed."""
-        free = self._free() if self.done else []
+        free = [pair for pair in self._free() if self.done and self._chain.between(*pair)]
         groups = _groups(free)
         tasks = [Descend(tuple(group), self._distances(group)) for group in groups]
         self._run(tasks, groups)
