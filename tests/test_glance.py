@@ -7,6 +7,7 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import examples, glance, rules
+from urdfkit.gazebo import silence
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -17,7 +18,15 @@ PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 def silent(subject: Subject) -> set[str]:
     if subject.reading.document is None:
         return set()
-    return glance.silent(subject.model, subject.tree)
+    codes = glance.silent(subject.model, subject.tree)
+    if subject.model.gazebo:
+        codes |= silence.silent_about_blocks(subject.model)
+        codes |= silence.silent_about_sensors(subject.model, subject.targets)
+        codes |= silence.silent_about_plugins(subject.plugins, subject.targets, subject.gazebo)
+        codes |= silence.silent_about_tags([found for _, found in subject.unread])
+    if not subject.parameters and not glance.names_parameters(subject.model):
+        codes |= glance.ABOUT_PARAMETERS
+    return codes
 
 
 def overlooked(subject: Subject) -> list[str]:
@@ -40,9 +49,9 @@ def test_a_plain_robot_needs_none_of_these_rules() -> None:
     others |= glance.ABOUT_SIZES | glance.ABOUT_SCALES | glance.ABOUT_PLUGINS | glance.ABOUT_SENSORS
     others |= glance.ABOUT_STATICS
     others |= glance.ABOUT_COMPONENTS | glance.ABOUT_TRANSMISSIONS
-    assert silent(subject) == (
-        glance.ABOUT_TREES | glance.ABOUT_NAMES | glance.ABOUT_AXES | glance.ABOUT_LIMITS | others
-    )
+    others |= {code for about in glance.ABOUT_JOINTS for code in about}
+    others |= glance.ABOUT_PARAMETERS | set(glance.ABOUT_NAMES)
+    assert silent(subject) == glance.ABOUT_TREES | others
 
 
 @pytest.mark.parametrize("code", rules.codes())

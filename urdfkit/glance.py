@@ -6,20 +6,20 @@ The answers here are cautious: a rule that is not named as silent may still find
 
 from __future__ import annotations
 
-from math import pi
+from math import hypot, pi
 
+from urdfkit.mechanics.joints import BOUNDED, MOVING, bounds
 from urdfkit.model import DEGREES_OF_FREEDOM
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint, RobotModel
 
 #: Silent if links and joints form one tree.
 ABOUT_TREES = frozenset("NAM001 NAM002 REF001 TRE001 TRE002 TRE003 TRE004 TRE006".split())
-
-#: Silent if every name is plain.
-ABOUT_NAMES = frozenset("NAM004 NAM007 NAM008 NAM010".split())
 
 #: Silent if no joint has the child.
 ABOUT_CHILDREN = {
@@ -28,12 +28,6 @@ ABOUT_CHILDREN = {
     "calibration": frozenset(("JNT024",)),
     "dynamics": frozenset(("JNT018",)),
 }
-
-#: Silent if every axis is x, y or z, and written.
-ABOUT_AXES = frozenset("JNT005 JNT006 JNT007 JNT027".split())
-
-#: Silent if all limits are written where they must be, in order, and on both sides of 0.
-ABOUT_LIMITS = frozenset("JNT002 JNT003 JNT004 JNT008 JNT009 JNT010 JNT023 JNT028".split())
 
 #: Silent if no ``<gazebo>`` holds a plugin.
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
@@ -71,9 +65,12 @@ ABOUT_WORDS = {
 
 #: Silent without ``<ros2_control>``, and without ``<transmission>``.
 ABOUT_COMPONENTS = frozenset(
-    f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18, 22, 23, 28)
+    f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18, 19, 20, 22, 23, 28)
 )
 ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024"))
+
+#: Silent if neither the launch file nor a plugin names a file of parameters.
+ABOUT_PARAMETERS = frozenset(("RCT012", "RCT013", "RCT014", "RCT021"))
 
 #: Silent if nothing moves, or nothing weighs.
 ABOUT_STATICS = frozenset(("DYN003", "DYN004", "DYN005", "DYN006"))
@@ -95,7 +92,9 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
         codes.add("NAM006")
     if not any(body.material for link in model.links for body in link.visuals):
         codes |= {"NAM009", "REF003"}
-    codes |= _about_joints(model) | _about_shapes(model) | _about_colours(model)
+    codes |= (
+        _about_joints(model) | _about_mimics(model) | _about_shapes(model) | _about_colours(model)
+    )
     codes |= _about_gazebo(model)
     if not model.ros2_controls:
         codes |= ABOUT_COMPONENTS
@@ -122,6 +121,12 @@ def is_controlled(model: RobotModel) -> bool:
     return any("control" in (plugin.get("filename") or "") for plugin in plugins)
 
 
+def names_parameters(model: RobotModel) -> bool:
+    """True if a plugin names a file of parameters."""
+    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
+    return any(plugin.child("parameters") for plugin in plugins)
+
+
 def _about_statics(model: RobotModel, tree: KinematicTree) -> set[str]:
     """Gravity has nothing to ask where nothing moves or weighs."""
     moves = any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints)
@@ -144,15 +149,25 @@ def _about_joints(model: RobotModel) -> set[str]:
     for tag, about in ABOUT_CHILDREN.items():
         if tag not in children:
             codes |= about
-    if all(map(_axis_is_plain, joints)):
-        codes |= ABOUT_AXES
-    if all(map(_limit_is_plain, joints)):
-        codes |= ABOUT_LIMITS
+    for named, is_plain in ABOUT_JOINTS.items():
+        if all(map(is_plain, joints)):
+            codes.update(named)
     if not any(joint.kind == "fixed" and joint.at.child("axis") for joint in joints):
         codes.add("JNT020")
     if all(abs(part) < 5 for joint in joints for part in joint.origin.position):
         codes.add("JNT012")  # which begins at 10 m
     return codes | _about_types([joint.kind for joint in joints])
+
+
+def _about_mimics(model: RobotModel) -> set[str]:
+    """Joints that follow one that moves by itself."""
+    for joint in model.joints:
+        if joint.mimic is None:
+            continue
+        leader = joint.mimic.joint and model.joints_by_name.get(joint.mimic.joint.value)
+        if not leader or leader.mimic or not {leader.kind, joint.kind} <= set(MOVING):
+            return set()
+    return {"JNT014", "JNT015", "JNT017", "REF004"}
 
 
 def _about_gazebo(model: RobotModel) -> set[str]:
@@ -217,35 +232,66 @@ def _about_types(kinds: list[str]) -> set[str]:
     return codes
 
 
-def _axis_is_plain(joint: Joint) -> bool:
-    if joint.kind not in DEGREES_OF_FREEDOM:
+def _axis_is_written(joint: Joint) -> bool:
+    return joint.axis is not None or joint.kind not in DEGREES_OF_FREEDOM
+
+
+def _axis_is_unit(joint: Joint) -> bool:
+    if joint.axis is None:
+        return joint.kind not in DEGREES_OF_FREEDOM
+    return abs(hypot(*joint.axis.value) - 1) < 0.01
+
+
+def _axis_is_plain_or_slanting(joint: Joint) -> bool:
+    if joint.axis is None:
         return True
-    return joint.axis is not None and sorted(map(abs, joint.axis.value)) == [0, 0, 1]
+    across = sorted(map(abs, joint.axis.value))[1]
+    return across == 0 or across > 0.01
 
 
-def _limit_is_plain(joint: Joint) -> bool:
+def _limit_is_written(joint: Joint) -> bool:
     limit = joint.limit
-    bounded = joint.kind in ("revolute", "prismatic")
     if limit is None:
-        return not bounded
-    if not (
-        limit.effort and limit.effort.value > 0 and limit.velocity and limit.velocity.value > 0
-    ):
-        return False
-    if not bounded:
-        return True
-    if limit.lower is None or limit.upper is None:
-        return False
-    return -4 * pi < limit.lower.value <= 0 <= limit.upper.value < 4 * pi and bool(
-        limit.upper.value - limit.lower.value
-    )
+        return joint.kind not in BOUNDED
+    return limit.effort is not None and limit.velocity is not None
+
+
+def _motor_is_limited(joint: Joint) -> bool:
+    limits = (joint.limit.effort, joint.limit.velocity) if joint.limit else ()
+    return all(limit is None or limit.value > 0 for limit in limits)
+
+
+def _range_is_open(joint: Joint) -> bool:
+    ends = bounds(joint)
+    return ends is None or ends[0] < ends[1]
+
+
+def _range_is_a_few_turns(joint: Joint) -> bool:
+    return all(abs(end) < 4 * pi for end in bounds(joint) or ())
+
+
+def _range_is_around_zero(joint: Joint) -> bool:
+    ends = bounds(joint)
+    return ends is None or ends[0] <= 0 <= ends[1]
+
+
+#: Silent if all joints are plain in this way.
+ABOUT_JOINTS: dict[tuple[str, ...], Callable[[Joint], bool]] = {
+    ("JNT002",): _limit_is_written,
+    ("JNT003", "JNT004"): _range_is_open,
+    ("JNT005", "JNT006"): _axis_is_unit,
+    ("JNT007",): _axis_is_written,
+    ("JNT008", "JNT009", "JNT028"): _motor_is_limited,
+    ("JNT010",): _range_is_a_few_turns,
+    ("JNT023",): _range_is_around_zero,
+    ("JNT027",): _axis_is_plain_or_slanting,
+}
 
 
 def _about_names(model: RobotModel) -> set[str]:
     names = {name.value for name in model.names}
     codes: set[str] = set()
-    if all(map(_is_plain, names)):
-        codes |= ABOUT_NAMES
+    codes |= {code for code, is_plain in ABOUT_NAMES.items() if all(map(is_plain, names))}
     if not any(joint.name in model.links_by_name for joint in model.joints):
         codes.add("NAM003")
     if not any(name == "world" or name.startswith("__") for name in names):
@@ -256,3 +302,12 @@ def _about_names(model: RobotModel) -> set[str]:
 def _is_plain(name: str) -> bool:
     """True for a name such as ``wheel_2-tyre``."""
     return name.isascii() and name[:1].isalpha() and name.replace("-", "_").isidentifier()
+
+
+#: Silent if all names are plain in this way.
+ABOUT_NAMES: dict[str, Callable[[str], bool]] = {
+    "NAM004": _is_plain,
+    "NAM007": lambda name: not name.startswith("/"),
+    "NAM008": lambda name: not name[:1].isdigit(),
+    "NAM010": lambda name: bool(name.strip()),
+}

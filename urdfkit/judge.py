@@ -166,28 +166,42 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
     if reading.document is None:
         silent |= {"XAC", *_OF_THE_DOCUMENT}
     else:
-        told.update(subject.deviations)
-        model = subject.model
-        waiting |= glance.silent(model, subject.tree)
-        if "PKG004" in chosen and not _may_lose_meshes(subject):
-            waiting |= {"PKG004"}
-        waiting |= _silent_about_packages(subject, reading.document.sources)
+        told |= _told_of_robot(subject, chosen)
+        waiting |= _silent_about_robot(subject, chosen)
         silent |= _silent_families(subject)
-        if "pinocchio" not in subject.given_targets:
-            waiting |= {"DYN001", "DYN002"}
-        if not rules.TOLD_BY_COAL.isdisjoint(chosen) and not _can_collide(subject):
-            waiting |= rules.TOLD_BY_COAL
-        if not any(shape.filename for shape in model.shapes):
-            silent.add("MSH")
-        else:
-            told |= _told_by_meshes(subject, chosen)
-        if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
-            told |= subject.masses.told
     return [
         rules.get(code)
         for code in chosen
         if code in told or not (code[:3] in silent or code in waiting)
     ]
+
+
+def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
+    """The rules that tell what the parts of the Subject have found, where they have something."""
+    told = set(subject.deviations)
+    if any(shape.filename for shape in subject.model.shapes):
+        told |= _told_by_meshes(subject, chosen)
+    if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
+        told |= subject.masses.told
+    return told
+
+
+def _silent_about_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
+    """The rules that a look at the robot and its package makes superfluous."""
+    model = subject.model
+    codes = glance.silent(model, subject.tree)
+    if model.gazebo and any(code.startswith("GAZ") for code in chosen):
+        codes |= _silent_about_gazebo(subject, codes)
+    if not subject.parameters and not glance.names_parameters(model):
+        codes |= glance.ABOUT_PARAMETERS
+    if "PKG004" in chosen and not _may_lose_meshes(subject):
+        codes.add("PKG004")
+    codes |= _silent_about_packages(subject, subject.document.sources)
+    if "pinocchio" not in subject.given_targets:
+        codes |= {"DYN001", "DYN002"}
+    if not rules.TOLD_BY_COAL.isdisjoint(chosen) and not _can_collide(subject):
+        codes |= rules.TOLD_BY_COAL
+    return codes
 
 
 def _told_by_meshes(subject: Subject, chosen: Iterable[str]) -> set[str]:
@@ -208,11 +222,25 @@ def _silent_families(subject: Subject) -> set[str]:
     model = subject.model
     there = {
         "JNT": model.joints,
+        "MSH": any(shape.filename for shape in model.shapes),
         "RCT": subject.parameters or glance.is_controlled(model),
         "GAZ": model.gazebo,
         "SRD": srdf_files(subject.source.path, subject.resolver),
     }
     return {family for family, things in there.items() if not things}
+
+
+def _silent_about_gazebo(subject: Subject, silent: set[str]) -> set[str]:
+    """The rules about ``<gazebo>``; of those that are silent anyway nothing need be known."""
+    from urdfkit.gazebo import silence
+
+    codes = silence.silent_about_blocks(subject.model)
+    if not silent >= glance.ABOUT_SENSORS:
+        codes |= silence.silent_about_sensors(subject.model, subject.targets)
+    if not silent >= glance.ABOUT_PLUGINS:
+        codes |= silence.silent_about_plugins(subject.plugins, subject.targets, subject.gazebo)
+        codes |= silence.silent_about_tags([found for _, found in subject.unread])
+    return codes
 
 
 def _silent_about_xacro(xacro: Xacro) -> set[str]:

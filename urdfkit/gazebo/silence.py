@@ -1,0 +1,130 @@
+"""Which rules about ``<gazebo>`` cannot have anything to say: a look costs less than their import.
+
+The answers are cautious: a rule that is not named as silent may still find nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import chain
+
+from urdfkit.gazebo.plugins import Use, fate
+from urdfkit.gazebo.sensors import Sensor, sensors
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.gazebo.conversion import Conversion
+    from urdfkit.gazebo.parameters import Unread
+    from urdfkit.model import RobotModel
+    from urdfkit.targets import Targets
+
+
+def silent_about_blocks(model: RobotModel) -> set[str]:
+    """The rules about the blocks themselves."""
+    codes: set[str] = set()
+    known = {"", *model.links_by_name, *model.joints_by_name}
+    if all((block.get("reference") or "") in known for block in model.gazebo):
+        codes.add("GAZ001")
+    of_the_model = (block for block in model.gazebo if not block.get("reference"))
+    if {child.tag for block in of_the_model for child in block.children} <= {"plugin", "static"}:
+        codes.add("GAZ002")
+    return codes
+
+
+def silent_about_plugins(
+    uses: tuple[Use, ...], targets: Targets, conversion: Conversion
+) -> set[str]:
+    """The rules about plugins.
+
+    Args:
+        uses: the plugins of the model.
+        targets: that it is checked for.
+        conversion: what Gazebo makes of it.
+    """
+    codes = {code for code, is_odd in _ABOUT_PLUGINS.items() if not any(map(is_odd, uses))}
+    if not any(map(_is_of_another_generation, uses)):
+        if not targets.any_of(("gz-fortress",)):  # which has names of its own
+            codes.add("GAZ012")
+        if len({use.plugin.generation for use in uses if use.plugin}) < 2:
+            codes.add("GAZ013")
+    references = list(chain.from_iterable(use.references() for use in uses))
+    if all(fate(conversion, one.kind, one.name) == "kept" for one in references):
+        codes |= {"GAZ020", "GAZ021", "GAZ022", "GAZ023"}
+    if not any(reference.kind == "joint" for reference in references):
+        codes.add("GAZ028")
+    if len({use.name for use in uses}) == len(uses):
+        codes.add("GAZ027")
+    return codes
+
+
+def silent_about_tags(unread: list[Unread]) -> set[str]:
+    """The rules about tags that plugins do not read."""
+    told = {
+        "GAZ016": any(one.other is None and one.meant is None for one in unread),
+        "GAZ018": any(one.other is not None for one in unread),
+        "GAZ032": any(one.other is None and one.meant is not None for one in unread),
+    }
+    return {code for code, is_told in told.items() if not is_told}
+
+
+def silent_about_sensors(model: RobotModel, targets: Targets) -> set[str]:
+    """The rules about sensors."""
+    there = list(sensors(model))
+    codes = {code for code, is_odd in _ABOUT_SENSORS.items() if not any(map(is_odd, there))}
+    if targets.names and not any(name.startswith("gz") for name in targets.names):
+        codes.add("GAZ053")
+    return codes
+
+
+def _is_of_another_generation(use: Use) -> bool:
+    return use.plugin is None and not all(plugin.removed for plugin in use.known)
+
+
+def _is_misplaced(use: Use) -> bool:
+    kinds = use.plugin.kinds if use.plugin else ()
+    return use.place == "link" or (bool(kinds) and use.place not in kinds)
+
+
+def _is_in_another_sensor(use: Use) -> bool:
+    serves = use.plugin.sensors if use.plugin and use.place == "sensor" else ()
+    assert use.at.parent is not None
+    return bool(serves) and use.at.parent.get("type") not in serves
+
+
+def _has_absolute_name(use: Use) -> bool:
+    return any(item.text.startswith("/") or ":=" in item.text for item in use.items)
+
+
+def _has_odometry(use: Use) -> bool:
+    return use.plugin is not None and any("odom" in name for name in use.plugin.parameters)
+
+
+def _is_named_oddly(use: Use) -> bool:
+    return not (use.name.isascii() and use.name.isidentifier())
+
+
+def _has_rate_of_zero(sensor: Sensor) -> bool:
+    rate = sensor.number("update_rate")
+    return rate is not None and rate.value <= 0
+
+
+def _is_on_optical_frame(sensor: Sensor) -> bool:
+    return "optical" in sensor.reference
+
+
+#: Silent if no plugin is odd in this way.
+_ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
+    "GAZ010": lambda use: not (use.name.strip() and use.filename),
+    "GAZ011": lambda use: not use.known,
+    "GAZ014": _is_misplaced,
+    "GAZ015": _is_in_another_sensor,
+    "GAZ030": _has_absolute_name,
+    "GAZ031": _has_odometry,
+    "GAZ034": _is_named_oddly,
+}
+
+#: Silent if no sensor is odd in this way.
+_ABOUT_SENSORS: dict[str, Callable[[Sensor], bool]] = {
+    "GAZ043": _has_rate_of_zero,
+    "GAZ049": _is_on_optical_frame,
+}
