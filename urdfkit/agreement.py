@@ -6,21 +6,18 @@ often as they are used. An edit there changes all uses, so all of them must ask 
 
 from __future__ import annotations
 
-from collections import Counter
+from collections.abc import Mapping
 
-from urdfkit.document import Attribute, Element
+from urdfkit.document import Attribute, Element, Tag
 from urdfkit.rules import Finding, Written
 
-#: Where an element is written: a path and an offset.
-_Place = tuple[str, int]
 
-
-def without_disputed_fixes(findings: list[Finding], root: Element) -> list[Finding]:
+def without_disputed_fixes(findings: list[Finding], uses: Mapping[Tag, int]) -> list[Finding]:
     """The findings, those without their fix whose place is used elsewhere without that fix.
 
     Args:
         findings: all of one rule.
-        root: of the document that they are about.
+        uses: how often each tag stands in the document that they are about.
     """
     in_favour: dict[tuple[object, ...], set[int]] = {}
     for finding in findings:
@@ -29,12 +26,11 @@ def without_disputed_fixes(findings: list[Finding], root: Element) -> list[Findi
             in_favour.setdefault(_proposal(finding, element), set()).add(id(element))
     if not in_favour:
         return findings
-    uses = Counter(map(_place, root.walk()))
     return [
         finding
         if finding.fix is None
         or (element := _element(finding)) is None
-        or len(in_favour[_proposal(finding, element)]) == uses[_place(element)]
+        or len(in_favour[_proposal(finding, element)]) == uses[element.tag_at]
         else finding._replace(fix=None)
         for finding in findings
     ]
@@ -44,7 +40,7 @@ def _proposal(finding: Finding, element: Element) -> tuple[object, ...]:
     """The place of a finding and the edits that it proposes."""
     assert finding.fix is not None
     edits = [(span.source.path, *span[1:], text) for span, text in finding.fix.edits]
-    return (_place(element), *edits)
+    return (element.tag_at, *edits)
 
 
 def _element(finding: Finding) -> Element | None:
@@ -55,7 +51,3 @@ def _element(finding: Finding) -> Element | None:
     if not isinstance(at, (Element, Attribute)):
         at = at.at
     return at.element if isinstance(at, Attribute) else at
-
-
-def _place(element: Element) -> _Place:
-    return (element.tag_at.source.path, element.tag_at.start)

@@ -20,6 +20,11 @@ _ATTRIBUTE = rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')"""
 _START_TAG_END = rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>"""
 
 
+@lru_cache
+def _compiled(pattern: bytes) -> re.Pattern[bytes]:
+    return re.compile(pattern)
+
+
 class Step(Record):
     """One step on the way from the checked file to a place: a macro call or an include.
 
@@ -74,15 +79,16 @@ class Tag(Record):
     start: int
     close: int
 
-    def ended(self, at: int, *, empty: bool) -> Tag:
-        """The tag with its end tag, from where the parser stands when the element ends.
+    @classmethod
+    def between(cls, source: Source, start: int, at: int, *, empty: bool) -> Tag:
+        """The tag of an element from where the parser stands when it begins and when it ends.
 
-        ``<a/>`` has none, though the end tag of the element around it may stand right behind.
+        ``<a/>`` has no end tag, though that of the element around it may stand right behind.
         """
-        data = self.source.data
-        if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", self.start, at)):
-            return self
-        return Tag(self.source, self.start, at)
+        data = source.data
+        if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", start, at)):
+            return cls(source, start, start)
+        return cls(source, start, at)
 
     @property
     def span(self) -> Span:
@@ -92,14 +98,14 @@ class Tag(Record):
     @property
     def inner_start(self) -> int:
         """Offset just after the start tag's ``>``."""
-        name = re.compile(_TAG_NAME).match(self.source.data, self.start)
-        end = name and re.compile(_START_TAG_END).match(self.source.data, name.end())
+        name = _compiled(_TAG_NAME).match(self.source.data, self.start)
+        end = name and _compiled(_START_TAG_END).match(self.source.data, name.end())
         return end.end() if end else min(self.start + 1, len(self.source.data))
 
     @property
     def name_span(self) -> Span:
         """The name in the start tag."""
-        match = re.compile(_TAG_NAME).match(self.source.data, self.start)
+        match = _compiled(_TAG_NAME).match(self.source.data, self.start)
         start, end = match.span(1) if match else (self.start, self.start + 1)
         return Span(self.source, start, end)
 
@@ -125,8 +131,8 @@ class Tag(Record):
 @lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them asks
 def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
     data = tag.source.data
-    match = re.compile(_TAG_NAME).match(data, tag.start)
-    attribute = re.compile(_ATTRIBUTE)
+    match = _compiled(_TAG_NAME).match(data, tag.start)
+    attribute = _compiled(_ATTRIBUTE)
     spans: dict[str, Span] = {}
     while match and (match := attribute.match(data, match.end())):
         start, end = match.span(2)

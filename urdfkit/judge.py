@@ -111,7 +111,7 @@ class _Run:
             return findings
         from urdfkit.agreement import without_disputed_fixes
 
-        return without_disputed_fixes(findings, reading.document.root)
+        return without_disputed_fixes(findings, self.subject.uses)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:
         severity = self.config.severities.get(diagnostic.code) if self.config else None

@@ -269,7 +269,8 @@ class _Builder:
         element = self._open.pop()
         element.text = "".join(self._text.pop())
         empty = not (element.children or element.text)
-        element.tag_at = element.tag_at.ended(self._parser.CurrentByteIndex, empty=empty)
+        start, end = element.tag_at.start, self._parser.CurrentByteIndex
+        element.tag_at = Tag.between(self.source, start, end, empty=empty)
 
     def _characters(self, data: str) -> None:
         self._text[-1].append(data)

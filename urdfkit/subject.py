@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cached_property
 
 from urdfkit import libraries
-from urdfkit.document import Document, Frame
+from urdfkit.document import Document, Frame, Tag
 from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -162,6 +162,13 @@ class Subject:
         if self.reading.xacro is None:
             return self.source.data
         return self.xacro.text().encode("utf-8", "replace")
+
+    @cached_property
+    def uses(self) -> Mapping[Tag, int]:
+        """How often each tag stands in the document: those of a macro, once for each call."""
+        from collections import Counter
+
+        return Counter(element.tag_at for element in self.document.root.walk())
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:

@@ -42,13 +42,14 @@ def check(subject: Subject) -> Iterator[Finding]:
     xacro = subject.xacro
     if xacro.is_library or not xacro.is_complete or "call" in xacro.usage.calls:
         return
-    # One that is called without its prefix is XAC002's finding.
-    called = xacro.usage.calls.union(e.tag for e in subject.document.root.walk())
     unused = [
         macro
         for macro in xacro.macros
-        if macro.tag.source is subject.source and macro.name not in called
+        if macro.tag.source is subject.source and macro.name not in xacro.usage.calls
     ]
+    if unused:  # one that is called without its prefix is XAC002's finding
+        tags = {element.tag for element in subject.document.root.walk()}
+        unused = [macro for macro in unused if macro.name not in tags]
     if unused and not is_included(subject.source.path, subject.resolver.packages):
         for macro in unused:
             place = Written(macro.tag.span, macro.frame)

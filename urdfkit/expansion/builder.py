@@ -54,7 +54,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         self._source = source
         self._frame = frame
         self._budget = budget
-        self._depth = 0
+        self._starts: list[int] = []  # of the open elements
         self.problems: list[Problem] = []
         self.arguments: list[Node] = []
 
@@ -65,15 +65,13 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.ownerDocument = self.document
         _append_child(parent, node)
         node.raw = self._attributes(node, attributes)
-        start = self._parser.CurrentByteIndex
-        node.tag_at = Tag(self._source, start, start)
-        node.around = parent.tag_at if isinstance(parent, Node) else None
+        node.around = self._starts[-1] if self._starts else -1
+        self._starts.append(self._parser.CurrentByteIndex)
         node.frame = self._frame
         node.given = node.traces = None
         node.budget = self._budget
         self._budget.charge(ELEMENT_SIZE)
-        self._depth += 1
-        if self._depth > MAX_DEPTH:
+        if len(self._starts) > MAX_DEPTH:
             raise TooMuch(f"elements are nested more than {MAX_DEPTH} levels deep")
         if tag == "xacro:arg":
             self.arguments.append(node)
@@ -104,9 +102,8 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node = self.curNode
         self.curNode = node.parentNode
         self._finish_end_element(node)
-        self._depth -= 1
-        at = self._parser.CurrentByteIndex
-        node.tag_at = node.tag_at.ended(at, empty=not node.childNodes)
+        start, end = self._starts.pop(), self._parser.CurrentByteIndex
+        node.tag_at = Tag.between(self._source, start, end, empty=not node.childNodes)
 
     def character_data_handler_cdata(self, data: str) -> None:
         siblings = self.curNode.childNodes

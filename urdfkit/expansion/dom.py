@@ -80,7 +80,7 @@ class Node(_StockElement):  # type: ignore[misc]
 
     Attributes:
         tag_at: where it was written.
-        around: where the element around it was written; None for a root.
+        around: where in the file the element around it begins; -1 for a root.
         raw: names and values of its attributes as written, alternating.
         frame: the innermost macro call or include that led here.
         given: attributes that an ``<xacro:attribute>`` gave it, with that tag.
@@ -90,7 +90,7 @@ class Node(_StockElement):  # type: ignore[misc]
     """
 
     tag_at: Tag
-    around: Tag | None
+    around: int
     raw: list[str]
     frame: Frame | None
     given: dict[str, Tag] | None
@@ -117,6 +117,16 @@ class Node(_StockElement):  # type: ignore[misc]
             return self.frame
         name = call.tagName.removeprefix("xacro:")
         return Frame("macro", name, call.tag_at, self.tag_at, call.frame)
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """The values of its attributes by name, which is all that xacro asks of them."""
+        return {name: attribute.value for name, attribute in (self._attrs or {}).items()}
+
+    def removeAttribute(self, name: str) -> None:  # noqa: N802
+        """Take an attribute out if it is there; stock raises an error that xacro passes over."""
+        if self._attrs and name in self._attrs:
+            super().removeAttribute(name)
 
     def setAttribute(self, attname: str, value: str) -> None:  # noqa: N802
         value = str(value)  # stock xacro writes a number here and fails much later

@@ -311,9 +311,10 @@ class Run:
     def _note_redefinition(self, key: str, node: Node, earlier: Node | None) -> None:
         if earlier is None:
             return
-        same_block = earlier.around == node.around and earlier.tagName == node.tagName
+        one, other = earlier.tag_at, node.tag_at
+        same_block = one.source is other.source and earlier.around == node.around
         same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
-        if same_block and not same_value and earlier.tag_at != node.tag_at:
+        if same_block and not same_value and earlier.tagName == node.tagName and one != other:
             message = f"property '{key}' is defined again before its first value is used"
             from urdfkit.expansion import describe
 

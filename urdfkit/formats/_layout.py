@@ -54,6 +54,8 @@ def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
     room = width - used
     if used and room < width // 4:
         room = 0  # a lone word at the end of a long first line reads badly
+    if columns(text) <= room:
+        return text
     for word in text.split(" "):
         line = f"{lines[-1]} {word}" if lines[-1] else word
         if columns(line) <= room or not (lines[-1] or used):

@@ -198,10 +198,9 @@ def _names(subject: Subject, kinds: set[str]) -> dict[str, str] | None:
 
 def _is_only_use(subject: Subject, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro, which nobody else can know."""
-    uses = sum(element.tag_at == tensor for element in subject.document.root.walk())
     is_private = tensor.source is subject.source and subject.xacro.is_complete
     return (
-        uses == len(links)
+        subject.uses[tensor] == len(links)
         and is_private
         and not is_included(subject.source.path, subject.resolver.packages)
     )

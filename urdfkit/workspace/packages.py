@@ -6,6 +6,7 @@ import os
 import re
 import time
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 from urdfkit.record import Record
 from urdfkit.workspace.folders import Folders
@@ -338,12 +339,11 @@ def _read_marker(folder: str, name: str) -> bytes:
         return b""
 
 
-def _upwards(folder: str) -> list[str]:
+@lru_cache(maxsize=1024)
+def _upwards(folder: str) -> tuple[str, ...]:
     """A folder and those above it, the innermost first."""
-    found = [folder]
-    while os.path.dirname(found[-1]) != found[-1]:
-        found.append(os.path.dirname(found[-1]))
-    return found
+    above = os.path.dirname(folder)
+    return (folder,) if above == folder else (folder, *_upwards(above))
 
 
 def path_list(environment: Mapping[str, str], variable: str) -> list[str]:
