@@ -258,3 +258,28 @@ def test_a_box_beyond_all_numbers(size: float) -> None:
     assert found.hull is None or found.hull.volume == pytest.approx(size * size * size)
     if size in (1e-150, 1e150):
         assert found.solid is None
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4])
+@pytest.mark.parametrize("shared", [0.0, 0.25, 1.0])
+def test_what_pieces_share_counts_twice(shared: float, scale: float) -> None:
+    """Three cubes, of which two share a part of their volume."""
+    places = [(0.0, 0.0, 0.0), (0.0, 0.1, 1 - shared), (9.0, 9.0, 9.0)]
+    parts = [box(at=place) for place in places]
+    mesh = Mesh(tuple(part._replace(vertices=part.vertices * scale) for part in parts))
+    measures = measure(mesh)
+    twice = 0.9 * shared
+    assert measures.solid is not None
+    assert measures.bodies == 3
+    assert measures.overlap == pytest.approx(twice / (3 - twice), abs=1e-6)
+    assert measures.solid.volume == pytest.approx(3 * scale**3)
+
+
+def test_a_cavity_is_no_overlap() -> None:
+    hole = inverted(box((0.5, 0.5, 0.5), (0.25, 0.25, 0.25)))
+    assert measure(Mesh((box(), hole))).overlap == 0
+
+
+def test_what_looks_inwards_as_a_whole_is_told_otherwise() -> None:
+    cubes = Mesh((inverted(box()), inverted(box(at=(0.5, 0, 0)))))
+    assert measure(cubes).overlap == 0

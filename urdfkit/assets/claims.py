@@ -6,6 +6,7 @@ import os
 from math import hypot
 
 from urdfkit.meshes.beside import find_image
+from urdfkit.meshes.measures import OVERLAP
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -151,6 +152,11 @@ def _has_gaps(use: Use) -> bool:
     return measures.hull.volume > EMPTY * measures.solid.volume
 
 
+def _overlaps(use: Use) -> bool:
+    """True if masses that are computed from the mesh are too large; the visual serves at need."""
+    return use.measures.overlap > OVERLAP and (use.role == "collision" or not use.link.collisions)
+
+
 def _is_degenerate(use: Use) -> bool:
     """True if it matters: a visual shows nothing of a few triangles without area."""
     measures = use.measures
@@ -169,6 +175,7 @@ OF_FILES: dict[str, Callable[[Use], bool]] = {
     "MSH019": lambda use: use.role == "collision" and use.measures.triangles > DENSE_COLLISION,
     "MSH020": lambda use: use.role == "visual" and use.measures.triangles > DENSE_VISUAL,
     "MSH021": lambda use: bool(missing_textures(use)),
+    "MSH022": _overlaps,
     "MSH023": _has_gaps,
     "MSH028": lambda use: any(extra.startswith(COLOURS) for extra in use.measures.extras),
     "MSH029": lambda use: bool(extras(use)),

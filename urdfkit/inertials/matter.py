@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from urdfkit.mechanics.inertia import MassProperties, combined, rotated, scaled
 from urdfkit.mechanics.shapes import solid
+from urdfkit.meshes.measures import OVERLAP
 from urdfkit.model import Body, Link, Shape, Tensor
 from urdfkit.record import Record
 from urdfkit.spatial import Vector
@@ -72,6 +73,7 @@ def _enclosed(
     parts: list[MassProperties] = []
     notes: list[str] = []
     hulls = 0
+    overlaps = 0.0
     for body in bodies:
         whole = solid((body,))
         if whole is not None:
@@ -82,18 +84,33 @@ def _enclosed(
         found = _of_mesh(body, measures, hull=hull)
         if isinstance(found, str):
             return f"{name}: {found}"
-        properties, is_hull = found
-        hulls += is_hull
-        parts.append(properties)
+        hulls += found.is_hull
+        overlaps = max(overlaps, found.overlap)
+        parts.append(found.properties)
     if hulls and not hull:
         notes.append("a mesh encloses no solid, so its convex hull is taken")
+    if overlaps > OVERLAP:
+        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
     if len(parts) > 1:
         notes.append(f"{len(parts)} shapes; where they overlap, matter counts twice")
     return Matter(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
 
 
-def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> tuple[MassProperties, bool] | str:
-    """The properties of a mesh in the frame of the link, and whether they are those of its hull."""
+class _Enclosed(Record):
+    """The matter of a mesh.
+
+    Attributes:
+        properties: in the frame of the link.
+        is_hull: True for those of the convex hull.
+        overlap: the part that is counted too much, for pieces of the mesh overlap.
+    """
+
+    properties: MassProperties
+    is_hull: bool
+    overlap: float
+
+
+def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> _Enclosed | str:
     assert body.shape is not None
     assert body.shape.filename is not None
     measured = measures(body.shape)
@@ -108,7 +125,8 @@ def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> tuple[MassProperti
         return "the scale of the mesh is zero"
     mass, center, tensor = whole
     frame = body.origin
-    return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation)), is_hull
+    properties = MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
+    return _Enclosed(properties, is_hull, 0.0 if is_hull else measured.overlap)
 
 
 def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:

@@ -9,6 +9,9 @@ from urdfkit.record import Record
 from urdfkit.spatial import Vector
 from urdfkit.static import Any
 
+#: The part of a volume that counts more than once, above which masses computed from it are off.
+OVERLAP = 0.05
+
 
 class Uniform(Record):
     """A solid of density 1.
@@ -40,6 +43,8 @@ class Measures(Record):
         degenerate: triangles without area.
         duplicate: triangles on corners that an earlier one has.
         bodies: pieces that hang together.
+        overlap: of a closed surface, the volume that lies in several of them at once and is counted
+            as often in ``solid``, as a part of the true volume.
         flat_bodies: pieces that lie in a plane.
         inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.
         unit, up_axis, losses, extras, textures: as in `urdfkit.meshes.geometry.Mesh`.
@@ -59,6 +64,7 @@ class Measures(Record):
     degenerate: int
     duplicate: int
     bodies: int
+    overlap: float
     flat_bodies: int
     inverted_bodies: int
     unit: float = 1.0

@@ -6,6 +6,7 @@ import numpy as np
 
 from urdfkit.meshes.geometry import Floats, Integers, Mesh
 from urdfkit.meshes.measures import Measures, Uniform
+from urdfkit.meshes.overlap import overlap
 from urdfkit.meshes.topology import (
     close_seams,
     duplicates,
@@ -53,7 +54,8 @@ def measure(mesh: Mesh) -> Measures:
         flipped_edges=int(flipped.sum()),
         degenerate=int((height <= FLAT * diagonal).sum()),
         duplicate=duplicates(sound),
-        bodies=found.number,
+        bodies=len(found.volumes),
+        overlap=overlap(places, sound, found) if solid and not inside_out else 0.0,
         flat_bodies=found.flat,
         inverted_bodies=found.inverted,
         unit=mesh.unit,

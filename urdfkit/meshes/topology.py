@@ -125,9 +125,17 @@ SIGNIFICANT = 0.01
 
 
 class Pieces(NamedTuple):
-    """How many pieces hang together, and how many of them are flat or look inwards."""
+    """The pieces of a mesh that hang together.
 
-    number: int
+    Attributes:
+        of_face: (m,), the number of the piece that each triangle belongs to.
+        volumes: (p,), signed; without meaning for one that is not closed.
+        flat: how many lie in a plane.
+        inverted: how many look inwards.
+    """
+
+    of_face: Integers
+    volumes: Floats
     flat: int
     inverted: int
 
@@ -141,7 +149,7 @@ def pieces(places: Floats, faces: Integers, flat: float) -> Pieces:
         flat: the thickness up to which a piece lies in a plane.
     """
     if not len(faces):
-        return Pieces(0, 0, 0)
+        return Pieces(np.zeros(0, dtype=np.int64), np.zeros(0), 0, 0)
     edges = edge_counts(faces)
     label = components(len(places), edges.ends)
     _, of_face = np.unique(label[faces[:, 0]], return_inverse=True)
@@ -157,7 +165,8 @@ def pieces(places: Floats, faces: Integers, flat: float) -> Pieces:
     # A screw that looks inwards changes nothing.
     least = SIGNIFICANT * np.abs(volumes[closed]).sum()
     inwards = closed & (volumes < -least)
-    return Pieces(number, int(is_flat.sum()), _outermost(inwards, low, high, ragged | is_flat))
+    inverted = _outermost(inwards, low, high, ragged | is_flat)
+    return Pieces(of_face, volumes, int(is_flat.sum()), inverted)
 
 
 def _extents(
