@@ -164,8 +164,8 @@ def _ring(angle: float, sides: int) -> list[tuple[float, float, float]]:
     return found
 
 
-def run(python: str, program: str, words: list[str], rounds: int) -> Cost | None:
-    """The least cost of some runs; None if it does not run here."""
+def run(python: str, program: str, words: list[str], rounds: int) -> Cost | str:
+    """The least cost of some runs; why it does not run here, if it does not."""
     found = []
     for _ in range(rounds):
         done = subprocess.run(
@@ -176,7 +176,7 @@ def run(python: str, program: str, words: list[str], rounds: int) -> Cost | None
             env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
         )
         if done.returncode != 0:
-            return None
+            return (done.stderr.splitlines() or [f"exit code {done.returncode}"])[-1]
         found.append(Cost(*json.loads(done.stdout.splitlines()[-1])))
     return Cost(*(min(column) for column in zip(*found, strict=True)))
 
@@ -200,7 +200,7 @@ def measure(folder: Path, peers: str, rounds: int) -> list[Budget]:
         for name, python, program, words in contestants:
             cost = run(python, program, words, rounds)
             show(name, cost, ours.get((title, "urdfkit")))
-            if cost:
+            if isinstance(cost, Cost):
                 ours[title, name] = cost
     large = [str(folder / "50k" / "robot.urdf"), picture, "default", "3840x2160"]
     huge = run(sys.executable, OURS, large, 1)
@@ -211,14 +211,16 @@ def measure(folder: Path, peers: str, rounds: int) -> list[Budget]:
         Budget("50k, a further draft, s", ours["50k", "urdfkit draft"].further, 0.4),
         Budget("1M, first picture, s", million.first, 1.4 * 1.5),
         Budget("1M, a further picture, s", million.further, 1.4 * 1.0),
-        Budget("3840x2160, MB", huge.peak if huge else math.inf, 1024),
+        Budget("3840x2160, MB", huge.peak if isinstance(huge, Cost) else math.inf, 1024),
     ]
 
 
-def show(name: str, cost: Cost | None, ours: Cost | None) -> None:
+def show(name: str, cost: Cost | str, ours: Cost | None) -> None:
     """One line of the table, with the ratio of ours to a peer."""
-    if cost is None:
-        print(f"  {name:<24} does not run here")
+    if isinstance(cost, str):
+        print(f"  {name:<24} does not run here: {cost}")
+        print(f"  {'':<24} python -m venv peers && peers/bin/pip install pyrender vtk,")
+        print(f"  {'':<24} apt-get install libegl1, and --peers peers/bin/python")
         return
     first, further = (
         f"{cost.first:.2f} ({cost.first_cpu:.2f})",
