@@ -34,8 +34,8 @@ ODD = [
     ),
     (
         '<robot name="r"><link name="a"><visual><origin xyz="nan 0 1e300"/><geometry>'
-        '<box size="1 1 inf"/></geometry></visual><inertial><mass value="1e308"/><inertia ixx="1e308" '
-        'ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>'
+        '<box size="1 1 inf"/></geometry></visual><inertial><mass value="1e308"/>'
+        '<inertia ixx="1e308" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>'
     ),
 ]
 
