@@ -94,3 +94,16 @@ def test_one_macro_of_the_mission_s_model_with_five_calls_the_worst_first() -> N
             "has 0.000554, 0.000554, 0.0009 kg m^2"
         )
     assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("edge", "mass", "proposed"), [(0.006, 1e-3, True), (0.006, 1e-2, False), (0.005, 1e-4, False)]
+)
+def test_a_speck_that_stands_for_another_part_gives_no_tensor(
+    edge: float, mass: float, proposed: bool
+) -> None:
+    """A box of 6 mm is the shape of a gramme, not of ten; one of 5 mm marks a place."""
+    box = f'<box size="{edge} {edge} {edge}"/>'
+    (found,) = told("INE006", part("dot", mass, (1e-2,) * 3, box))
+    assert (found.fix is not None) is proposed
+    assert found.help.startswith("write ixx=") is proposed

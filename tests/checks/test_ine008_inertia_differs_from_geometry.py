@@ -73,3 +73,9 @@ def test_the_mission_s_model() -> None:
 
 def test_no_shape_of_more_than_it_shows() -> None:
     assert messages("INE008", part("box", 12, (0.1, 0.05, 0.13), BOX)) == []
+
+
+def test_a_shape_that_marks_a_place_says_nothing_of_the_tensor() -> None:
+    numbers = 1e-5, (1e-6, 1e-6, 1e-6)
+    assert messages("INE008", part("camera", *numbers, '<box size="0.001 0.001 0.001"/>')) == []
+    assert len(messages("INE008", part("camera", *numbers, '<box size="0.02 0.02 0.02"/>'))) == 1

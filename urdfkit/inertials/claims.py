@@ -119,7 +119,7 @@ def _is_unlike_shape(weighed: Weighed) -> bool:
 
     Beside a mesh the collision is a rough likeness; then only a round tensor is doubted.
     """
-    if weighed.is_noise or weighed.body.is_ground or not weighed.differs:
+    if weighed.is_noise or weighed.body.is_ground or not weighed.differs or weighed.is_marker:
         return False
     return weighed.is_measured or weighed.is_round
 

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related
 from urdfkit.editing.edits import from_macro, replace_value
+from urdfkit.inertials.claims import HEAVIEST
 from urdfkit.inertials.weighed import ROUNDING, Weighed
 from urdfkit.mechanics import inertia
 from urdfkit.model import Tensor, number
@@ -77,8 +78,14 @@ def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
     for other in masses.weighed:
         if other is not weighed and other.tensor == weighed.tensor and _is_at_home(other):
             cause = f"is that of link '{other.link.name}', which it fits"
-            return Diagnosis(cause, expected, Confidence.INFERRED)
-    return Diagnosis("", expected, Confidence.INFERRED)
+            return Diagnosis(cause, _of_shape(weighed), Confidence.INFERRED)
+    return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
+
+
+def _of_shape(weighed: Weighed) -> Tensor | None:
+    """The tensor of the shape; None where that marks a place, or is too small for the mass."""
+    is_other = weighed.is_marker or (weighed.densities and weighed.densities[0] > HEAVIEST)
+    return None if is_other else weighed.expected
 
 
 def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
@@ -113,7 +120,7 @@ def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:
             cause = f"of its twin '{twin.link.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
     if weighed.is_measured:
-        return Diagnosis("", weighed.expected, Confidence.INFERRED)
+        return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
     return Diagnosis("", None, Confidence.GUESSED)
 
 

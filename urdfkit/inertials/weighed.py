@@ -201,6 +201,11 @@ class Weighed:
         pairs = zip(sorted(self.diagonal), sorted(others), strict=True)
         return all(abs(a - b) <= SAME * b for a, b in pairs)
 
+    @property
+    def is_marker(self) -> bool:
+        """True if a shape marks a place and is not the matter of the link."""
+        return any(all(part.longest <= MARKER for part in one.parts) for one in self.solids)
+
     @cached_property
     def densities(self) -> tuple[float, float] | None:
         """The mass by the larger and by the smaller volume of collision and visual, in kg/m^3.
@@ -210,7 +215,7 @@ class Weighed:
         """
         if not self.is_measured or not self.link.collisions:
             return None
-        if any(all(part.longest <= MARKER for part in one.parts) for one in self.solids):
+        if self.is_marker:
             return None
         least = min(one.least_volume for one in self.solids)
         most = max(one.most_volume for one in self.solids)
