@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.conftest import MODELS
-from tests.massive import BALL, BOX, MESH, inertial, link, part, shape
+from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.told import fixed, messages, told
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
@@ -75,7 +75,8 @@ def test_no_shape_of_more_than_it_shows() -> None:
     assert messages("INE008", part("box", 12, (0.1, 0.05, 0.13), BOX)) == []
 
 
-def test_a_shape_that_marks_a_place_says_nothing_of_the_tensor() -> None:
-    numbers = 1e-5, (1e-6, 1e-6, 1e-6)
-    assert messages("INE008", part("camera", *numbers, '<box size="0.001 0.001 0.001"/>')) == []
-    assert len(messages("INE008", part("camera", *numbers, '<box size="0.02 0.02 0.02"/>'))) == 1
+@pytest.mark.parametrize(("edge", "found"), [(0.001, 0), (0.02, 1)])
+def test_a_shape_that_marks_a_place_says_nothing_of_the_tensor(edge: float, found: int) -> None:
+    camera = part("camera", 1e-5, (1e-6,) * 3, f'<box size="{edge} {edge} {edge}"/>')
+    robot = part("base", 12, (0.13, 0.1, 0.05), BOX) + camera + joint("base", "camera")
+    assert len(messages("INE008", robot)) == found
