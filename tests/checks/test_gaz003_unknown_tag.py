@@ -20,6 +20,9 @@ def test_one_finding_for_a_name_that_nothing_is_like() -> None:
     assert found.message == "Gazebo knows no <stopKp>, and ignores it (2 times)"
     assert [note.span.text for note in found.related] == ["<stopKp>"]
     assert found.fix is None
+    (found,) = told("GAZ003", BASE + 9 * block("<stopKp>1</stopKp>"))
+    assert found.message.endswith("(9 times)")
+    assert len(found.related) == 4
 
 
 @pytest.mark.parametrize("tag", [*extensions(), "gravity", "sensor", "plugin", "vendor:tag"])

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE
-from tests.told import messages, told
+from tests.told import fixed, messages, told
 
 
 @pytest.mark.parametrize(
@@ -15,8 +15,8 @@ from tests.told import messages, told
         (
             "",
             [
-                "plugin  has no name: Gazebo refuses the model",
-                "plugin '' has no filename: Gazebo refuses the model",
+                "a plugin has no filename: Gazebo refuses the model",
+                "a plugin has no name: Gazebo refuses the model",
             ],
         ),
         ('name="x" filename="libx.so"', []),
@@ -30,3 +30,21 @@ def test_the_hardware_plugin_of_ros2_control_has_neither() -> None:
     hardware = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
     text = f'{BASE}<ros2_control name="c" type="system">{hardware}</ros2_control>'
     assert told("GAZ010", text) == []
+
+
+def test_a_plugin_is_named_after_its_library() -> None:
+    text = BASE + '<gazebo><plugin filename="libgazebo_ros_x.so"/></gazebo>'
+    assert '<plugin name="gazebo_ros_x" filename="libgazebo_ros_x.so"/>' in fixed("GAZ010", text)
+
+
+@pytest.mark.parametrize(
+    "plugins",
+    [
+        '<plugin name="" filename="libx.so"/>',  # a second attribute of that name would be no XML
+        '<plugin filename="libx.so"/><plugin name="x" filename="liby.so"/>',  # taken
+        '<plugin filename="gz-sim-imu-system"/>',  # no name of a ROS node
+        '<plugin name="x"/>',
+    ],
+)
+def test_no_fix(plugins: str) -> None:
+    assert [one.fix for one in told("GAZ010", f"{BASE}<gazebo>{plugins}</gazebo>")] == [None]

@@ -37,5 +37,9 @@ def test_a_steering_joint_has_limits() -> None:
 
 def test_other_plugins_may_move_any_joint() -> None:
     tags = "<joint_name>left_joint</joint_name>"
-    text = WHEELS + plugin("gz-sim-joint-position-controller-system", tags)
-    assert told("GAZ024", text.replace("continuous", "revolute")) == []
+    text = WHEELS.replace("continuous", "revolute")
+    text += plugin("gz-sim-joint-position-controller-system", tags)
+    assert told("GAZ024", text) == []
+    assert told("GAZ024", text + plugin("gz-sim-diff-drive-system")) == []  # it names no joint
+    turned = plugin("gz-sim-diff-drive-system", "<left_joint>left_joint</left_joint>")
+    assert len(told("GAZ024", text + turned)) == 1

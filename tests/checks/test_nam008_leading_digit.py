@@ -14,6 +14,11 @@ def test_links_and_joints_that_begin_with_a_digit() -> None:
     assert {found.severity for found in told("NAM008", ROBOT)} == {Severity.INFO}
 
 
+def test_every_digit_is_one() -> None:
+    links = "".join(f'<link name="{digit}a"/>' for digit in "0123456789")
+    assert len(messages("NAM008", links)) == 10
+
+
 def test_for_isaac_it_is_worth_a_warning() -> None:
     report = told("NAM008", ROBOT, targets=("isaac",))
     assert {found.severity for found in report} == {Severity.WARNING}
