@@ -38,7 +38,7 @@ def test_a_default_that_names_no_joint() -> None:
     (message,) = messages("GAZ017", other)
     assert message == (
         f"plugin 'p' ({DRIVE}) has no <rightJoint>, and its default 'right_joint' is no joint: "
-        "throws at load"
+        "it throws as it is loaded"
     )
 
 

@@ -16,8 +16,8 @@ def pose(body: str, frame: str = "world") -> str:
 def test_a_link_that_is_not_there() -> None:
     (message,) = messages("GAZ020", pose("baase"))
     assert message == (
-        f"plugin 'p' ({P3D}) looks for link 'baase', which does not exist: fatal message, plugin "
-        "not active"
+        f"plugin 'p' ({P3D}) looks for link 'baase', which does not exist: it writes a "
+        "fatal message and stays idle"
     )
     assert places("GAZ020", pose("baase")) == [(4, "<bodyName>")]
     assert [one.help for one in told("GAZ020", pose("baase"))] == ["did you mean 'base'?"]

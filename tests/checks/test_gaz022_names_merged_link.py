@@ -19,8 +19,8 @@ def hand(link: str = "tool", inside: str = BODY) -> str:
 def test_the_survivor_is_named() -> None:
     (found,) = told("GAZ022", hand())
     assert found.message == (
-        f"plugin 'p' ({HAND}) looks for link 'tool', which Gazebo merges into link 'base' (null "
-        "pointer used before the check: crash)"
+        f"plugin 'p' ({HAND}) looks for link 'tool', which Gazebo merges into link 'base': it "
+        "crashes"
     )
     assert found.help == "name 'base', or keep joint 'tool_joint' with <preserveFixedJoint>"
 

@@ -10,9 +10,9 @@ STATES = "libgazebo_ros_joint_state_publisher.so"
 def test_a_link_without_mass() -> None:
     text = BASE + child("arm", inside="") + plugin(HAND, "<linkName>arm</linkName>")
     (found,) = told("GAZ023", text)
-    assert found.message.startswith(
-        f"plugin 'p' ({HAND}) looks for link 'arm', which Gazebo leaves out: link 'arm' has no "
-        "inertial"
+    assert found.message == (
+        f"plugin 'p' ({HAND}) looks for link 'arm', which Gazebo leaves out (link 'arm': no "
+        "inertial): it crashes"
     )
     assert found.help == "give link 'arm' an <inertial> with its mass"
 
@@ -21,7 +21,7 @@ def test_what_hangs_on_it_is_lost_with_it() -> None:
     robot = BASE + child("arm", inside="") + child("hand", parent="arm")
     text = robot + plugin(STATES, "<jointName>hand_joint</jointName>")
     (message,) = messages("GAZ023", text)
-    assert "link 'hand' hangs on 'arm', which is dropped" in message
+    assert "leaves out (link 'hand': hangs on 'arm', which is dropped): it writes" in message
 
 
 def test_links_that_stay() -> None:

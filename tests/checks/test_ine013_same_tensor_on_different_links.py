@@ -12,7 +12,7 @@ def test_links_of_different_mass() -> None:
     robot = "".join(link(f"l{i}", inertial(mass, TENSOR)) for i, mass in enumerate((3, 1, 2)))
     (found,) = told("INE013", robot)
     assert found.message == (
-        "3 links, from 'l1' of 1 kg to 'l0' of 3 kg have the same inertia tensor (0.002, 0.002, "
+        "3 links, from 'l1' of 1 kg to 'l0' of 3 kg, have the same inertia tensor (0.002, 0.002, "
         "0.001 kg m^2)"
     )
     assert found.element == "link/l1/inertial/inertia"
@@ -24,7 +24,7 @@ def test_how_different(mass: float, found: int) -> None:
     robot = link("a", inertial(1, TENSOR)) + link("b", inertial(mass, TENSOR))
     assert len(messages("INE013", robot)) == found
     if found:
-        assert messages("INE013", robot)[0].startswith("from 'a' of 1 kg to 'b' of 1.6 kg")
+        assert messages("INE013", robot)[0].startswith("2 links, from 'a' of 1 kg to 'b' of 1.6 kg")
 
 
 @pytest.mark.parametrize(

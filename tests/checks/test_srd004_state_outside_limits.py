@@ -9,7 +9,7 @@ from tests.srdfs import findings
 BAD = [
     (
         '<group_state name="s" group="g"><joint name="shoulder" value="1.1"/></group_state>',
-        "state 's': joint 'shoulder' at 1.1 is outside its limits -1 to 1",
+        "state 's': joint 'shoulder' at 1.1 is outside its limits -1 to 1 rad",
         None,
     ),
 ]

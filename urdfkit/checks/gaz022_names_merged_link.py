@@ -79,7 +79,7 @@ def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
     joint = _fixed_joint(subject, reference)
     child = joint.child.value if joint and joint.child else reference.name
     survivor = subject.gazebo.survivor.get(child, "")
-    outcome = f" ({use.plugin.missing})" if use.plugin and use.plugin.missing else ""
+    outcome = f": {use.plugin.missing}" if use.plugin and use.plugin.missing else ""
     mass = subject.model.links_by_name[child].mass
     help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
     if joint is not None and mass > 0:

@@ -48,5 +48,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 element = plugin.child(tag)
                 rate = number(element.text.strip()) if element else None
                 if element and rate and measured and rate > measured.value > 0:
-                    message = f"{sensor.who}: {rate:g} Hz of {measured.value:g} Hz that it measures"
-                    yield Finding(element, message)
+                    rates = f"measures at {measured.value:g} Hz, and its plugin sends {rate:g} Hz"
+                    yield Finding(element, f"{sensor.who} {rates}")

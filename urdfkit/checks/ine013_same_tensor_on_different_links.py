@@ -60,11 +60,10 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _finding(group: list[Weighed]) -> Finding:
     heaviest, lightest = group[0], group[-1]
-    count = f"{len(group)} links, " if len(group) > 2 else ""
     return Finding(
         lightest.at,
-        f"{count}from '{lightest.link.name}' of {lightest.mass:g} kg to '{heaviest.link.name}' of "
-        f"{heaviest.mass:g} kg have the same inertia tensor ({values(heaviest.diagonal)})",
+        f"{len(group)} links, from '{lightest.link.name}' of {lightest.mass:g} kg to "
+        f"'{heaviest.link.name}' of {heaviest.mass:g} kg, have the same inertia tensor ({values(heaviest.diagonal)})",
         related=tuple(
             Related(weighed.at.span, f"link '{weighed.link.name}' of {weighed.mass:g} kg")
             for weighed in group[:-1][:MAX_RELATED]

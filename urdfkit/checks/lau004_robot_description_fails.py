@@ -38,7 +38,10 @@ def check(subject: Subject) -> Iterator[Finding]:
         robot = subject.beside(description.path, description.arguments)
         if robot.reading.document is None:
             count = len(robot.reading.problems)
-            place = Written(description.frame.call.span, description.frame.outer)
-            yield Finding(
-                place, f"'{description.path}' does not expand: {count} errors, told at their places"
+            errors = (
+                "1 error, told at its place"
+                if count == 1
+                else f"{count} errors, told at their places"
             )
+            place = Written(description.frame.call.span, description.frame.outer)
+            yield Finding(place, f"'{description.path}' does not expand: {errors}")

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.joints import unit
 from urdfkit.model import number
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
@@ -71,6 +72,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             if joint.kind not in ("revolute", "prismatic") or lower is None or upper is None:
                 continue
             if not lower.value - _ROUNDING <= value <= upper.value + _ROUNDING:
-                bounds = f"{lower.value:g} to {upper.value:g}"
+                bounds = f"{lower.value:g} to {upper.value:g} {unit(joint)}"
                 message = f"state '{state.get('name')}': joint '{joint.name}' at {value:g}"
                 yield Finding(element, f"{message} is outside its limits {bounds}")
