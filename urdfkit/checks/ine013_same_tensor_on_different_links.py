@@ -63,7 +63,8 @@ def _finding(group: list[Weighed]) -> Finding:
     return Finding(
         lightest.at,
         f"{len(group)} links, from '{lightest.link.name}' of {lightest.mass:g} kg to "
-        f"'{heaviest.link.name}' of {heaviest.mass:g} kg, have the same inertia tensor ({values(heaviest.diagonal)})",
+        f"'{heaviest.link.name}' of {heaviest.mass:g} kg, have the same inertia tensor "
+        f"({values(heaviest.diagonal)})",
         related=tuple(
             Related(weighed.at.span, f"link '{weighed.link.name}' of {weighed.mass:g} kg")
             for weighed in group[:-1][:MAX_RELATED]
