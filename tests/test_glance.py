@@ -7,7 +7,7 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import examples, glance, rules
-from urdfkit.gazebo.conversion import silence
+from urdfkit.gazebo import silence
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver

@@ -232,7 +232,7 @@ def _silent_families(subject: Subject) -> set[str]:
 
 def _silent_about_gazebo(subject: Subject, silent: set[str]) -> set[str]:
     """The rules about ``<gazebo>``; of those that are silent anyway nothing need be known."""
-    from urdfkit.gazebo.conversion import silence
+    from urdfkit.gazebo import silence
 
     codes = silence.silent_about_blocks(subject.model)
     if not silent >= glance.ABOUT_SENSORS:
