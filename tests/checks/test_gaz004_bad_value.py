@@ -51,3 +51,9 @@ def test_what_gazebo_makes_of_it(tag: str, message: str) -> None:
 )
 def test_good_values(tag: str) -> None:
     assert told("GAZ004", BASE + block(tag)) == []
+
+
+def test_a_switch_on_the_wrong_kind_is_told_by_gaz005() -> None:
+    robot = BASE + block("<implicitSpringDamper>3</implicitSpringDamper>")
+    assert messages("GAZ004", robot) == []
+    assert len(messages("GAZ005", robot)) == 1

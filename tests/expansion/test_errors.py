@@ -423,3 +423,13 @@ def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> N
     assert (
         problem.help == "write <xacro:include>: xacro passes over an <include> without the prefix"
     )
+
+
+def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
+    for arm in ("six_axes", "seven_axes"):
+        (tmp_path / arm).mkdir()
+    body = '<xacro:arg name="arm" default="NONE"/><xacro:include filename="$(arg arm)/arm.xacro"/>'
+    (problem,) = run(tmp_path, body).problems
+    assert problem.help == (
+        f"there is no folder 'NONE' in {tmp_path}; there are seven_axes, six_axes"
+    )

@@ -21,6 +21,7 @@ from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Element
+    from urdfkit.model import RobotModel
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -49,10 +50,18 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             text = child.get("value") or child.text.strip()  # value="" is an old form
             if extension := handled.get(child.tag):
-                yield from _handled(child, extension, text)
+                if extension.type != "bool" or _is_read(subject.model, block, extension):
+                    yield from _handled(child, extension, text)
             elif child.tag in _COPIED and text.lower() not in ("true", "false", "1", "0"):
                 message = f"<{child.tag}> is {_shown(text)}: SDF wants true, false, 1 or 0"
                 yield Finding(child, f"{message}, and refuses the model", "write true or false")
+
+
+def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
+    """True unless a tag for links is in the block of a joint, or the other way round (GAZ005)."""
+    name = block.get("reference")
+    is_link, is_joint = name in model.links_by_name, name in model.joints_by_name
+    return is_link == is_joint or extension.on != ("joint" if is_link else "link")
 
 
 def _handled(child: Element, extension: Extension, text: str) -> Iterator[Finding]:

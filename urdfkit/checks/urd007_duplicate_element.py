@@ -55,7 +55,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             message = f"{who}: <{element.tag}> after <{first.tag}> in one <{place}>; readers take "
             message += "the first shape"
         related = (Related(first.span, "the first"),)
-        yield Finding(element, message, fix=_fix(element, first), related=related)
+        yield Finding(
+            element,
+            message,
+            fix=_fix(element, first),
+            related=related,
+            alike=f"{element.tag} in {place}",
+        )
 
 
 def _fix(element: Element, first: Element) -> Fix | None:

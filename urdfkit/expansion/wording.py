@@ -15,6 +15,9 @@ from urdfkit.record import Record
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
 
+#: Folders that a help lists.
+_FEW = 10
+
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _UNKNOWN_MACRO = re.compile(r"unknown macro name: (?:xacro:)?(\S+)")
 _PARAMETER = re.compile(r'Invalid parameter "([^"]*)"')
@@ -139,4 +142,7 @@ def _nearest_file(path: str) -> str:
     hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"
+    there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))
+    if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
+        hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
     return f"there is no folder '{name}' in {folder}" + (f"; {hint}" if hint else "")
