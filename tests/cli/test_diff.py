@@ -80,3 +80,14 @@ def test_what_cannot_be_done_is_said(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert error in captured.err
+
+
+def test_html_in_chinese(new: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("jinja2")
+    page = tmp_path / "diff.html"
+    assert main(["diff", OLD, new, "--lang", "zh", "-o", str(page)]) == 1
+    text = page.read_text(encoding="utf-8")
+    assert '<html lang="zh">' in text
+    assert "<h2>限位</h2>" in text
+    assert main(["diff", OLD, new, "--lang", "zh"]) == 2
+    assert "--lang is for HTML" in capsys.readouterr().err

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MODELS, ROOT
 from urdfkit import rules
+from urdfkit.comparison import KINDS
 from urdfkit.diagnostic import Confidence
 from urdfkit.errors import UrdfkitError
 from urdfkit.page import engine, html, scene
@@ -197,6 +198,7 @@ def words_of_pages() -> set[str]:
     found |= set(re.findall(r"(?m)^    ([A-Z]\w+): \(joint\)", joints))
     found |= set(re.findall(r'button\("(\w+)"', joints))
     found |= set(rules.FAMILIES.values())
+    found |= {*KINDS, "link", "joint", "New findings", "Gone findings"}
     found |= {"good", "doubtful", "unfit", "stays", "merged", "dropped", "not made"}
     found |= {"adjacent", "default", "always", "sometimes"}
     found |= {"macro", "include", "launch", "visual", "collision", "inferred", "guessed"}
@@ -210,7 +212,8 @@ def test_every_word_has_a_chinese_one() -> None:
 
 
 def test_what_is_translated_is_somewhere_used() -> None:
-    text = "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.parent.rglob("*.py"))
+    sources = [*TEMPLATES.parent.rglob("*.py"), *(ROOT / "urdfkit" / "comparison").glob("*.py")]
+    text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join(Confidence)
     known = Words("zh").known.keys() - set(rules.FAMILIES.values())

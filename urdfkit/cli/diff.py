@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from importlib import import_module
 
 import click
@@ -11,6 +12,7 @@ from urdfkit import atomic
 from urdfkit.cli import options, output
 from urdfkit.comparison import KINDS, compare
 from urdfkit.differences import Tolerances
+from urdfkit.page.words import LANGUAGES
 
 #: Formats, by the suffix of a file.
 SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
@@ -33,6 +35,7 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
     metavar="NAME=VALUE",
     help=f"What may differ: {', '.join(_NUMBERS)}; in m and rad, or relative.",
 )
+@click.option("--lang", type=click.Choice(LANGUAGES), help="Language of the HTML. [default: en]")
 @click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
 @click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
@@ -44,6 +47,7 @@ def command(
     target: str | None,
     fail_on: str,
     tolerance: tuple[str, ...],
+    lang: str | None,
     targets: tuple[str, ...],
     package: tuple[str, ...],
     config: str | None,
@@ -71,6 +75,10 @@ def command(
         raise options.UsageError("diff takes two files; xacro arguments are written name:=value")
     name = _format(form, target)
     render = import_module(f"urdfkit.comparison.{name}").render
+    if lang:
+        if name != "html":
+            raise options.UsageError("--lang is for HTML: write -o diff.html, or --format html")
+        render = partial(render, language=lang)
     counted = _kinds(fail_on)
     comparison = compare(
         *files,

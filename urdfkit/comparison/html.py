@@ -6,18 +6,26 @@ from math import degrees
 
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.page.html import render_plain
+from urdfkit.page.words import Words
 
 #: Rows of one table.
 MAX_ROWS = 400
 
 
-def render(comparison: Comparison, *, width: int = 80) -> str:
-    """A summary, pictures, and a table for each kind of difference."""
+def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> str:
+    """A summary, pictures, and a table for each kind of difference.
+
+    Args:
+        comparison: what to show.
+        width: of no account: a browser wraps.
+        language: of headings and the like: ``en`` or ``zh``.
+    """
     by_kind = {
         kind: [found for found in comparison.differences if found.kind == kind] for kind in KINDS
     }
     return render_plain(
         "diff.html.j2",
+        Words(language),
         comparison=comparison,
         differs=[kind for kind in KINDS if kind in comparison.kinds],
         sections=[(kind, found[:MAX_ROWS]) for kind, found in by_kind.items() if found],
@@ -27,7 +35,10 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
         ],
         findings=[
             (title, found[:MAX_ROWS])
-            for title, found in (("New", comparison.came), ("Gone", comparison.went))
+            for title, found in (
+                ("New findings", comparison.came),
+                ("Gone findings", comparison.went),
+            )
             if found
         ],
     )

@@ -73,11 +73,12 @@ def render(
     )
 
 
-def render_plain(template: str, **context: object) -> str:
+def render_plain(template: str, words: Words, **context: object) -> str:
     """A page without a 3D view, of another template.
 
     Args:
         template: its file.
+        words: of the reader's language.
         context: what it shows, by name.
     """
     scripts = [_read("page.js")]
@@ -90,7 +91,8 @@ def render_plain(template: str, **context: object) -> str:
             policy=_policy(scripts, live=False),
             scripts=[_safe(script) for script in scripts],
             version=__version__,
-            _=Words(),
+            words=_json(words.known),
+            _=words,
         )
     )
 
