@@ -76,7 +76,7 @@ _LIDAR_3D = (
     "lidar3d",
 )
 _CAMERA = ("camera", "cam", "webcam", "rgb", "usbcam", "pointgrey", "mono")
-_DEPTH = ("depth", "rgbd", "kinect", "astra", "xtion", "orbbec", "structure")
+_DEPTH = ("realsense", "depth", "rgbd", "kinect", "astra", "xtion", "orbbec", "structure")
 _STEREO = ("stereo", "multisense", "bumblebee")
 _IMU = ("imu", "ahrs", "gyro", "mpu", "mpu6050", "mpu9250", "bno", "bno055", "bno085")
 _WHEEL = ("wheel", "tire", "tyre", "rim", "wheels", "drivewheel", "rueda", "roue", "rad")
@@ -136,7 +136,15 @@ PARTS = (
         "Stereolabs ZED",
         "stereo_camera",
         (0.033, 0.175, 0.030),
-        ("zed", "zed2", "zedm"),
+        ("zed", "zed2"),
+        "stereo camera",
+        _STEREO,
+    ),
+    RealPart(
+        "Stereolabs ZED Mini",
+        "zed_mini",
+        (0.0305, 0.1245, 0.0265),
+        ("zedm", "zedmini"),
         "stereo camera",
         _STEREO,
     ),
@@ -144,7 +152,23 @@ PARTS = (
         "Intel RealSense D435",
         "realsense_d435",
         (0.025, 0.090, 0.025),
-        ("realsense", "d435", "d435i", "d415", "d455", "r200"),
+        ("d435", "d435i", "r200"),
+        "depth camera",
+        _DEPTH,
+    ),
+    RealPart(
+        "Intel RealSense D415",
+        "realsense_d415",
+        (0.020, 0.099, 0.023),
+        ("d415",),
+        "depth camera",
+        _DEPTH,
+    ),
+    RealPart(
+        "Intel RealSense D455",
+        "realsense_d455",
+        (0.026, 0.124, 0.029),
+        ("d455", "d456"),
         "depth camera",
         _DEPTH,
     ),

@@ -1,8 +1,9 @@
 """An industrial camera with a C-mount lens.
 
 A cube of 29 mm with a lens of 26 mm before it. Sources: the 29 x 29 mm housing is the common size
-of small machine vision cameras (FLIR Blackfly S, Basler ace); the C-mount's thread is 1 inch wide
-and its flange 17.526 mm before the image.
+of small machine vision cameras (FLIR Blackfly S, Basler ace), and that of Clearpath's mesh of the
+former (clearpath_sensors_description, meshes/flir_blackfly.stl); the C-mount's thread is 1 inch
+wide and its flange 17.526 mm before the image.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """A depth camera in the outline of the Intel RealSense D435.
 
 90 x 25 x 25 mm, two imagers 50 mm apart with the projector between them and the colour camera at
-the side. Source: Intel, "RealSense Product Family D400 Series Datasheet" (337029), mechanical
-dimensions of the D435 and its baseline.
+the side. Sources: Intel, "RealSense Product Family D400 Series Datasheet" (337029), mechanical
+dimensions and baseline; the same numbers, and the places of the eyes 17.5 mm, -32.5 mm and 32.5 mm
+left of the middle, in Intel's realsense2_description (urdf/_d435.urdf.xacro). The place of the
+projector is estimated.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from urdfkit.meshes.parts.palette import ALUMINIUM, BLACK
 from urdfkit.spatial import Vector
 
 #: From the middle to the left, as a part of the width 90 mm; radius as a part of the height.
-_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.35, 0.17))
+_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.361, 0.17))
 
 
 def build(size: Vector) -> Mesh:

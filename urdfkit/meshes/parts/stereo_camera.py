@@ -1,7 +1,9 @@
 """A stereo camera in the outline of the Stereolabs ZED.
 
-175 x 30 x 33 mm with two lenses 120 mm apart. Source: Stereolabs, "ZED Camera and SDK Overview"
-(data sheet), dimensions and baseline.
+175 x 30 x 33 mm with two lenses 120 mm apart. Sources: Stereolabs, "ZED Camera and SDK Overview"
+(data sheet), dimensions and baseline; baseline and height also in Stereolabs' zed_wrapper
+(urdf/zed_macro.urdf.xacro), whose mesh (zed_ros2_description, meshes/zed.stl) takes up
+174.8 x 29.9 x 31.8 mm.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """A spinning 3D lidar in the outline of the Velodyne VLP-16.
 
 103.3 mm wide and 71.7 mm high: an aluminium base, a dark window all around, an aluminium cap.
-Source: Velodyne, "VLP-16 User Manual" (63-9243 Rev. D), mechanical drawings; its optical centre
-lies 37.7 mm above the base.
+Sources: Velodyne, "VLP-16 User Manual" (63-9243 Rev. D), mechanical drawings; its optical centre
+lies 37.7 mm above the base. Clearpath's description of it (clearpath_sensors_description,
+urdf/velodyne_lidar.urdf.xacro) has a radius of 51.6 mm, and the same heights.
 """
 
 from __future__ import annotations

@@ -1,0 +1,22 @@
+"""A depth camera in the outline of the Intel RealSense D415.
+
+99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera beside the left one. Sources: Intel,
+"RealSense Product Family D400 Series Datasheet" (337029); the same numbers, and the places of the
+eyes 20 mm, -35 mm and 35 mm left of the middle, in Intel's realsense2_description
+(urdf/_d415.urdf.xacro). The place of the projector is estimated.
+"""
+
+from __future__ import annotations
+
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts.bar_camera import Eye, bar_camera
+from urdfkit.meshes.parts.palette import ALUMINIUM, BLACK
+from urdfkit.spatial import Vector
+
+#: From the middle to the left, as a part of the width 99 mm; radius as a part of the height.
+_EYES = (Eye(20 / 99, 0.15), Eye(-35 / 99, 0.15), Eye(-0.08, 0.12), Eye(35 / 99, 0.15))
+
+
+def build(size: Vector) -> Mesh:
+    """The camera, its middle at the origin, looking along x; size along x, y, z."""
+    return bar_camera(size, _EYES, ALUMINIUM, BLACK)

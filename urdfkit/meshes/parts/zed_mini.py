@@ -1,0 +1,21 @@
+"""A stereo camera in the outline of the Stereolabs ZED Mini.
+
+124.5 x 30.5 x 26.5 mm with two lenses 63 mm apart. Sources: Stereolabs, "ZED Mini" data sheet;
+baseline and height also in Stereolabs' zed_wrapper (urdf/zed_macro.urdf.xacro), whose mesh
+(zed_ros2_description, meshes/zedm.stl) takes up 125.2 x 29.5 x 26.6 mm.
+"""
+
+from __future__ import annotations
+
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.parts.bar_camera import Eye, bar_camera
+from urdfkit.meshes.parts.palette import BLACK, DARK
+from urdfkit.spatial import Vector
+
+#: 31.5 of 124.5 mm to either side.
+_EYES = (Eye(31.5 / 124.5, 0.27), Eye(-31.5 / 124.5, 0.27))
+
+
+def build(size: Vector) -> Mesh:
+    """The camera, its middle at the origin, looking along x; size along x, y, z."""
+    return bar_camera(size, _EYES, DARK, BLACK)
