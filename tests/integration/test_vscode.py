@@ -1,0 +1,127 @@
+"""The extension in VS Code itself: code-server, which is VS Code behind a web page, in a browser.
+
+It runs where `code-server` is on the PATH (``npm install --global code-server``) and URDFKIT_VSIX
+names the packaged extension; ``.ci/run`` packages it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+from urllib.request import urlopen
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.page.browsers import Page, browser, needs_browser
+from urdfkit import check
+from urdfkit.diagnostic import Severity
+
+pytest.importorskip("pygls")
+
+CODE_SERVER = shutil.which("code-server")
+VSIX = os.environ.get("URDFKIT_VSIX", "")
+pytestmark = [
+    needs_browser,
+    pytest.mark.skipif(not CODE_SERVER, reason="code-server is not installed"),
+    pytest.mark.skipif(not VSIX, reason="URDFKIT_VSIX names no packaged extension"),
+]
+#: Seconds that VS Code may take to start, and to answer.
+PATIENCE = 120
+
+ROBOT = "urdf/waking_robot_new.xacro"
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """The mission's package, where it may be edited."""
+    return Path(shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg"))
+
+
+@pytest.fixture
+def address(tmp_path: Path) -> Iterator[str]:
+    """VS Code with nothing but the extension."""
+    assert CODE_SERVER
+    home = tmp_path / "home"
+    folders = ["--user-data-dir", str(home), "--extensions-dir", str(home / "extensions")]
+    (home / "User").mkdir(parents=True)
+    settings = {
+        "urdfkit.path": str(Path(sys.executable).with_name("urdfkit")),
+        "workbench.startupEditor": "none",
+    }
+    (home / "User" / "settings.json").write_text(json.dumps(settings))
+    subprocess.run([CODE_SERVER, *folders, "--install-extension", VSIX], check=True, timeout=120)
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        place = f"127.0.0.1:{free.getsockname()[1]}"
+    options = ["--auth", "none", "--bind-addr", place, "--disable-telemetry"]
+    options += ["--disable-update-check", "--disable-workspace-trust"]
+    with subprocess.Popen([CODE_SERVER, *folders, *options]) as server:
+        try:
+            until(lambda: answers(f"http://{place}/healthz"))
+            yield place
+        finally:
+            server.terminate()
+
+
+def answers(url: str) -> bool:
+    try:
+        with urlopen(url, timeout=5):
+            return True
+    except OSError:
+        return False
+
+
+def until(question: Callable[[], Any]) -> Any:
+    """The first answer that is not empty."""
+    end = time.monotonic() + PATIENCE
+    while not (answer := question()):
+        assert time.monotonic() < end, "VS Code takes too long"
+        time.sleep(0.5)
+    return answer
+
+
+def shown(page: Page, selector: str) -> str:
+    """The text of what a selector finds; empty without it."""
+    found = page.driver.find_elements("css selector", selector)
+    return "\n".join(one.text for one in found)
+
+
+def press(page: Page, *keys: str) -> None:
+    page.driver.switch_to.active_element.send_keys(*keys)
+
+
+def test_findings_hover_and_definition_in_vscode(package: Path, address: str) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    told = Counter(one.severity for one in check(package / ROBOT).diagnostics)
+    wanted = [str(told[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
+    file = f"vscode-remote://{address}{package / ROBOT}"
+    payload = quote(json.dumps([["openFile", file]]))
+    with browser() as page:
+        page.driver.get(f"http://{address}/?folder={package}&payload={payload}")
+        until(lambda: shown(page, "#status\\.problems").split()[:3] == wanted)
+        assert shown(page, "#status\\.editor\\.mode") == "URDF"
+
+        text = (package / ROBOT).read_text(encoding="utf-8")
+        child = text.index('<parent link="base_link"')
+        line = text.count("\n", 0, child) + 1
+        press(page, Keys.CONTROL, "g", Keys.NULL)
+        until(lambda: shown(page, ".quick-input-widget"))
+        press(page, f"{line}:22", Keys.ENTER)
+        until(lambda: shown(page, "#status\\.editor\\.selection") == f"Ln {line}, Col 22")
+        press(page, Keys.CONTROL, "k", "i", Keys.NULL)
+        assert "base_link" in until(lambda: shown(page, ".monaco-hover"))
+        press(page, Keys.ESCAPE, Keys.F12)
+        given = text.count("\n", 0, text.index('<link name="base_link"')) + 1
+        until(lambda: shown(page, "#status\\.editor\\.selection").startswith(f"Ln {given},"))
