@@ -30,10 +30,10 @@ ABOUT_CHILDREN = {
 }
 
 #: Silent if no ``<gazebo>`` holds a plugin.
-ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in range(10, 40))
+ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64, 65))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
-ABOUT_SENSORS = frozenset((*(f"GAZ{number:03}" for number in range(40, 63)), "GAZ015"))
+ABOUT_SENSORS = frozenset(f"GAZ{number:03}" for number in (15, *range(40, 58), 60, 61, 62))
 
 _DRIVES = ("drive", "Drive", "steering")
 _LIDARS = ("ray", "lidar")
@@ -48,6 +48,7 @@ ABOUT_WORDS = {
     "GAZ026": _DRIVES,
     "GAZ033": ("gz", "ignition"),
     "GAZ035": ("gz", "ignition", "ign_"),
+    "GAZ063": ("static",),
     "GAZ043": ("update_rate",),
     "GAZ044": ("update_rate",),
     "GAZ045": _LIDARS,
@@ -181,6 +182,8 @@ def _about_gazebo(model: RobotModel) -> set[str]:
         codes |= ABOUT_PLUGINS
     if "sensor" not in words:
         codes |= ABOUT_SENSORS
+    if not {"plugin", "sensor"} & words:
+        codes.add("GAZ058")
     return codes
 
 

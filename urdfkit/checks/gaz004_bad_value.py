@@ -40,6 +40,9 @@ FIXED = GOOD
 _NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)"
 _WORDS = ("true", "yes", "1", "false", "no", "0")
 #: Booleans of SDF that the converter copies as they stand.
+#: Friction and stiffness.
+_NOT_NEGATIVE = ("mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "maxContacts")
+
 _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
 
 
@@ -77,6 +80,11 @@ def _handled(child: Element, extension: Extension, text: str) -> Iterator[Findin
             edits = replace_text(child, right) if child.text.strip() == text else None
             fix = Fix(f"write {right}", edits) if edits else None
             yield Finding(child, message, f"write {right}", fix)
+        elif child.tag in _NOT_NEGATIVE and float(found.group()) < 0:
+            message = f"{name}: a negative value makes contacts pull or explode"
+            yield Finding(child, message, "write 0 or more")
+    elif extension.type == "vector3" and len(text.split()) != 3:
+        yield Finding(child, f"{name}, and must be 3 numbers", "write three numbers")
     elif extension.type == "bool" and text.lower() not in _WORDS:
         read = "false" if extension.words == "yes" else "true"
         message = f"{name}, which Gazebo takes for {read}"

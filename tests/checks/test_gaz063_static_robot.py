@@ -1,0 +1,23 @@
+"""GAZ063: see the rule."""
+
+import pytest
+
+from tests.gazebos import BASE, WHEELS, plugin
+from tests.told import messages
+
+CONTROL = plugin("libgazebo_ros_control.so")
+
+
+@pytest.mark.parametrize("text", ["true", " True ", "1"])
+def test_a_robot_that_shall_move(text: str) -> None:
+    static = f"<gazebo><static>{text}</static></gazebo>"
+    assert messages("GAZ063", WHEELS + CONTROL + static) == [
+        "the model is static in Gazebo, and none of its 2 joints moves"
+    ]
+
+
+def test_what_does_not_move_is_calm() -> None:
+    static = "<gazebo><static>true</static></gazebo>"
+    assert messages("GAZ063", BASE + CONTROL + static) == []
+    assert messages("GAZ063", WHEELS + static) == []
+    assert messages("GAZ063", WHEELS + CONTROL + static.replace("true", "false")) == []

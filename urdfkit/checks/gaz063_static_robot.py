@@ -1,0 +1,61 @@
+"""The robot is static in Gazebo, and has joints that shall move.
+
+`<static>true</static>` nails a model to the world: no joint moves, no wheel drives, and controllers
+load as if all were well. It is often left over from a first look at the model.
+
+Sources:
+    SDF, model: http://sdformat.org/spec?ver=1.9&elem=model
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.model import DEGREES_OF_FREEDOM
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+<joint name="axle" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+</joint>
+<gazebo>
+  <static>true</static>
+  <plugin name="p" filename="libgazebo_ros_control.so"/>
+</gazebo>"""
+GOOD = BAD.replace("true", "false")
+
+
+@rule(
+    "GAZ063",
+    "static-robot",
+    Severity.WARNING,
+    needs=(Need.MODEL, Need.GAZEBO),
+    help="remove the tag",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if not subject.plugins:
+        return  # a model to look at
+    moving = sum(joint.kind in DEGREES_OF_FREEDOM for joint in subject.model.joints)
+    for block in subject.model.gazebo:
+        for element in block.all("static"):
+            if moving and element.text.strip().lower() in ("true", "1"):
+                message = f"the model is static in Gazebo, and none of its {moving} joints moves"
+                yield Finding(element, message)
