@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.mechanics.tree import KinematicTree
-    from urdfkit.model import Joint, RobotModel
+    from urdfkit.model import Joint, Link, RobotModel
 
 #: Silent if links and joints form one tree.
 ABOUT_TREES = frozenset("NAM001 NAM002 REF001 TRE001 TRE002 TRE003 TRE004 TRE006".split())
 
 #: Silent if no joint has the child.
 ABOUT_CHILDREN = {
-    "mimic": frozenset("REF004 JNT014 JNT015 JNT016 JNT017 JNT026".split()),
+    "mimic": frozenset("REF004 JNT014 JNT015 JNT016 JNT017 JNT026 JNT032 JNT036".split()),
     "safety_controller": frozenset(("JNT019", "JNT029")),
     "calibration": frozenset(("JNT024",)),
     "dynamics": frozenset(("JNT018",)),
@@ -157,7 +157,27 @@ def _about_joints(model: RobotModel) -> set[str]:
         codes.add("JNT020")
     if all(abs(part) < 5 for joint in joints for part in joint.origin.position):
         codes.add("JNT012")  # which begins at 10 m
-    return codes | _about_types([joint.kind for joint in joints])
+    return codes | _about_sense(model) | _about_types([joint.kind for joint in joints])
+
+
+def _about_sense(model: RobotModel) -> set[str]:
+    """Rules about what is legal and hardly meant."""
+    joints = model.joints
+    codes: set[str] = set()
+    if not any(joint.kind == "fixed" and joint.limit for joint in joints):
+        codes.add("JNT035")
+    if all(abs(part) < 0.5 for joint in joints for part in joint.origin.position):
+        codes.add("JNT037")
+    names = " ".join(model.links_by_name).lower()
+    if "wheel" not in names and not any("wheel" in joint.name.lower() for joint in joints):
+        codes |= {"JNT033", "JNT034"}
+    if not any(shape.kind == "cylinder" for shape in model.shapes):
+        codes |= {"JNT033", "JNT034"}
+    if not any(joint.kind == "revolute" for joint in joints):
+        codes.add("JNT034")
+    if "optical" not in names:
+        codes.add("JNT030")
+    return codes
 
 
 def _about_mimics(model: RobotModel) -> set[str]:
@@ -201,7 +221,21 @@ def _about_shapes(model: RobotModel) -> set[str]:
     lengths = [(*(shape.size or ()), shape.radius, shape.length) for shape in shapes]
     if all(value is None or value > 0 for values in lengths for value in values):
         codes |= ABOUT_SIZES
+    if all(value is None or value < 5 for values in lengths for value in values):
+        codes.add("GEO013")
+    if not any(len(link.visuals) > 1 or len(link.collisions) > 1 for link in model.links):
+        codes.add("GEO015")
+    if not any(_radii(link) for link in model.links):
+        codes.add("GEO014")
     return codes
+
+
+def _radii(link: Link) -> bool:
+    """True if visual and collision have radii that differ."""
+    if len(link.visuals) != 1 or len(link.collisions) != 1:
+        return False
+    seen, touched = link.visuals[0].shape, link.collisions[0].shape
+    return bool(seen and touched and seen.radius != touched.radius)
 
 
 def _about_colours(model: RobotModel) -> set[str]:
@@ -231,7 +265,9 @@ def _about_types(kinds: list[str]) -> set[str]:
     if not {"floating", "planar"}.intersection(kinds):
         codes.add("JNT022")
     if sum(kind in DEGREES_OF_FREEDOM for kind in kinds) < 2:
-        codes.add("JNT025")
+        codes |= {"JNT025", "JNT031"}
+    if "prismatic" not in kinds:
+        codes |= {"JNT032", "JNT038"}
     return codes
 
 

@@ -1,0 +1,34 @@
+"""GEO014: see the rule."""
+
+import pytest
+
+from tests.told import messages, places
+
+LINK = (
+    '<link name="a"><visual><geometry>{}</geometry></visual>\n'
+    "<collision>{}<geometry>{}</geometry></collision></link>"
+)
+SMALL = '<cylinder radius="0.1" length="0.05"/>'
+LARGE = '<cylinder radius="0.2" length="0.05"/>'
+
+
+def test_twice_the_radius() -> None:
+    text = LINK.format(SMALL, "", LARGE)
+    assert messages("GEO014", text) == [
+        "link 'a': the radius of the collision, 0.2 m, is twice that of the visual, 0.1 m"
+    ]
+    assert places("GEO014", text) == [(3, LARGE)]
+
+
+@pytest.mark.parametrize(
+    ("seen", "origin", "touched"),
+    [
+        (SMALL, "", SMALL),
+        (SMALL, "", LARGE.replace("0.2", "0.19")),
+        (SMALL, "", LARGE.replace("0.05", "0.1")),
+        (SMALL, '<origin xyz="0 0 1"/>', LARGE),
+        (SMALL, "", '<sphere radius="0.2"/>'),
+    ],
+)
+def test_other_shapes_are_calm(seen: str, origin: str, touched: str) -> None:
+    assert messages("GEO014", LINK.format(seen, origin, touched)) == []

@@ -1,0 +1,42 @@
+"""JNT030: see the rule."""
+
+import pytest
+
+from tests.told import fixed, messages
+
+ROBOT = """\
+<link name="{camera}"/><link name="{optical}"/>
+<joint name="j" type="fixed"><parent link="{camera}"/><child link="{optical}"/>
+<origin rpy="{rpy}"/></joint>"""
+
+
+def robot(rpy: str, camera: str = "camera_link", optical: str = "camera_optical_frame") -> str:
+    return ROBOT.format(rpy=rpy, camera=camera, optical=optical)
+
+
+@pytest.mark.parametrize(
+    ("rpy", "way"),
+    [
+        ("0 0 0", "above"),
+        ("1.5708 0 -1.5708", "behind"),
+        ("0 1.5708 0", "forwards, but turned,"),
+        ("-1.5708 0 0", "to the left"),
+    ],
+)
+def test_other_ways_are_told_and_mended(rpy: str, way: str) -> None:
+    (message,) = messages("JNT030", robot(rpy))
+    assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} of 'camera_link'")
+    assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))
+
+
+@pytest.mark.parametrize(
+    ("rpy", "camera", "optical"),
+    [
+        ("-1.57 0 -1.57", "camera_link", "camera_optical_frame"),
+        ("-1.2 0 -1.57", "camera_link", "camera_optical_frame"),  # tilted
+        ("0 0 0", "camera_optical_frame", "camera_optical_frame_2"),
+        ("0 0 0", "head", "camera_optical_frame"),  # the head may be turned as it likes
+    ],
+)
+def test_what_may_be_meant_is_calm(rpy: str, camera: str, optical: str) -> None:
+    assert messages("JNT030", robot(rpy, camera, optical)) == []

@@ -1,0 +1,38 @@
+"""JNT032: see the rule."""
+
+import pytest
+
+from tests.told import messages
+
+FINGER = """\
+<link name="{side}"/><joint name="{side}_joint" type="{kind}"><parent link="palm"/>
+<child link="{side}"/><origin xyz="0 {y} 0"/><axis xyz="{axis}"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/>{mimic}</joint>
+"""
+
+
+def robot(axis: str, multiplier: str = "1", kind: str = "prismatic") -> str:
+    mimic = f'<mimic joint="left_joint" multiplier="{multiplier}"/>'
+    left = FINGER.format(side="left", y=0.01, axis="0 1 0", mimic="", kind=kind)
+    right = FINGER.format(side="right", y=-0.01, axis=axis, mimic=mimic, kind=kind)
+    return f'<link name="palm"/>{left}{right}'
+
+
+@pytest.mark.parametrize(("axis", "multiplier"), [("0 1 0", "1"), ("0 -1 0", "-1")])
+def test_they_never_come_closer(axis: str, multiplier: str) -> None:
+    assert messages("JNT032", robot(axis, multiplier)) == [
+        "joint 'right_joint' follows 'left_joint' and moves the same way: the two never come closer"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("axis", "multiplier", "kind"),
+    [
+        ("0 -1 0", "1", "prismatic"),
+        ("0 1 0", "-1", "prismatic"),
+        ("1 0 0", "1", "prismatic"),  # a lift on two rails
+        ("0 1 0", "1", "revolute"),
+    ],
+)
+def test_what_closes_or_is_no_gripper_is_calm(axis: str, multiplier: str, kind: str) -> None:
+    assert messages("JNT032", robot(axis, multiplier, kind)) == []

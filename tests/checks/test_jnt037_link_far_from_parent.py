@@ -1,0 +1,43 @@
+"""JNT037: see the rule."""
+
+import pytest
+
+from tests.told import messages
+
+LINK = (
+    '<link name="{}"><visual><origin xyz="0 0 0.1"/><geometry><box size="0.1 0.1 0.2"/></geometry>'
+    "</visual></link>\n"
+)
+
+
+def robot(xyz: str, rpy: str = "0 0 0", kind: str = "fixed") -> str:
+    joint = f'<joint name="j" type="{kind}"><parent link="a"/><child link="b"/>'
+    limit = '<limit lower="0" upper="1" effort="1" velocity="1"/>'
+    return f'{LINK.format("a")}{LINK.format("b")}{joint}<origin xyz="{xyz}" rpy="{rpy}"/>{limit}</joint>'
+
+
+@pytest.mark.parametrize(
+    ("xyz", "gap"), [("0 0 2.4", "2.2"), ("3 0 0", "2.9"), ("0 -24 0", "23.9")]
+)
+def test_far_in_the_air(xyz: str, gap: str) -> None:
+    assert messages("JNT037", robot(xyz)) == [
+        f"joint 'j': 'b' is {gap} m away from 'a', and the two are 0.2 m long at most"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("xyz", "rpy", "kind"),
+    [
+        ("0 0 0.2", "0 0 0", "fixed"),
+        ("0 0 0.9", "0 0 0", "fixed"),
+        ("0 0 0.95", "3.14159 0 0", "fixed"),  # it hangs down towards the other
+        ("0 0 5", "0 0 0", "prismatic"),  # it moves along
+    ],
+)
+def test_what_is_near_or_moves_there_is_calm(xyz: str, rpy: str, kind: str) -> None:
+    assert messages("JNT037", robot(xyz, rpy, kind)) == []
+
+
+def test_frames_without_shapes_are_anywhere() -> None:
+    bare = robot("0 0 5").replace(LINK.format("b"), '<link name="b"/>')
+    assert messages("JNT037", bare) == []

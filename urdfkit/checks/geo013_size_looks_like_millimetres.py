@@ -1,0 +1,79 @@
+"""A shape is a hundred times as large as the rest of the robot.
+
+Lengths are metres. A box of 50 x 50 x 240 was meant to be millimetres: RViz shows a wall where the
+robot should be, and everything collides with it.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.model import Body
+    from urdfkit.subject import Subject
+
+_LINK = """\
+<link name="{name}">
+  <visual>
+    <geometry><box size="{size}"/></geometry>
+  </visual>
+</link>
+"""
+_JOINT = """\
+<joint name="wrist" type="fixed">
+  <parent link="arm"/>
+  <child link="hand"/>
+</joint>"""
+_ARM = _LINK.format(name="arm", size="0.1 0.1 0.3")
+BAD = _ARM + _LINK.format(name="hand", size="50 50 240") + _JOINT
+GOOD = BAD.replace("50 50 240", "0.05 0.05 0.24")
+
+#: Times the size of the other links; and in m.
+_TIMES = 50.0
+_LEAST = 5.0
+#: Links that stand for the surroundings.
+_GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
+
+
+@rule(
+    "GEO013",
+    "size-looks-like-millimetres",
+    Severity.WARNING,
+    help="divide by 1000: lengths are metres",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    sizes: dict[str, list[tuple[float, Body]]] = {}
+    thinnest: dict[int, float] = {}
+    for link in subject.model.links:
+        for body in (*link.visuals, *link.collisions):
+            if body.shape and (half := body.shape.half_extents):
+                sizes.setdefault(link.name, []).append((2 * max(half), body))
+                thinnest[id(body)] = 2 * min(half)
+    rest = [size for found in sizes.values() for size, _ in found if size < _LEAST]
+    if not rest:
+        return
+    for name, bodies in sizes.items():
+        # A rail may be long; what is written in millimetres is thick as well.
+        found = [
+            (size, body)
+            for size, body in bodies
+            if size >= max(_LEAST, _TIMES * max(rest)) and thinnest[id(body)] > max(rest)
+        ]
+        if not found or any(word in name.lower() for word in _GROUNDS):
+            continue
+        size, body = found[0]
+        assert body.shape is not None
+        yield Finding(
+            body.shape.at,
+            f"link '{name}': the {body.at.tag} is {size:g} m long, and nothing else of the robot "
+            f"is longer than {max(rest):.3g} m",
+            related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in found[1:]),
+            confidence=Confidence.INFERRED,
+        )

@@ -1,0 +1,95 @@
+"""An optical frame does not look where its camera looks.
+
+The frame of a camera has x forwards, y to the left and z up; its optical frame has z forwards, x to
+the right and y down. The way from the one to the other is rpy="-pi/2 0 -pi/2". With another one
+pictures, point clouds and detections appear beside, above or behind the robot.
+
+Sources:
+    REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.editing.edits import replace_value
+from urdfkit.rules import Finding, rule
+from urdfkit.spatial import Rotation
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="camera_link"/>
+<link name="camera_optical_frame"/>
+<joint name="optical_joint" type="fixed">
+  <parent link="camera_link"/>
+  <child link="camera_optical_frame"/>
+  <origin rpy="1.5707963 0 -1.5707963"/>
+</joint>"""
+FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
+
+#: From the frame of a camera to its optical frame; its columns are the optical axes.
+_OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
+#: People write pi with four digits.
+_TOLERANCE = 0.01
+
+
+@rule("JNT030", "optical-frame-misrotated", Severity.WARNING, fixable=True)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        if joint.kind != "fixed" or joint.parent is None or joint.child is None:
+            continue
+        above, below = joint.parent.value.lower(), joint.child.value.lower()
+        # Between two optical frames, and on a link that is no frame of a camera, anything goes.
+        if "optical" not in below or "optical" in above or not _is_of_one_camera(above, below):
+            continue
+        rotation = joint.origin.rotation
+        if _is_square(rotation) and not _is_near(rotation, _OPTICAL):
+            origin = joint.at.child("origin")
+            yield Finding(
+                origin or joint.at,
+                f"joint '{joint.name}': '{joint.child.value}' looks {_way(rotation)} of "
+                f"'{joint.parent.value}', and an optical frame looks forwards with x to the right",
+                'write rpy="-1.5707963 0 -1.5707963"',
+                _fix(joint),
+                confidence=Confidence.INFERRED,
+            )
+
+
+def _is_of_one_camera(above: str, below: str) -> bool:
+    """True for ``camera_link`` and ``camera_optical_frame``: one name without its last words."""
+    stem = below.partition("optical")[0].rstrip("_")
+    trunk = above.removesuffix("_link").removesuffix("_frame")
+    return bool(stem) and (stem == trunk or above.startswith(stem))
+
+
+def _is_square(rotation: Rotation) -> bool:
+    """True if every axis lies on an axis: a camera that is tilted may be tilted here."""
+    return all(min(abs(v), abs(1 - abs(v))) < _TOLERANCE for row in rotation for v in row)
+
+
+def _is_near(one: Rotation, other: Rotation) -> bool:
+    rows = zip(one, other, strict=True)
+    pairs = (pair for row, line in rows for pair in zip(row, line, strict=True))
+    return all(abs(a - b) < _TOLERANCE for a, b in pairs)
+
+
+def _way(rotation: Rotation) -> str:
+    """Where its z points, in the frame of the camera."""
+    z = tuple(row[2] for row in rotation)
+    axis = max(range(3), key=lambda i: abs(z[i]))
+    sign = z[axis] > 0
+    return (("behind", "to the right", "below"), ("forwards, but turned,", "to the left", "above"))[
+        sign
+    ][axis]
+
+
+def _fix(joint: Joint) -> Fix | None:
+    origin = joint.at.child("origin")
+    rpy = origin.attributes.get("rpy") if origin else None
+    edits = replace_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None
+    return Fix("turn it as an optical frame", edits) if edits else None

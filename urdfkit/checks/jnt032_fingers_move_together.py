@@ -1,0 +1,77 @@
+"""Two fingers that follow one another move the same way, so that the gripper never closes.
+
+One finger mimics the other. With both axes pointing to the same side and a positive multiplier the
+distance between them stays as it is; one axis, or the multiplier, wants the other sign.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.mechanics.kinematics import direction
+from urdfkit.rules import Finding, rule
+from urdfkit.spatial import dot, rotate
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint
+    from urdfkit.subject import Subject
+
+_FINGER = """\
+<link name="{side}_finger"/>
+<joint name="{side}_joint" type="prismatic">
+  <parent link="palm"/>
+  <child link="{side}_finger"/>
+  <origin xyz="0 {y} 0.05"/>
+  <axis xyz="0 {axis} 0"/>
+  <limit lower="0" upper="0.04" effort="10" velocity="0.1"/>{mimic}
+</joint>
+"""
+_MIMIC = '\n  <mimic joint="left_joint"/>'
+_LEFT = '<link name="palm"/>\n' + _FINGER.format(side="left", y=0.01, axis=1, mimic="")
+BAD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=1, mimic=_MIMIC)
+GOOD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=-1, mimic=_MIMIC)
+
+
+@rule(
+    "JNT032",
+    "fingers-move-together",
+    Severity.WARNING,
+    help="turn the axis of one of the two, or the sign of the multiplier",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for joint in subject.model.joints:
+        target = joint.mimic.joint if joint.mimic else None
+        leader = subject.model.joints_by_name.get(target.value) if target else None
+        if joint.mimic is None or leader is None or not _are_fingers(joint, leader):
+            continue
+        gap = [b - a for a, b in zip(joint.origin.position, leader.origin.position, strict=True)]
+        distance = sum(part * part for part in gap) ** 0.5
+        if distance < 1e-3:
+            continue
+        across = (gap[0] / distance, gap[1] / distance, gap[2] / distance)
+        ways = (rotate(one.origin.rotation, direction(one)) for one in (joint, leader))
+        ours, theirs = (dot(way, across) for way in ways)
+        if abs(ours) > 0.9 and abs(theirs) > 0.9 and ours * theirs * joint.mimic.multiplier > 0:
+            yield Finding(
+                joint.mimic.at,
+                f"joint '{joint.name}' follows '{leader.name}' and moves the same way: the two "
+                "never come closer",
+                related=(Related(leader.at.span, f"joint '{leader.name}'"),),
+                confidence=Confidence.INFERRED,
+            )
+
+
+def _are_fingers(joint: Joint, leader: Joint) -> bool:
+    """True for two sliding joints on one link."""
+    return (
+        joint.kind == leader.kind == "prismatic"
+        and joint.parent is not None
+        and leader.parent is not None
+        and joint.parent.value == leader.parent.value
+        and not leader.mimic
+    )

@@ -1,0 +1,100 @@
+"""A link hangs far away in the air from the link that holds it.
+
+Between their shapes there is more room than either of the two, or anything that hangs below, is
+long. Usually a decimal point has slipped, 2.45 for 0.245, or the origin is measured from the root
+of the robot instead of the parent link.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.mechanics.shapes import Box, Solid, solid
+from urdfkit.rules import Finding, rule
+from urdfkit.spatial import Frame
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint, Link
+    from urdfkit.subject import Subject
+
+_LINK = """\
+<link name="{name}">
+  <visual>
+    <origin xyz="0 0 0.12"/>
+    <geometry><box size="0.05 0.05 0.24"/></geometry>
+  </visual>
+</link>
+"""
+BAD = f"""\
+{_LINK.format(name="arm")}{_LINK.format(name="hand")}<joint name="wrist" type="fixed">
+  <parent link="arm"/>
+  <child link="hand"/>
+  <origin xyz="0 0 2.4"/>
+</joint>"""
+GOOD = BAD.replace("2.4", "0.24")
+
+#: Times that the gap is longer than the longest shape; and in m.
+_TIMES = 4.0
+_LEAST = 0.5
+
+
+@rule(
+    "JNT037",
+    "link-far-from-parent",
+    Severity.WARNING,
+    help="look for a slipped decimal point; the origin is measured from the parent link, in m",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    links = subject.model.links_by_name
+    for joint in subject.model.joints:
+        if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:
+            continue
+        ends = (joint.parent, joint.child)
+        parent, child = (links.get(end.value) if end else None for end in ends)
+        if parent is None or child is None:
+            continue
+        if told := _gap(subject, joint, parent, child):
+            gap, longest = told
+            yield Finding(
+                joint.at.child("origin") or joint.at,
+                f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}', "
+                f"and the two are {longest:.3g} m long at most",
+                confidence=Confidence.INFERRED,
+            )
+
+
+#: What moves along, or freely, may be anywhere.
+_HELD = ("fixed", "revolute", "continuous")
+
+
+def _gap(subject: Subject, joint: Joint, parent: Link, child: Link) -> tuple[float, float] | None:
+    """The gap between two links and the length of the longer one, in m; None if there is none."""
+    here, there = (_solid(subject, link) for link in (parent, child))
+    if here is None or there is None:
+        return None
+    one, other = here.bounds, _moved(there.bounds, joint.origin)
+    gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
+    longest = max(*one.edges, *other.edges)
+    return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
+
+
+def _solid(subject: Subject, link: Link) -> Solid | None:
+    return solid(link.visuals, subject.lump) or solid(link.collisions, subject.lump)
+
+
+def _moved(box: Box, frame: Frame) -> Box:
+    """The box around a box that a frame turns and shifts."""
+    low, high = box
+    corners = [
+        frame.apply((x, y, z))
+        for x in (low[0], high[0])
+        for y in (low[1], high[1])
+        for z in (low[2], high[2])
+    ]
+    xs, ys, zs = zip(*corners, strict=True)
+    return Box((min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs)))
