@@ -30,7 +30,7 @@ ABOUT_CHILDREN = {
 }
 
 #: Silent if no ``<gazebo>`` holds a plugin.
-ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64, 65))
+ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
 ABOUT_SENSORS = frozenset(f"GAZ{number:03}" for number in (15, *range(40, 58), 60, 61, 62))
@@ -71,7 +71,7 @@ ABOUT_COMPONENTS = frozenset(
 ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024"))
 
 #: Silent if neither the launch file nor a plugin names a file of parameters.
-ABOUT_PARAMETERS = frozenset(("RCT012", "RCT013", "RCT014", "RCT021"))
+ABOUT_PARAMETERS = frozenset(f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29))
 
 #: Silent if nothing moves, or nothing weighs.
 ABOUT_STATICS = frozenset(("DYN003", "DYN004", "DYN005", "DYN006"))

@@ -13,7 +13,8 @@ LINK = (
 def robot(xyz: str, rpy: str = "0 0 0", kind: str = "fixed") -> str:
     joint = f'<joint name="j" type="{kind}"><parent link="a"/><child link="b"/>'
     limit = '<limit lower="0" upper="1" effort="1" velocity="1"/>'
-    return f'{LINK.format("a")}{LINK.format("b")}{joint}<origin xyz="{xyz}" rpy="{rpy}"/>{limit}</joint>'
+    origin = f'<origin xyz="{xyz}" rpy="{rpy}"/>'
+    return f"{LINK.format('a')}{LINK.format('b')}{joint}{origin}{limit}</joint>"
 
 
 @pytest.mark.parametrize(
