@@ -48,7 +48,7 @@ class Meshes:
             return None
         factor = mesh.unit if unit else 1.0
         x, y, z = shape.scale
-        return mesh.vertices * (x * factor, y * factor, z * factor)
+        return mesh.scaled((x * factor, y * factor, z * factor))
 
     def _load(self, shape: Shape) -> Mesh | str:
         path = self._files.path(shape)

@@ -11,6 +11,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
@@ -41,8 +42,9 @@ def command(
 
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
-    subject = robot(words, package, trust)
-    found = mass_properties(subject, positions(subject, joint, pose))
+    with shown("mesh files") as bar:
+        subject = robot(words, package, trust, bar)
+        found = mass_properties(subject, positions(subject, joint, pose))
     if form == "text":
         output.page(render(found))
     else:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.record import Record
+from urdfkit.spatial import Vector
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -79,6 +80,12 @@ class Mesh(Record):
         if not self.parts:
             return np.zeros((0, 3))
         return np.concatenate([part.vertices for part in self.parts])
+
+    def scaled(self, factors: Vector) -> Floats:
+        """(n, 3), the vertices of all parts scaled; infinite where no number is so large."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            found: Floats = self.vertices * factors
+        return found
 
     @property
     def faces(self) -> Integers:
