@@ -44,6 +44,22 @@ def test_the_box_of_inertia_is_the_box_that_has_it() -> None:
     assert extent == pytest.approx(2 * np.sqrt(5 / 12) * np.array((x, y, z)), rel=1e-2)
 
 
+def test_a_box_of_inertia_larger_than_the_robot_is_told_and_not_drawn() -> None:
+    light = (
+        '<inertial><mass value="0.01"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" '
+        'izz="{0}"/></inertial>'
+    )
+    base = link("base", '<box size="1 1 1"/>').replace("</link>", SOLID.format(2, 2, 2) + "</link>")
+    frames = [f'<link name="frame{n}">{light.format(0.01)}</link>' for n in range(6)]
+    subject = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
+    scene = explained(build(subject), subject, ["inertia"])
+    assert {item.link for item in scene.items if item.look.sign} == {"base", "good"}
+    assert [label.text for label in scene.labels] == [
+        *(f"frame{n}: inertia of 2.45 m" for n in range(3)),
+        "and of 3 more, too large to be drawn",
+    ]
+
+
 def test_a_tensor_that_no_matter_has_is_drawn_flat_not_refused() -> None:
     subject = robot(f'<link name="a">{SOLID.format(1, 1, 5)}</link>')
     (item,) = signs("inertia", subject)

@@ -35,6 +35,8 @@ CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.95, 0.60, 0.10, 0.30)
 FRAME, ARC, BALL = 0.08, 0.075, 0.011
 #: Corners of an arc of a full turn.
 _STEPS = 72
+#: Labels about inertias that are not drawn.
+_MOST = 3
 
 
 class NoSuchLayer(UrdfkitError):
@@ -165,17 +167,18 @@ def _weighed(scene: Scene, subject: Subject) -> list[Link]:
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
 
-def _boxes(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+def _boxes(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
     """The box of even density that has the mass and the inertia of each link, as Gazebo shows."""
-    yield from _equivalent(scene, subject, 12.0, primitives.box)
+    yield from _equivalent(scene, subject, size, 12.0, primitives.box)
 
 
-def _ellipsoids(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
+def _ellipsoids(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
     """The ellipsoid of even density that has the mass and the inertia of each link."""
     ball = primitives.sphere(1.0)
     yield from _equivalent(
         scene,
         subject,
+        size,
         5.0,
         lambda x, y, z: Triangles(
             ball.vertices * np.array((x, y, z), dtype=np.float32),
@@ -188,6 +191,7 @@ def _ellipsoids(scene: Scene, subject: Subject, _size: float, _given: Mapping[st
 def _equivalent(
     scene: Scene,
     subject: Subject,
+    size: float,
     factor: float,
     solid: Callable[[float, float, float], Triangles],
 ) -> Drawn:
@@ -195,7 +199,11 @@ def _equivalent(
 
     A second moment of mass along an axis is half of the other two moments less its own; the edge
     of a box, or the half axis of an ellipsoid, is the root of a factor times it over the mass.
+    One larger than the robot, or of a light link than half of it, hides what there is to see, and
+    is told in words.
     """
+    total = sum(link.mass for link in _weighed(scene, subject))
+    large: list[Label] = []
     for link in _weighed(scene, subject):
         inertial = link.inertial
         assert inertial is not None
@@ -204,10 +212,18 @@ def _equivalent(
         moments, axes = _principal(inertial.tensor.value)
         seconds = np.maximum(moments.sum() / 2 - moments, 0)
         edges = np.sqrt(factor * seconds / link.mass)
-        if edges.max() > 0:
+        most = size if link.mass > total / 10 else size / 2
+        if scene.items and edges.max() > most:
+            text = f"{link.name}: inertia of {edges.max():.3g} m"
+            large.append(Label(text, link.name, inertial.origin.position))
+        elif edges.max() > 0:
             frame = inertial.origin @ Frame(axes)
             x, y, z = (float(edge) for edge in np.maximum(edges, edges.max() * 1e-3))
             yield _sign(link.name, "inertia", solid(x, y, z), frame, INERTIA)
+    yield from large[:_MOST]
+    if len(large) > _MOST:
+        *_, last = large
+        yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
 
 
 def _principal(tensor: Tensor) -> tuple[Floats, Rotation]:
