@@ -238,7 +238,7 @@ class _Walk:
         if unknown:
             free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
             needed = [*missing, *_NEEDED.get(element.tag, ())]
-            told = {self._unknown_element(child, element, free, needed) for child in unknown}
+            told = {self._unknown_element(child, free, needed) for child in unknown}
             missing = [tag for tag in missing if tag not in told]
         for tag in missing:
             self._add("URD004", element, name=tag)
@@ -263,9 +263,7 @@ class _Walk:
             self._add("URD009", first)
         return [child for child in unknown if child is not first]
 
-    def _unknown_element(
-        self, child: Element, parent: Element, free: list[str], needed: list[str]
-    ) -> str:
+    def _unknown_element(self, child: Element, free: list[str], needed: list[str]) -> str:
         """Tell an unknown element; the needed one that it was meant to be, or nothing."""
         tag = child.tag
         self._unknown += 1

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
-from tests.told import messages, places
+from tests.told import messages, places, told
 
 MOMENTS = (0.004, 0.004, 0.004)
 
@@ -41,3 +41,16 @@ def test_by_more_than_their_length(x: float, found: int) -> None:
 )
 def test_what_does_not_matter_or_is_not_measured(robot: str) -> None:
     assert messages("INE011", robot) == []
+
+
+def test_of_the_calls_of_a_macro_the_one_farthest_out_for_its_size_comes_first() -> None:
+    ball = '<geometry><sphere radius="${r}"/></geometry>'
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="world"/>'
+        f'<xacro:macro name="part" params="name r x"><link name="${{name}}"><collision>{ball}'
+        f"</collision>{inertial(1, MOMENTS, '${x} 0 0')}</link>{joint('world', '${name}', 'continuous')}"
+        '</xacro:macro><xacro:part name="large" r="1" x="3.5"/>'
+        '<xacro:part name="small" r="0.1" x="0.5"/></robot>'
+    )
+    (found,) = told("INE011", text, "robot.xacro")
+    assert [call.message.split("'")[1] for call in found.calls] == ["small", "large"]

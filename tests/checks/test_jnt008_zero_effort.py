@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.jointed import joint, limit, mimic, robot
+from tests.jointed import joint, limit, robot
 from tests.told import messages, places, told
 
 ZERO = limit("-1", "1", effort="0")
@@ -34,36 +34,6 @@ def test_the_joints_of_a_large_robot_are_not_all_listed() -> None:
     (found,) = told("JNT008", text)
     assert found.message == "joints 'j0', 'j1' and 58 more: the effort limit is 0 N m"
     assert len(found.related) == 20
-
-
-@pytest.mark.parametrize(
-    ("kind", "content"),
-    [
-        ("revolute", GOOD),
-        ("revolute", limit("-1", "1", effort="-1")),  # JNT028
-        ("revolute", limit("-1", "1", effort="x")),  # URD005
-        ("continuous", ""),
-        ("fixed", ZERO),
-        ("revolute", ZERO + mimic("b")),  # nothing drives it
-    ],
-)
-def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT008", robot(joint("a", kind, content), joint("b", "revolute", GOOD))) == []
-
-
-TRANSMISSION = '<transmission name="t"><joint name="{}"/></transmission>'
-CONTROL = (
-    '<ros2_control name="c" type="system"><joint name="{}">'
-    '<command_interface name="position"/></joint>'
-    '<joint name="a"><state_interface name="position"/></joint></ros2_control>'
-)
-
-
-@pytest.mark.parametrize("drive", [TRANSMISSION, CONTROL])
-def test_a_joint_that_nothing_drives_is_passive_where_others_are_driven(drive: str) -> None:
-    text = robot(joint("a", "revolute", ZERO), joint("b", "revolute", GOOD))
-    assert told("JNT008", text + drive.format("b")) == []
-    assert len(told("JNT008", text + drive.format("a"))) == 1
 
 
 def test_a_macro_is_one_place() -> None:

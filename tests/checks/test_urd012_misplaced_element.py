@@ -62,6 +62,8 @@ def test_lines_and_their_ends_move_along() -> None:
         INLINE.format(MATERIAL, '<material name="other"/>'),
         INLINE.format(MATERIAL * 2, ""),
         INLINE.format(MATERIAL, "").replace("visual>", "collision>"),
+        INLINE.format('<origin xyz="1 0 0"/>', ""),  # before the visual's own, or instead of it
+        f'<link name="a">{MATERIAL}</link>',  # of which visual
     ],
 )
 def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:

@@ -44,6 +44,12 @@ def test_a_catkin_package_has_no_such_launch_files(tmp_path: Path) -> None:
     assert told(tmp_path, robot, package="<package><name>a</name></package>") == []
 
 
+def test_a_file_outside_of_packages_is_not_judged(tmp_path: Path) -> None:
+    file = tmp_path / "robot.urdf"
+    file.write_text('<robot name="r"><!-- a: b --></robot>')
+    assert engine.check(file, select=["XML005"]).diagnostics == ()
+
+
 def test_a_comment_that_xacro_drops(tmp_path: Path) -> None:
     robot = f'<robot name="r" {XACRO}>\n<!-- a: b -->\n<xacro:arg name="x" default="1"/>\n'
     assert told(tmp_path, f'{robot}<link name="l$(arg x)"/></robot>', "robot.xacro") == []

@@ -67,7 +67,7 @@ def render(found: Overview) -> Iterator[str]:
     yield ""
     where = "at the given pose" if found.pose else "all joints at zero"
     yield from _weight(found, where)
-    yield from _size(found, where)
+    yield from _size(found)
     yield ""
     yield from _shapes(found.shapes)
     if found.sensors or found.plugins:
@@ -118,7 +118,7 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
     yield from _entry("", f"{products}; principal {_vector(principal_moments(whole.tensor))}")
 
 
-def _size(found: Overview, where: str) -> Iterator[str]:
+def _size(found: Overview) -> Iterator[str]:
     box, reach, left_out = found.shapes.box, found.reach, found.shapes.left_out
     if len(left_out) > found.shapes.measured:
         box = None  # the rest says nothing of the whole
