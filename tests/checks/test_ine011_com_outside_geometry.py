@@ -45,10 +45,11 @@ def test_what_does_not_matter_or_is_not_measured(robot: str) -> None:
 
 def test_of_the_calls_of_a_macro_the_one_farthest_out_for_its_size_comes_first() -> None:
     ball = '<geometry><sphere radius="${r}"/></geometry>'
+    rolling = joint("world", "${name}", "continuous")
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="world"/>'
         f'<xacro:macro name="part" params="name r x"><link name="${{name}}"><collision>{ball}'
-        f"</collision>{inertial(1, MOMENTS, '${x} 0 0')}</link>{joint('world', '${name}', 'continuous')}"
+        f"</collision>{inertial(1, MOMENTS, '${x} 0 0')}</link>{rolling}"
         '</xacro:macro><xacro:part name="large" r="1" x="3.5"/>'
         '<xacro:part name="small" r="0.1" x="0.5"/></robot>'
     )
