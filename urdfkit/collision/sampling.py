@@ -147,7 +147,7 @@ class _Sampling:
                 f"{MAX_PAIRS} pairs"
             )
         self._states = {(a, b): _State() for a in links for b in links if a < b}
-        self.done = 0
+        self.done = self._told = 0
 
     def run(self, begin: Mapping[str, float]) -> None:
         """All rounds."""
@@ -198,7 +198,8 @@ class _Sampling:
         free = [pair for pair in self._free() if self.done and self._chain.between(*pair)]
         groups = _groups(free)
         tasks = [Descend(tuple(group), self._distances(group)) for group in groups]
-        self._run(tasks, groups)
+        half = max(0, self._samples // 2 - self.done)  # it may last as long as half of the samples
+        self._run(tasks, groups, half / max(1, len(tasks)))
         self._tell_hits(free)
 
     def _distances(self, pairs: Sequence[Pair]) -> tuple[float, ...]:
@@ -234,7 +235,8 @@ class _Sampling:
 
         def tell() -> None:
             if self._progress and share:
-                self._progress(self.done + int(share * next(steps)), self._samples)
+                self._told = max(self._told, self.done + int(share * next(steps)))
+                self._progress(self._told, self._samples)
 
         for group, answer in zip(pairs, self._crew.run(tasks, tell), strict=True):
             for pair, found in zip(group, answer, strict=True):
