@@ -87,7 +87,7 @@ def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
     named = set(re.findall(r"'sha256-([^']+)'", policy))
     digests = (hashlib.sha256(script.encode()).digest() for script in page.scripts)
     assert {base64.b64encode(digest).decode() for digest in digests} == named
-    assert len(named) == 4
+    assert len(named) == 7
     assert policy.startswith("default-src 'none'; script-src 'sha256-")
     assert "unsafe" not in policy.partition("style-src")[0]
     assert not any(name.startswith("on") for _, attributes in page.found for name in attributes)

@@ -32,6 +32,8 @@ MAX_FINDINGS, MAX_ROWS = 500, 400
 MAX_MATRIX = 60
 
 _FOLDER = os.path.join(os.path.dirname(__file__), "templates")
+#: The scripts of the 3D view, in the order of their needs.
+_SCENE = ("joints.js", "surfaces.js", "overlays.js", "camera.js", "scene.js")
 _SEVERITIES = ("error", "warning", "info")
 
 
@@ -58,7 +60,7 @@ def render(
         UrdfkitError: Jinja is not installed.
     """
     environment = _environment()
-    names = ["page.js"] + ["joints.js", "scene.js"] * bool(scene) + ["live.js"] * bool(shape)
+    names = ["page.js", *(_SCENE if scene else ()), *(["live.js"] if shape else ())]
     scripts = [_read(name) for name in names]
     inline = [*scripts, *([engine.script] if engine else [])]
     return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
