@@ -7,7 +7,7 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import examples, glance, rules
-from urdfkit.gazebo import silence
+from urdfkit.gazebo.silence import about_blocks, about_plugins, about_sensors, about_tags
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -20,10 +20,10 @@ def silent(subject: Subject) -> set[str]:
         return set()
     codes = glance.silent(subject.model, subject.tree)
     if subject.model.gazebo:
-        codes |= silence.silent_about_blocks(subject.model)
-        codes |= silence.silent_about_sensors(subject.model, subject.targets)
-        codes |= silence.silent_about_plugins(subject.plugins, subject.targets, subject.gazebo)
-        codes |= silence.silent_about_tags([found for _, found in subject.unread])
+        codes |= about_blocks(subject.model)
+        codes |= about_sensors(subject.model, subject.targets)
+        codes |= about_plugins(subject.plugins, subject.targets, subject.gazebo)
+        codes |= about_tags([found for _, found in subject.unread])
     if not subject.parameters and not glance.names_parameters(subject.model):
         codes |= glance.ABOUT_PARAMETERS
     return codes

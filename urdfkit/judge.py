@@ -232,14 +232,14 @@ def _silent_families(subject: Subject) -> set[str]:
 
 def _silent_about_gazebo(subject: Subject, silent: set[str]) -> set[str]:
     """The rules about ``<gazebo>``; of those that are silent anyway nothing need be known."""
-    from urdfkit.gazebo import silence
+    from urdfkit.gazebo.silence import about_blocks, about_plugins, about_sensors, about_tags
 
-    codes = silence.silent_about_blocks(subject.model)
+    codes = about_blocks(subject.model)
     if not silent >= glance.ABOUT_SENSORS:
-        codes |= silence.silent_about_sensors(subject.model, subject.targets)
+        codes |= about_sensors(subject.model, subject.targets)
     if not silent >= glance.ABOUT_PLUGINS:
-        codes |= silence.silent_about_plugins(subject.plugins, subject.targets, subject.gazebo)
-        codes |= silence.silent_about_tags([found for _, found in subject.unread])
+        codes |= about_plugins(subject.plugins, subject.targets, subject.gazebo)
+        codes |= about_tags([found for _, found in subject.unread])
     return codes
 
 

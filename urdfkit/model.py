@@ -262,10 +262,13 @@ def number(text: str | None) -> float | None:
 
 def numbers(text: str | None) -> tuple[float, ...] | None:
     """Finite numbers with white space between them, or None."""
-    if text is None:
+    if text is None or "_" in text:  # Python alone reads 1_000
         return None
-    values = [number(part) for part in text.split()]
-    return None if None in values else tuple(v for v in values if v is not None)
+    try:
+        values = tuple(map(float, text.split()))
+    except ValueError:
+        return None
+    return values if all(map(isfinite, values)) else None
 
 
 def _vector(text: str | None) -> Vector | None:

@@ -7,10 +7,12 @@ were read. A file is loaded when a model first has something that it tells about
 from __future__ import annotations
 
 import os
+from functools import cache
 
 from urdfkit.static import Any
 
 
+@cache
 def data(name: str) -> dict[str, Any]:
     """The content of ``<name>.json`` in this folder."""
     from json import load  # 3 ms, and most models need no facts

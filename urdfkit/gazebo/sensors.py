@@ -61,14 +61,26 @@ class Written(Record):
     Attributes:
         at: the element.
         parent: the tag around it.
-        setting: what SDF knows of it; None if SDF does not know it.
-        siblings: the tags that may stand in its place.
+        path: that leads to it from the block.
+        known: what may stand in the block, by path.
     """
 
     at: Element
     parent: str
-    setting: Setting | None
-    siblings: tuple[str, ...]
+    path: str
+    known: Mapping[str, Setting]
+
+    @property
+    def setting(self) -> Setting | None:
+        """What SDF knows of it; None if SDF does not know it."""
+        return self.known.get(self.path)
+
+    @property
+    def siblings(self) -> tuple[str, ...]:
+        """The tags that may stand in its place."""
+        above = self.path.rpartition("/")[0]
+        rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
+        return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
 
 
 def written(sensor: Sensor) -> Iterator[Written]:
@@ -81,23 +93,15 @@ def written(sensor: Sensor) -> Iterator[Written]:
         while stack:
             path, element, known = stack.pop()
             path += element.tag
-            setting = known.get(path)
             around = element.parent.tag if element.parent else block.tag
-            yield Written(element, around, setting, _beside(path, known))
-            if setting is None:
+            yield Written(element, around, path, known)
+            if path not in known:
                 continue
             if element.tag == "noise":
                 path, known = "", settings("noise")
             else:
                 path += "/"
             stack += [(path, child, known) for child in reversed(element.children)]
-
-
-def _beside(path: str, known: Mapping[str, Setting]) -> tuple[str, ...]:
-    """The tags that may stand where a path leads."""
-    above = path.rpartition("/")[0]
-    rests = (name.removeprefix(f"{above}/") for name in known if name.startswith(above))
-    return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
 
 
 def sensors(model: RobotModel) -> Iterator[Sensor]:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.targets import Targets
 
 
-def silent_about_blocks(model: RobotModel) -> set[str]:
+def about_blocks(model: RobotModel) -> set[str]:
     """The rules about the blocks themselves."""
     codes: set[str] = set()
     known = {"", *model.links_by_name, *model.joints_by_name}
@@ -31,9 +31,7 @@ def silent_about_blocks(model: RobotModel) -> set[str]:
     return codes
 
 
-def silent_about_plugins(
-    uses: tuple[Use, ...], targets: Targets, conversion: Conversion
-) -> set[str]:
+def about_plugins(uses: tuple[Use, ...], targets: Targets, conversion: Conversion) -> set[str]:
     """The rules about plugins.
 
     Args:
@@ -57,7 +55,7 @@ def silent_about_plugins(
     return codes
 
 
-def silent_about_tags(unread: list[Unread]) -> set[str]:
+def about_tags(unread: list[Unread]) -> set[str]:
     """The rules about tags that plugins do not read."""
     told = {
         "GAZ016": any(one.other is None and one.meant is None for one in unread),
@@ -67,7 +65,7 @@ def silent_about_tags(unread: list[Unread]) -> set[str]:
     return {code for code, is_told in told.items() if not is_told}
 
 
-def silent_about_sensors(model: RobotModel, targets: Targets) -> set[str]:
+def about_sensors(model: RobotModel, targets: Targets) -> set[str]:
     """The rules about sensors."""
     there = list(sensors(model))
     codes = {code for code, is_odd in _ABOUT_SENSORS.items() if not any(map(is_odd, there))}

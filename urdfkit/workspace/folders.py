@@ -15,6 +15,13 @@ class Folders:
 
     def __init__(self) -> None:
         self._entries: dict[str, dict[str, bool] | None] = {}
+        self._real: dict[str, str] = {}
+
+    def real(self, path: str) -> str:
+        """A path without symbolic links on the way."""
+        if path not in self._real:
+            self._real[path] = os.path.realpath(path)
+        return self._real[path]
 
     def entries(self, folder: str) -> dict[str, bool] | None:
         """What is in a folder: True for folders, False for the rest; None if it cannot be read."""

@@ -175,16 +175,16 @@ class Resolver:
             pass  # missing: only its place counts
         real = os.path.realpath(path)
         chosen = [candidate for found in self._candidates.values() for candidate in found]
-        roots = [self.packages.workspace(near), self.packages.workspace(os.path.realpath(near))]
+        roots = [self.packages.workspace(near), self.packages.workspace(self.folders.real(near))]
         roots += [candidate.folder for candidate in chosen if candidate.certain]
-        if any(_within(real, os.path.realpath(root)) for root in roots):
+        if any(_within(real, self.folders.real(root)) for root in roots):
             return True
         if any(_within(path, candidate.folder) for candidate in chosen if candidate.trusted):
             return True
         package = self.packages.enclosing(real)
         around = [package[1]] if package else []
         around += [candidate.folder for candidate in chosen if _within(real, candidate.folder)]
-        levels = [os.path.realpath(level.root) for level in self.packages.levels(near)]
+        levels = [self.folders.real(level.root) for level in self.packages.levels(near)]
         return any(_within(folder, level) for folder in around for level in levels)
 
     def _locate(self, reference: str, near: str, top: str) -> Located:
