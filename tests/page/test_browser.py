@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator
 from functools import cache
 from io import BytesIO
+from itertools import combinations
 from math import asin, atan, degrees, radians, sin, tan
 from pathlib import Path
 
@@ -235,6 +236,19 @@ def test_what_is_black_shows_its_shape(page: Page, tmp_path: Path) -> None:
     box = (width // 2 - 40, height // 2 - 40, width // 2 + 40, height // 2 + 40)
     darkest, brightest = picture.crop(box).getextrema()
     assert 10 < darkest < brightest - 20 < 120
+
+
+def test_names_do_not_cover_one_another(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path))
+    page.find("[data-layer=names]").click()
+    page.wait("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    boxes = page.run(
+        "return [...document.querySelectorAll('.tag:not([hidden])')].map((tag) => {"
+        " const at = tag.getBoundingClientRect(); return [at.left, at.top, at.right, at.bottom]; })"
+    )
+    assert len(boxes) >= 5
+    for (left, top, right, bottom), (x0, y0, x1, y1) in combinations(boxes, 2):
+        assert left > x1 - 1 or x0 > right - 1 or top > y1 - 1 or y0 > bottom - 1
 
 
 def test_the_keyboard_turns_the_view(page: Page, tmp_path: Path) -> None:

@@ -225,18 +225,33 @@
       if (joint) one.matrix.makeRotationAxis(axis.fromArray(joint.axis), -page.joints.position(joint));
     });
     renderer.render(scene, view.camera);
-    tags.forEach(placeTag);
+    placeTags(width, height);
   }
-  function placeTag(tag, number) {
-    tag.hidden = !layers.names;
-    if (tag.hidden) return;
-    const [x, y] = onCanvas(number);
-    tag.style.left = `${(100 * x).toFixed(2)}%`;
-    tag.style.top = `${(100 * y).toFixed(2)}%`;
+  // Where names would cover one another, those of chosen and of near links are shown.
+  function placeTags(width, height) {
+    for (const tag of tags) tag.hidden = !layers.names;
+    if (!layers.names) return;
+    const sizes = tags.map((tag) => [tag.offsetWidth, tag.offsetHeight]);
+    const places = tags.map((_, number) => onCanvas(number));
+    const order = tags.map((_, number) => number);
+    order.sort((a, b) => chosen.has(b) - chosen.has(a) || places[a].depth - places[b].depth);
+    const taken = [];
+    for (const number of order) {
+      const { x, y } = places[number];
+      const [wide, high] = sizes[number];
+      const [left, top] = [x * width - wide / 2, y * height - high / 2];
+      const box = { left, top, right: left + wide, bottom: top + high };
+      tags[number].hidden = taken.some((other) => box.left < other.right && other.left < box.right
+        && box.top < other.bottom && other.top < box.bottom);
+      if (tags[number].hidden) continue;
+      taken.push(box);
+      tags[number].style.left = `${(100 * x).toFixed(2)}%`;
+      tags[number].style.top = `${(100 * y).toFixed(2)}%`;
+    }
   }
   function onCanvas(number) { // where the origin of a link is, in parts of the canvas
     const at = new THREE.Vector3().setFromMatrixPosition(groups[number].matrix).project(view.camera);
-    return [(at.x + 1) / 2, (1 - at.y) / 2];
+    return { x: (at.x + 1) / 2, y: (1 - at.y) / 2, depth: at.z };
   }
   new ResizeObserver(draw).observe(stage);
   window.addEventListener("beforeprint", paint);
@@ -260,7 +275,7 @@
     hit,
     frame: (name) => groups[numberOf(name)].matrix.toArray(),
     chosen: () => [...chosen].map((number) => robot.links[number].name),
-    project: (name) => onCanvas(numberOf(name)),
+    project: (name) => { const { x, y } = onCanvas(numberOf(name)); return [x, y]; },
   });
   page.ready = show(
     JSON.parse(document.getElementById("robot").textContent),
