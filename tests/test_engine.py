@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from pathlib import Path
 
 import pytest
 
-from urdfkit import Source, check
+from urdfkit import Source, check, engine
 from urdfkit.config import Config, Robot
 from urdfkit.diagnostic import Report
 from urdfkit.errors import UnknownRule, UnreadableFile
+from urdfkit.judge import Verdict
+from urdfkit.subject import Subject
 from urdfkit.targets import Targets, UnknownTarget
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -167,3 +170,24 @@ def test_texts_stand_for_files_and_what_they_include(robots: Path, jobs: int) ->
     ]
     alone = check(robots / "one.xacro", select=["XAC", "TRE"], texts=texts)
     assert found(alone) == [("one.xacro", "XAC004", 3)]
+
+
+def test_of_a_robot_that_was_checked_nothing_heavy_stays(
+    robots: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("numpy")
+    alive: list[int] = []
+
+    def count(*arguments: object, run=engine._run) -> Verdict:
+        alive.append(sum(isinstance(one, Subject) for one in gc.get_objects()))
+        return run(*arguments)
+
+    monkeypatch.setattr(engine, "_run", count)
+    gc.collect()
+    gc.disable()  # as good as it is for a few objects with large meshes
+    try:
+        engine.check(robots)
+    finally:
+        gc.enable()
+    assert len(alive) > 1
+    assert len(set(alive)) == 1

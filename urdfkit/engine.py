@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import os
+import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
@@ -220,7 +222,7 @@ def _each(
     jobs: list[Job], settings: Settings, resolver: Resolver, processes: int
 ) -> Iterable[Verdict]:
     if processes <= 1:
-        return (_run(job, settings, resolver) for job in jobs)
+        return (_run_one(job, settings, resolver) for job in jobs)
     return _in_processes(jobs, settings, processes)
 
 
@@ -233,7 +235,19 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
 
 def _run_alone(job: Job, settings: Settings) -> Verdict:
     catalogue.register(settings.foreign)  # this process may have begun with nothing
-    return _run(job, settings, Resolver(settings.packages, texts=settings.texts))
+    return _run_one(job, settings, Resolver(settings.packages, texts=settings.texts))
+
+
+def _run_one(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
+    """One of several robots, of which nothing but the verdict stays.
+
+    A robot is full of references in circles. The meshes that hang on them are no more than a few
+    objects to the collector, but hundreds of megabytes: it would let dozens of robots pile up.
+    """
+    verdict = _run(job, settings, resolver)
+    if "numpy" in sys.modules:
+        gc.collect()
+    return verdict
 
 
 def _run(
