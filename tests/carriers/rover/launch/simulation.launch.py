@@ -1,0 +1,47 @@
+"""The rover in Gazebo, with its controllers."""
+
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory("rover")
+    xacro = os.path.join(share, "urdf", "rover.urdf.xacro")
+    description = Command(["xacro ", xacro, " sim:=true"])
+    return LaunchDescription(
+        [
+            Node(
+                package="robot_state_publisher",
+                executable="robot_state_publisher",
+                parameters=[{"robot_description": description, "use_sim_time": True}],
+            ),
+            Node(
+                package="rviz2",
+                executable="rviz2",
+                arguments=["-d", os.path.join(share, "rviz", "rover.rviz")],
+            ),
+            IncludeLaunchDescription(
+                PythonLaunchDescriptionSource(
+                    os.path.join(
+                        get_package_share_directory("ros_gz_sim"), "launch", "gz_sim.launch.py"
+                    )
+                ),
+            ),
+            Node(
+                package="ros_gz_sim",
+                executable="create",
+                arguments=["-topic", "robot_description", "-name", "rover"],
+            ),
+            Node(
+                package="controller_manager",
+                executable="spawner",
+                arguments=["joint_state_broadcaster", "drive_controller"],
+            ),
+        ]
+    )
