@@ -11,7 +11,18 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import asin, dist
 
 from urdfkit.mechanics.inertia import rotated
-from urdfkit.model import Body, Inertial, Joint, Limit, Link, Placed, RobotModel, Shape, length
+from urdfkit.model import (
+    Body,
+    Inertial,
+    Joint,
+    Limit,
+    Link,
+    Placed,
+    RobotModel,
+    Shape,
+    Tensor,
+    length,
+)
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector
 
@@ -23,6 +34,8 @@ Value = float | str | tuple[float, ...] | None
 #: Kind, text, and the values before and after.
 Change = tuple[str, str, Value, Value]
 
+#: A part of the greatest entry of a tensor below which an entry comes from a turned frame.
+_ROUNDING = 1e-6
 #: Axis of a joint that names none.
 _DEFAULT_AXIS = (1.0, 0.0, 0.0)
 
@@ -110,8 +123,7 @@ def _of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]
     tensors = _tensor(before.inertial), _tensor(after.inertial)
     scale = max(abs(entry) for tensor in tensors for entry in tensor)
     if dist(*tensors) > allowed.inertia * scale:
-        texts = [", ".join(f"{entry:g}" for entry in tensor) for tensor in tensors]
-        yield "inertias", f"inertia {texts[0]} became {texts[1]} kg m^2", *tensors
+        yield "inertias", f"inertia {_entries(*tensors, allowed.inertia * scale)} kg m^2", *tensors
     for kind in ("visuals", "collisions"):
         yield from _of_bodies(kind, getattr(before, kind), getattr(after, kind), allowed)
 
@@ -125,6 +137,16 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
     if inertial is None or inertial.tensor is None:
         return (0.0,) * 6
     return rotated(inertial.tensor.value, inertial.origin.rotation)
+
+
+def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
+    """What became of the entries of a tensor that make more than rounding of the difference."""
+    noise = _ROUNDING * max(map(abs, (*before, *after)))
+    old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
+    rows = zip(Tensor._fields, old, new, strict=True)
+    # Six entries that differ by a third of what is allowed differ by less than that together.
+    changed = [(key, x, y) for key, x, y in rows if abs(x - y) > allowed / 3]
+    return ", ".join(f"{key} {x:g} became {y:g}" for key, x, y in changed)
 
 
 def _of_bodies(

@@ -30,6 +30,20 @@ def test_text_on_standard_output(new: str, capsys: pytest.CaptureFixture[str]) -
     assert main(["diff", OLD, OLD]) == 0
 
 
+def test_the_centre_of_mass_fits_a_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, place in (("a", "-0.0123456 0.0123456 -0.0123456"), ("b", "-0.1234567 0 -0.1234567")):
+        mass = f'<inertial><origin xyz="{place}"/><mass value="1"/></inertial>'
+        text = f'<robot name="r"><link name="l">{mass}</link></robot>'
+        (tmp_path / f"{name}.urdf").write_text(text, encoding="utf-8")
+    assert main(["diff", str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf")]) == 1
+    total = capsys.readouterr().out.split("\n\n")[1].splitlines()
+    assert total[2].startswith("  centre of mass  -0.01235 0.01235 -0.01235 became -0.1235 0 ")
+    assert " ".join(total).endswith("mm)")
+    assert max(map(len, total)) <= 80
+
+
 @pytest.mark.parametrize(
     ("words", "code"),
     [

@@ -25,7 +25,7 @@ def _body(comparison: Comparison, width: int) -> Iterator[str]:
         yield "no differences"
     if comparison.total_differs:
         yield "\ntotal"
-        yield from _total(comparison)
+        yield from _total(comparison, width)
     for kind in KINDS:
         lines = [str(found) for found in comparison.differences if found.kind == kind]
         if lines:
@@ -66,14 +66,15 @@ def _moved(moved: Iterable[Moved]) -> Iterator[str]:
         yield f"  and {len(carried)} {links} on them"
 
 
-def _total(comparison: Comparison) -> Iterator[str]:
+def _total(comparison: Comparison, width: int) -> Iterator[str]:
     """Mass and centre of mass of the whole robot."""
     old, new = comparison.mass, comparison.mass_after
     more = f"{new.mass - old.mass:+.4g} kg"
     yield f"  mass            {old.mass:g} kg became {new.mass:g} kg ({more})"
     places = [" ".join(f"{part:.4g}" for part in mass.center) for mass in (old, new)]
     moved = 1000 * comparison.center_moved
-    yield f"  centre of mass  {places[0]} became {places[1]} m ({moved:.4g} mm)"
+    text = f"{places[0]} became {places[1]} m ({moved:.4g} mm)"
+    yield f"  centre of mass  {wrap(text, width - 18, indent=18)}"
 
 
 def _findings(sign: str, findings: Iterable[Diagnostic], width: int) -> Iterator[str]:
