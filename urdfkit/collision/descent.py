@@ -143,10 +143,10 @@ class _Descent:
         self._note(self._at, self._far)
         fresh = going = np.arange(len(self._at))
         for _ in range(_STEPS):
-            self._look_around(fresh)
-            going = going[(self._downhill(going) ** 2).sum(axis=1) > _LEVEL]
             if not len(going) or self.distance < -TOUCH:
                 break
+            self._look_around(fresh)
+            going = going[(self._downhill(going) ** 2).sum(axis=1) > _LEVEL]
             fresh = self._step(going)
             going = going[self._damping[going] > _SHORTEST]
         if self.distance >= -TOUCH:
@@ -155,7 +155,7 @@ class _Descent:
     def _note(self, positions: Floats, distances: Floats) -> None:
         nearest = int(np.argmin(distances))
         if distances[nearest] < self.distance:
-            self.distance, self.best = float(distances[nearest]), positions[nearest]
+            self.distance, self.best = float(distances[nearest]), positions[nearest].copy()
 
     def _look_around(self, those: Integers) -> None:
         """How the distances change with each joint, by moving one after another a little."""
@@ -187,11 +187,8 @@ class _Descent:
         # What enters a hull is measured otherwise from there on, and may seem farther off.
         nearer = (far < self._far[those]) | (inside & ~self._inside[those])
         gone = those[nearer]
-        self._at[gone], self._far[gone], self._inside[gone] = (
-            there[nearer],
-            far[nearer],
-            inside[nearer],
-        )
+        self._at[gone], self._far[gone] = there[nearer], far[nearer]
+        self._inside[gone] = inside[nearer]
         self._damping[gone] = np.minimum(1.0, 2 * self._damping[gone])
         self._damping[those[~nearer]] /= 3
         return gone

@@ -214,13 +214,7 @@ class _Sampling:
         """Look at pairs in the samples from those that are done to a number."""
         blocks = self._blocks(self.done, end)
         tasks = [
-            Samples(
-                tuple(group),
-                self._distances(group),
-                blocks,
-                self._seed,
-                count,
-            )
+            Samples(tuple(group), self._distances(group), blocks, self._seed, count)
             for group in _groups(pairs)
         ]
         share = (end - self.done) / max(1, len(tasks))
