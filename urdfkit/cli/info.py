@@ -115,7 +115,8 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
     xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in whole.tensor)
     moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg m^2", f"ixy {xy}, ixz {xz}, iyz {yz}"
     yield from _entry("inertia", f"{moments} about the centre")
-    yield from _entry("", f"{products}; principal {_vector(principal_moments(whole.tensor))}")
+    yield from _entry("", products)
+    yield from _entry("", f"principal moments {_vector(principal_moments(whole.tensor))}")
 
 
 def _size(found: Overview) -> Iterator[str]:
@@ -130,7 +131,7 @@ def _size(found: Overview) -> Iterator[str]:
     if left_out:
         reasons = dict.fromkeys(left_out.values())
         names = _list(left_out)
-        yield from _entry("", f"without {names}: {_list(reasons)}")
+        yield from _entry("", f"without shapes of {names}: {_list(reasons)}")
     if reach and reach.distance > 0:
         way = f"from joint {reach.joint} to the origin of {reach.link}"
         yield from _entry("reach", f"{reach.distance:.4g} m {way}")
