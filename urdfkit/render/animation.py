@@ -217,11 +217,14 @@ def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
     sheet = Image.new("RGB", (width, height * len(few)))
     for number, image in enumerate(few):
         sheet.paste(image, (0, number * height))
-    # The most frequent colours, so that the background is smooth, and some from everywhere.
-    colours = [
-        *(sheet.quantize(176, Image.Quantize.MEDIANCUT).getpalette() or [])[: 176 * 3],
-        *(sheet.quantize(80, Image.Quantize.FASTOCTREE).getpalette() or [])[: 80 * 3],
-    ]
+    # The most frequent colours as they are, so that the background is smooth, then the means of
+    # what is frequent, and some from everywhere.
+    packed = np.asarray(sheet.convert("RGBA")).view(np.uint32).reshape(-1)
+    found, counts = np.unique(packed, return_counts=True)
+    frequent = found[np.argsort(-counts, kind="stable")[:80]]
+    colours = frequent.view(np.uint8).reshape(-1, 4)[:, :3].reshape(-1).tolist()
+    for count, method in ((96, Image.Quantize.MEDIANCUT), (80, Image.Quantize.FASTOCTREE)):
+        colours += (sheet.quantize(count, method).getpalette() or [])[: count * 3]
     palette = Image.new("P", (1, 1))
     palette.putpalette(colours)
     return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
