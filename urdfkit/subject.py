@@ -167,8 +167,9 @@ class Subject:
     def uses(self) -> Mapping[Tag, int]:
         """How often each tag stands in the document: those of a macro, once for each call."""
         from collections import Counter
+        from operator import attrgetter
 
-        return Counter(element.tag_at for element in self.document.root.walk())
+        return Counter(map(attrgetter("tag_at"), self.document.root.walk()))
 
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:

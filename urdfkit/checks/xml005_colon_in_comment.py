@@ -41,6 +41,8 @@ _COMMENT = rb"<!--.*?-->"
 )
 def check(subject: Subject) -> Iterator[Finding]:
     xacro = subject.reading.xacro
+    if not _is_ament(subject):
+        return
     if xacro is None:
         found = _colon(subject.source, _COMMENT)
     elif xacro.document is None or xacro.is_library:
@@ -48,7 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     else:
         texts = (text.encode() for text in xacro.comments() if re.search(r":\s", text))
         found = next(filter(None, (_written(xacro.sources, text) for text in texts)), None)
-    if found and _is_ament(subject):
+    if found:
         yield Finding(
             Written(found),
             "':' and white space in a comment: a ROS 2 launch file may take the robot for YAML",

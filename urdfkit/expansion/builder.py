@@ -68,7 +68,6 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.around = self._starts[-1] if self._starts else -1
         self._starts.append(self._parser.CurrentByteIndex)
         node.frame = self._frame
-        node.given = node.traces = None
         node.budget = self._budget
         self._budget.charge(ELEMENT_SIZE)
         if len(self._starts) > MAX_DEPTH:

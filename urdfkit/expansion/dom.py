@@ -93,8 +93,8 @@ class Node(_StockElement):  # type: ignore[misc]
     around: int
     raw: list[str]
     frame: Frame | None
-    given: dict[str, Tag] | None
-    traces: dict[str, tuple[Origin, ...]] | None
+    given: dict[str, Tag] | None = None
+    traces: dict[str, tuple[Origin, ...]] | None = None
     budget: Budget
     cursor = 0
 

@@ -141,7 +141,10 @@ class Fence:
 
     def keep(self, value: Any) -> Any:
         """A value that an expression has made, once it is charged for."""
-        if isinstance(value, int):
+        if isinstance(value, str):
+            _check_length(len(value))
+            self._budget.charge(len(value))
+        elif isinstance(value, int):
             _check_bits(value.bit_length())
         elif not isinstance(value, float):
             self._budget.charge(extent(value))

@@ -333,8 +333,9 @@ def _read_marker(folder: str, name: str) -> bytes:
     try:
         if not os.path.isfile(path):
             return b""
-        with open(path, "rb") as file:
-            return re.sub(_COMMENT, b"", file.read(65_536))
+        with open(path, "rb", buffering=0) as file:
+            data = file.read(65_536)
+        return re.sub(_COMMENT, b"", data) if b"<!--" in data else data
     except (OSError, ValueError):
         return b""
 
