@@ -212,6 +212,24 @@ def test_impossible_tensors_are_told_apart(tmp_path: Path) -> None:
         assert one.verdict == "impossible"
 
 
+@pytest.mark.parametrize(
+    ("numbers", "verdict"),
+    [((0.13, 0.1, 0.05), "agrees"), ((0.13, 0.05, 0.1), "turned"), ((0.1301, 0.1, 0.05), "agrees")],
+)
+def test_the_right_moments_at_the_wrong_axes(
+    numbers: tuple[float, ...], verdict: str, tmp_path: Path
+) -> None:
+    """12 kg in a box of 0.1 x 0.2 x 0.3 m: x*x + y*y and so on, in kg m^2."""
+    xx, yy, zz = numbers
+    inertial = (
+        f'<inertial><mass value="12"/><inertia ixx="{xx}" ixy="0" ixz="0" iyy="{yy}" iyz="0" '
+        f'izz="{zz}"/></inertial>'
+    )
+    one = only(robot(tmp_path, collision('<box size="0.1 0.2 0.3"/>'), inertial))
+    assert one.verdict == verdict
+    assert one.is_doubtful is (verdict == "turned")
+
+
 def test_without_the_libraries_meshes_are_not_known_and_that_is_said(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -47,7 +47,8 @@ def command(
     """Compare inertias with those of the shapes, and propose some.
 
     Shapes are taken for solids of uniform density with the declared mass. Proposed is what is
-    missing, impossible, or differs by more than a factor of three; with --link, those links.
+    missing, impossible, at other axes, or differs by more than a factor of three; with --link,
+    those links.
 
     Exit codes: 0 done, 1 something could not be written, 2 the file cannot be read.
     """

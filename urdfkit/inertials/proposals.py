@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Iterable
+from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 SAME = 1.03
 #: Matter is not spread evenly in real parts, so moments within this factor may be right.
 NEAR = 3.0
+#: Tensors of the same moments that are farther apart, as a part of the greatest, have other axes.
+_TURNED = 0.1
 #: Products of inertia and offsets below this part of the whole are rounding.
 _NOISE = 1e-6
 
@@ -64,7 +67,10 @@ class Proposal(Record):
 
     @property
     def verdict(self) -> str:
-        """``agrees``, ``near``, ``differs``, ``impossible``, ``missing`` or ``unknown``."""
+        """How the two compare, in a word.
+
+        ``agrees``, ``near``, ``turned``, ``differs``, ``impossible``, ``missing`` or ``unknown``.
+        """
         if self.computed is None:
             return "unknown"
         if self.declared is None:
@@ -75,12 +81,15 @@ class Proposal(Record):
         mass = self.declared.mass / self.computed.mass if self.computed.mass else 0.0
         if not 1 / NEAR <= mass <= NEAR or self.factor > NEAR:
             return "differs"
-        return "agrees" if self.factor <= SAME else "near"
+        if self.factor > SAME:
+            return "near"
+        apart = dist(self.declared.tensor, self.computed.tensor)
+        return "agrees" if apart <= _TURNED * high else "turned"
 
     @property
     def is_doubtful(self) -> bool:
         """True if the declared inertia had better be replaced."""
-        return self.verdict in ("differs", "impossible", "missing")
+        return self.verdict in ("turned", "differs", "impossible", "missing")
 
     def lines(self) -> list[str]:
         """The computed inertia as an ``<inertial>``.
