@@ -12,9 +12,11 @@ import trimesh
 
 from tests.meshes.defects import shapes
 from tests.meshes.shapes_made import as_part
-from urdfkit.meshes.edges import Edges, volumes, welded
+from urdfkit.meshes.edges import Edges
 from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.health import contains, examine, examine_mesh
+from urdfkit.meshes.health import examine, examine_mesh
+from urdfkit.meshes.pieces import contains, take_apart
+from urdfkit.meshes.welding import weld
 
 
 @pytest.mark.parametrize("name", shapes())
@@ -48,7 +50,7 @@ def test_touching_parts_are_solids_of_their_own_and_colours_are_not() -> None:
     box = trimesh.creation.box()
     other = box.copy().apply_translation((1, 0, 0))
     assembly = Mesh((as_part(box), as_part(other)))
-    assert Edges(welded(assembly.vertices, assembly.faces)[1]).is_crowded.sum() == 4
+    assert Edges(weld(assembly.vertices, assembly.faces)[1]).is_crowded.sum() == 4
     assert examine(assembly.vertices, assembly.faces).is_solid
     assert examine_mesh(assembly).is_solid
     assert examine_mesh(assembly).volume == pytest.approx(2)
@@ -77,6 +79,6 @@ def test_a_point_is_inside_or_outside() -> None:
 def test_welding_and_volumes() -> None:
     box = trimesh.creation.box((1, 2, 3))
     loose = box.vertices[box.faces].reshape(-1, 3)
-    points, faces = welded(loose, np.arange(36).reshape(-1, 3))
+    points, faces = weld(loose, np.arange(36).reshape(-1, 3))
     assert len(points) == 8
-    assert volumes(points, faces, np.zeros(12, dtype=np.int64)) == pytest.approx([6])
+    assert take_apart(points, Edges(faces)).volumes == pytest.approx([6])

@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urdfkit.meshes.geometry import Mesh, Part
+from urdfkit.meshes.grouping import components
 from urdfkit.meshes.measures import Measures, from_json, to_json
 from urdfkit.meshes.measuring import measure
-from urdfkit.meshes.topology import components
 
 CORNERS = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
 #: The triangles of a cube, seen from outside.
@@ -48,8 +48,8 @@ def of(*parts: Part) -> Measures:
 
 
 def counts(found: Measures) -> tuple[int, ...]:
-    """Open and flipped edges, degenerate and duplicate triangles."""
-    return (found.open_edges, found.flipped_edges, found.degenerate, found.duplicate)
+    """Open and flipped edges, degenerate triangles."""
+    return (found.open_edges, found.flipped_edges, found.degenerate)
 
 
 @pytest.mark.parametrize("shape", [box, lambda size, at: soup(box(size, at))])
@@ -60,7 +60,7 @@ def test_a_box(shape: Callable[..., Part]) -> None:
     assert found.edges == (2.0, 3.0, 4.0)
     assert found.diagonal == sqrt(29)
     assert found.area == pytest.approx(52)
-    assert counts(found) == (0, 0, 0, 0)
+    assert counts(found) == (0, 0, 0)
     assert found.is_closed
     assert not found.inside_out
     for solid in (found.solid, found.hull):
@@ -142,14 +142,14 @@ def test_one_of_two_bodies_is_inverted() -> None:
 
 def test_bodies_that_touch_at_an_edge_enclose_a_volume() -> None:
     found = of(box(), box(at=(1, 1, 0)))
-    assert counts(found) == (0, 0, 0, 0)
+    assert counts(found) == (0, 0, 0)
     assert found.solid is not None
     assert found.solid.volume == pytest.approx(2)
 
 
 def test_an_open_box() -> None:
     found = of(Part(CORNERS, CUBE[2:]))
-    assert counts(found) == (4, 0, 0, 0)
+    assert counts(found) == (4, 0, 0)
     assert not found.is_closed
     assert found.solid is None
     assert found.hull is not None
@@ -160,14 +160,14 @@ def test_one_flipped_triangle() -> None:
     faces = CUBE.copy()
     faces[0] = faces[0][::-1]
     found = of(Part(CORNERS, faces))
-    assert counts(found) == (0, 3, 0, 0)
+    assert counts(found) == (0, 3, 0)
     assert found.solid is None
 
 
 def test_degenerate_and_duplicate_triangles() -> None:
     faces = np.concatenate([CUBE, [(0, 0, 1), (5, 5, 5), CUBE[3][[1, 2, 0]]]])
     found = of(Part(CORNERS, faces))
-    assert counts(found) == (3, 0, 2, 1)
+    assert counts(found) == (3, 0, 2)
 
 
 def test_a_needle_keeps_a_surface_closed() -> None:
@@ -175,7 +175,7 @@ def test_a_needle_keeps_a_surface_closed() -> None:
     corners = np.concatenate([CORNERS, [(0, 0, 0.5)]])
     faces = np.concatenate([CUBE[1:], [(0, 8, 3), (8, 1, 3), (0, 1, 8)]])
     found = of(Part(corners, faces))
-    assert counts(found) == (0, 0, 1, 0)
+    assert counts(found) == (0, 0, 1)
     assert found.is_closed
 
 
@@ -202,9 +202,8 @@ def test_flat_pieces() -> None:
     )
     found = of(square)
     assert (found.solid, found.hull) == (None, None)
-    assert (found.bodies, found.flat_bodies, found.open_edges) == (1, 1, 4)
+    assert (found.bodies, found.open_edges) == (1, 4)
     assert sorted(found.points) == sorted(map(tuple, square.vertices))
-    assert of(square, box(at=(9, 9, 9))).flat_bodies == 1
 
 
 def test_one_point_and_one_line() -> None:

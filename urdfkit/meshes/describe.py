@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.geometry import Mesh, areas
 from urdfkit.meshes.health import Health, examine_mesh
 from urdfkit.meshes.salvage import load_or_salvage
 from urdfkit.meshes.sniff import sniff_file
@@ -70,8 +70,6 @@ def describe(path: str) -> Description:
     Raises:
         UnloadableMesh: no triangles.
     """
-    from urdfkit.meshes.edges import areas
-
     mesh, defect = load_or_salvage(path)
     facts = sniff_file(path)
     metric = in_metres(mesh)

@@ -96,3 +96,9 @@ class Mesh(Record):
         return np.concatenate(
             [part.faces + start for part, start in zip(self.parts, starts, strict=True)]
         )
+
+
+def areas(vertices: Floats, faces: Integers) -> Floats:
+    """(m,), of each face."""
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)

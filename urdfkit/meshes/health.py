@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import Edges, distinct, finite, volumes, welded
+from urdfkit.meshes.edges import Edges, three_cornered
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh
+from urdfkit.meshes.grouping import distinct
+from urdfkit.meshes.pieces import inside_out, take_apart
+from urdfkit.meshes.welding import finite, weld
 from urdfkit.record import Record
 
 
@@ -85,25 +88,30 @@ def examine(vertices: Floats, faces: Integers) -> Health:
     number = len(faces)
     is_finite = finite(vertices)
     good = is_finite[faces].all(axis=1)
-    points, kept = welded(np.where(is_finite[:, None], vertices, 0.0), faces[good])
-    a, b, c = kept.T
-    collapsed = (a == b) | (b == c) | (c == a)
-    kept = kept[~collapsed]
+    points, kept = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
+    sound = three_cornered(kept)
+    non_finite, collapsed = number - int(good.sum()), _count(~sound)
+    kept = kept[sound]
     if not len(kept):
-        return Health(number, number - int(good.sum()), int(collapsed.sum()), 0, 0, 0, 0, 0, 0, 0.0)
+        return Health(number, non_finite, collapsed, 0, 0, 0, 0, 0, 0, 0.0)
     edges = Edges(kept)
+    pieces = take_apart(points, edges)
     return Health(
         number,
-        number - int(good.sum()),
-        int(collapsed.sum()),
+        non_finite,
+        collapsed,
         _repeated(kept),
-        int(edges.is_open.sum()),
-        int(edges.is_torn.sum()),
-        int(edges.is_twisted.sum()),
-        int(edges.bodies.max()) + 1,
-        int(inside_out(points, kept, edges).sum()),
-        float(volumes(points, kept, np.zeros(len(kept), dtype=np.int64))[0]),
+        _count(edges.is_open),
+        _count(edges.is_torn),
+        _count(edges.is_twisted),
+        len(pieces.volumes),
+        _count(inside_out(points, kept, pieces)),
+        float(pieces.volumes.sum()),
     )
+
+
+def _count(flags: Flags) -> int:
+    return int(np.count_nonzero(flags))
 
 
 def _repeated(faces: Integers) -> int:
@@ -111,39 +119,3 @@ def _repeated(faces: Integers) -> int:
     turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
     rows = np.take_along_axis(faces, turned % 3, axis=1)
     return len(faces) - len(distinct(rows)[0])
-
-
-def inside_out(points: Floats, faces: Integers, edges: Edges) -> Flags:
-    """(bodies,), True for a closed body of negative volume that lies in no other body.
-
-    A body in another one may be a hole in it, which is meant to be inside out.
-    """
-    signed = volumes(points, faces, edges.bodies)
-    is_open = np.zeros(len(signed), dtype=bool)
-    is_open[edges.bodies[~(edges.count[edges.of_face] == 2).all(axis=1)]] = True
-    suspects = np.flatnonzero((signed < 0) & ~is_open)
-    found = np.zeros(len(signed), dtype=bool)
-    for body in suspects:
-        corner = points[faces[edges.bodies == body][0, 0]]
-        found[body] = not any(
-            contains(points, faces[edges.bodies == other], corner)
-            for other in range(len(signed))
-            if other != body and not is_open[other] and abs(signed[other]) > abs(signed[body])
-        )
-    return found
-
-
-def contains(points: Floats, faces: Integers, point: Floats) -> bool:
-    """True if a closed surface goes around a point (its solid angle is not zero).
-
-    Source: A. Van Oosterom, J. Strackee, "The solid angle of a plane triangle", IEEE Trans.
-    Biomed. Eng. 30 (1983).
-    """
-    low, high = points[faces].min(axis=(0, 1)), points[faces].max(axis=(0, 1))
-    if (point < low).any() or (point > high).any():
-        return False
-    a, b, c = (points[faces[:, i]] - point for i in range(3))
-    la, lb, lc = (np.linalg.norm(vectors, axis=1) for vectors in (a, b, c))
-    triple = (a * np.cross(b, c)).sum(axis=1)
-    rest = la * lb * lc + (a * b).sum(1) * lc + (b * c).sum(1) * la + (c * a).sum(1) * lb
-    return bool(abs(np.arctan2(triple, rest).sum()) > np.pi)  # half of 4 pi, halved once more

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.meshes.edges import finite
 from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
+from urdfkit.meshes.welding import finite, weld
 
 #: The engines that cut into convex pieces.
 ENGINES = ("vhacd", "coacd")
@@ -122,10 +122,8 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoEngine: its library is not installed.
         NoHull: all points lie in a plane.
     """
-    from urdfkit.meshes.edges import welded
-
     hull(mesh)  # raises where there is no volume
-    points, faces = welded(mesh.vertices, mesh.faces)
+    points, faces = weld(mesh.vertices, mesh.faces)
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
     if not pieces:
         return hull(mesh)

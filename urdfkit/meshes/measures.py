@@ -41,11 +41,9 @@ class Measures(Record):
         open_edges: edges with an odd number of triangles.
         flipped_edges: edges whose triangles do not look the same way.
         degenerate: triangles without area.
-        duplicate: triangles on corners that an earlier one has.
         bodies: pieces that hang together.
         overlap: of a closed surface, the volume that lies in several of them at once and is counted
             as often in ``solid``, as a part of the true volume.
-        flat_bodies: pieces that lie in a plane.
         inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.
         unit, up_axis, losses, extras, textures: as in `urdfkit.meshes.geometry.Mesh`.
     """
@@ -62,10 +60,8 @@ class Measures(Record):
     open_edges: int
     flipped_edges: int
     degenerate: int
-    duplicate: int
     bodies: int
     overlap: float
-    flat_bodies: int
     inverted_bodies: int
     unit: float = 1.0
     up_axis: str = ""

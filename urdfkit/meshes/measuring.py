@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from urdfkit.meshes.edges import Edges, three_cornered
 from urdfkit.meshes.geometry import Floats, Integers, Mesh
 from urdfkit.meshes.measures import Measures, Uniform
 from urdfkit.meshes.overlap import overlap
-from urdfkit.meshes.topology import (
-    close_seams,
-    duplicates,
-    edge_counts,
-    pieces,
-    three_cornered,
-    weld,
-)
+from urdfkit.meshes.pieces import are_flat, inside_out, take_apart
+from urdfkit.meshes.welding import close_seams, weld
 from urdfkit.spatial import Vector
 
 #: A triangle lower than this, a piece or a solid flatter than this, has no extent there; relative
 #: to the diagonal of the mesh. Coordinates of 32 bits are rounded to 6e-8.
 FLAT = 1e-7
+
+#: Part of the volume of all pieces below which one of them does not matter.
+SIGNIFICANT = 0.01
 
 #: Extreme vertices that are kept of a hull; a ball loses 1 % of its reach with so many.
 MOST_POINTS = 200
@@ -33,12 +31,16 @@ def measure(mesh: Mesh) -> Measures:
     diagonal = float(np.linalg.norm(high - low))
     height, areas = _heights(places, faces)
     sound = faces[three_cornered(faces)]
-    edges = edge_counts(sound)
-    open_edges = edges.total % 2 == 1
-    flipped = ~open_edges & (edges.forward != edges.backward)
-    is_closed = len(sound) > 0 and not open_edges.any() and not flipped.any()
-    found = pieces(places, sound, FLAT * diagonal)
-    solid, inside_out = _solid(places, sound, low, high) if is_closed else (None, False)
+    edges = Edges(sound)
+    open_edges = edges.count % 2 == 1
+    flipped = ~open_edges & edges.is_unpaired
+    is_closed = len(sound) > 0 and not edges.is_unpaired.any()
+    pieces = take_apart(places, edges)
+    is_flat = are_flat(places, sound, pieces, FLAT * diagonal)
+    pieces = pieces._replace(is_closed=pieces.is_closed & ~is_flat)
+    # A screw that looks inwards changes nothing.
+    least = SIGNIFICANT * float(np.abs(pieces.volumes[pieces.is_closed]).sum())
+    solid, looks_inwards = _solid(places, sound, low, high) if is_closed else (None, False)
     hull, points = _hull(places, low, high)
     return Measures(
         triangles=len(faces),
@@ -49,15 +51,13 @@ def measure(mesh: Mesh) -> Measures:
         solid=solid,
         hull=hull,
         points=tuple(_vector(point) for point in points),
-        inside_out=inside_out,
+        inside_out=looks_inwards,
         open_edges=int(open_edges.sum()),
         flipped_edges=int(flipped.sum()),
         degenerate=int((height <= FLAT * diagonal).sum()),
-        duplicate=duplicates(sound),
-        bodies=len(found.volumes),
-        overlap=overlap(places, sound, found) if solid and not inside_out else 0.0,
-        flat_bodies=found.flat,
-        inverted_bodies=found.inverted,
+        bodies=len(pieces.volumes),
+        overlap=overlap(places, sound, pieces) if solid and not looks_inwards else 0.0,
+        inverted_bodies=int(inside_out(places, sound, pieces, least).sum()),
         unit=mesh.unit,
         up_axis=mesh.up_axis,
         losses=mesh.losses,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.meshes.geometry import Floats, Integers
-from urdfkit.meshes.topology import Pieces
+from urdfkit.meshes.pieces import Pieces
 
 #: A boolean of more triangles, or of more pieces, takes longer than the rest of the measuring.
 MAX_TRIANGLES, MAX_PIECES = 100_000, 500

@@ -6,8 +6,9 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from urdfkit.meshes.edges import distinct
 from urdfkit.meshes.geometry import Floats, Integers, Part
+from urdfkit.meshes.grouping import distinct
+from urdfkit.meshes.welding import weld
 
 #: Faces that meet at a larger angle, in degrees, meet at an edge that is seen.
 CREASE = 35.0
@@ -22,8 +23,8 @@ def shaded(part: Part, crease: float = CREASE) -> Part:
     """
     if part.normals is not None or not len(part.faces):
         return part
-    places = _welded(part.vertices)
-    groups = _corner_groups(places[part.faces], face_normals(part.vertices, part.faces), crease)
+    _, faces = weld(part.vertices, part.faces)
+    groups = _corner_groups(faces, face_normals(part.vertices, part.faces), crease)
     # One new vertex for each pair of an old one and a smooth patch that it lies on.
     pairs = np.column_stack([part.faces.reshape(-1), groups])
     first, corners, _ = distinct(pairs)
@@ -58,12 +59,6 @@ def face_normals(vertices: Floats, faces: Integers) -> Floats:
 def _unit(vectors: Floats) -> Floats:
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     return vectors / np.where(lengths > 0, lengths, 1.0)
-
-
-def _welded(vertices: Floats) -> Integers:
-    """(n,), the same number for vertices at the same place."""
-    _, places = np.unique(vertices, axis=0, return_inverse=True)
-    return places.reshape(-1).astype(np.int64)
 
 
 def _corner_angles(vertices: Floats, faces: Integers) -> Floats:

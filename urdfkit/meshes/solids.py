@@ -69,11 +69,11 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
         pieces: each part a solid; they may overlap.
         mesh: any.
     """
-    from urdfkit.meshes.edges import welded
+    from urdfkit.meshes.welding import weld
 
     solids = [_solid(part.vertices, part.faces) for part in pieces.parts]
     whole = Manifold.batch_boolean(solids, OpType.Add)
-    inside = _solid(*welded(mesh.vertices, mesh.faces))
+    inside = _solid(*weld(mesh.vertices, mesh.faces))
     return as_mesh(whole if inside.is_empty() else whole - inside)
 
 

@@ -16,7 +16,7 @@ from urdfkit.meshes.measures import Measures, from_json, to_json
 from urdfkit.meshes.sniff import MAX_BYTES
 
 #: Goes up when measures change, or what they are made from.
-VERSION = 3
+VERSION = 4
 
 #: The folder of the cache; where it is set and empty, there is none.
 VARIABLE = "URDFKIT_CACHE_DIR"

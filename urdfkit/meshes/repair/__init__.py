@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 
 from urdfkit.meshes.distance import one_way
-from urdfkit.meshes.edges import finite
 from urdfkit.meshes.geometry import Mesh
 from urdfkit.meshes.health import Health, examine, examine_mesh
 from urdfkit.meshes.repair.cleaning import (
@@ -21,6 +20,7 @@ from urdfkit.meshes.repair.holes import fill
 from urdfkit.meshes.repair.seams import split_at_points, weld_rims
 from urdfkit.meshes.repair.soup import Soup, mesh_of, soup_of
 from urdfkit.meshes.repair.winding import agree, face_outwards
+from urdfkit.meshes.welding import finite
 from urdfkit.record import Record
 
 #: Points of open edges this near, as a part of the diagonal, are meant to be one.

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import Edges, areas, distinct
-from urdfkit.meshes.geometry import Integers
+from urdfkit.meshes.edges import Edges, three_cornered
+from urdfkit.meshes.geometry import Integers, areas
+from urdfkit.meshes.grouping import distinct
 from urdfkit.meshes.repair.soup import Soup
 
 #: A scrap has fewer triangles than the smallest solid.
@@ -18,8 +19,7 @@ _ROUNDS = 50
 
 def drop_collapsed(soup: Soup) -> Soup:
     """Without triangles that have two corners in one point."""
-    a, b, c = soup.faces.T
-    return soup.kept((a != b) & (b != c) & (c != a))
+    return soup.kept(three_cornered(soup.faces))
 
 
 def drop_repeated(soup: Soup) -> Soup:

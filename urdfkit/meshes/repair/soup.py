@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.meshes.edges import distinct, finite, welded
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh, Part
+from urdfkit.meshes.grouping import distinct
+from urdfkit.meshes.welding import finite, weld
 from urdfkit.record import Record
 
 
@@ -69,7 +70,7 @@ def soup_of(mesh: Mesh) -> Soup:
     parts = np.repeat(np.arange(len(mesh.parts)), [len(part.faces) for part in mesh.parts])
     is_finite = finite(vertices)
     good = is_finite[faces].all(axis=1)
-    points, welded_faces = welded(np.where(is_finite[:, None], vertices, 0.0), faces[good])
+    points, welded_faces = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
     return Soup(points, welded_faces, faces[good], parts[good])
 
 

@@ -6,9 +6,9 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
-from urdfkit.meshes.edges import Edges, areas
-from urdfkit.meshes.geometry import Flags, Floats, Integers
-from urdfkit.meshes.health import contains, inside_out
+from urdfkit.meshes.edges import Edges
+from urdfkit.meshes.geometry import Flags, Floats, Integers, areas
+from urdfkit.meshes.pieces import contains, inside_out, take_apart
 from urdfkit.meshes.repair.soup import Soup
 
 
@@ -69,15 +69,15 @@ def face_outwards(soup: Soup) -> Soup:
     """
     if not len(soup.faces):
         return soup
-    edges = Edges(soup.faces)
-    wrong = inside_out(soup.points, soup.faces, edges)
+    pieces = take_apart(soup.points, Edges(soup.faces))
+    wrong = inside_out(soup.points, soup.faces, pieces)
     if not wrong.any():
         return soup
-    turn = wrong[edges.bodies]
+    turn = wrong[pieces.of_face]
     for outer in np.flatnonzero(wrong):
-        shell = soup.faces[edges.bodies == outer]
+        shell = soup.faces[pieces.of_face == outer]
         for inner in np.flatnonzero(~wrong):
-            inside = edges.bodies == inner
+            inside = pieces.of_face == inner
             if contains(soup.points, shell, soup.points[soup.faces[inside][0, 0]]):
                 turn |= inside
     return soup.turned(turn)
