@@ -204,3 +204,32 @@ def test_a_found_robot_that_needs_arguments_is_told_not_failed(tmp_path):
     (skip,) = report.skipped
     assert "side" in skip.reason
     assert [d.code for d in check(path).diagnostics] == ["XAC010"]
+
+
+ARM = '<link name="arm"/><xacro:arg default="1" name="scale"/><joint name="$(arg scale)"/>'
+
+
+@pytest.mark.parametrize(
+    ("declared", "expected"),
+    [
+        ("", ["arm.xacro", "sim.xacro"]),
+        ('<xacro:arg name="sim"/>', ["arm.xacro", "sim.xacro"]),
+        ('<xacro:arg name="sim" default="true"/>', ["sim.xacro"]),
+        ('<xacro:arg default="" name="sim"/>', ["sim.xacro"]),
+    ],
+)
+def test_a_whole_robot_in_one_that_needs_arguments(
+    tmp_path: Path, declared: str, expected: list[str]
+):
+    write(tmp_path, "arm.xacro", ARM + include("rod.xacro"))
+    write(tmp_path, "rod.xacro", '<xacro:macro name="rod"/>')
+    write(tmp_path, "sim.xacro", f'{declared}{include("arm.xacro")}<link name="$(arg sim)"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == expected
+
+
+def test_parts_of_a_robot_that_needs_arguments_stay_parts(tmp_path: Path):
+    write(tmp_path, "part.xacro", '<link name="$(arg prefix)_part"/>')
+    (tmp_path / "nameless.xacro").write_text('<robot><link name="x"/></robot>')
+    body = include("part.xacro") + include("nameless.xacro") + '<link name="$(arg prefix)"/>'
+    write(tmp_path, "whole.xacro", body)
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["whole.xacro"]

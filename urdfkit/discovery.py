@@ -27,6 +27,9 @@ _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "_
 _COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
+_NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
+_ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
+_DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 _CONTENT = re.compile(
@@ -207,8 +210,31 @@ class IncludeGraph:
             if path not in included and _is_description(name)
         ]
         libraries = tuple(filter(self.is_library, roots))
-        robots = tuple(Robot(path, "", {}) for path in roots if path not in libraries)
-        return Found(robots, libraries)
+        outer = [path for path in roots if path not in libraries]
+        robots = sorted({*outer, *self._within(outer)})
+        return Found(tuple(Robot(path, "", {}) for path in robots), libraries)
+
+    def _within(self, robots: Iterable[str]) -> Iterator[str]:
+        """Whole robots that are included by such as cannot be expanded for want of arguments."""
+        for robot in map(os.path.realpath, robots):
+            closure = self.closure(robot)
+            if not self._lacking(closure):
+                continue
+            for path in closure.intersection(self._sources) - {robot}:
+                name = self._names[path]
+                is_whole = _is_description(name) and _NAMED.search(self._sources[path].data)
+                if is_whole and not self.is_library(name) and not self._lacking(self.closure(path)):
+                    yield name
+
+    def _lacking(self, files: Iterable[str]) -> set[bytes]:
+        """The arguments that some files use together, and none of them gives a default."""
+        used: set[bytes] = set()
+        known: set[bytes] = set()
+        for path in self._sources.keys() & files:
+            data = _COMMENT.sub(b"", self._sources[path].data)
+            used.update(_ARGUMENT.findall(data))
+            known.update(_DEFAULT.findall(data))
+        return used - known
 
     def concerns(self, root: str, file: str) -> bool:
         """True if a changed file may be part of a robot."""
