@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,8 @@ from urdfkit.loading import read
 
 np = pytest.importorskip("numpy")
 trimesh = pytest.importorskip("trimesh")
+
+from PIL import Image
 
 from urdfkit.page import gltf, scene
 from urdfkit.page.boxes import inertia_box
@@ -116,6 +119,24 @@ def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
         data = gltf.write([item._replace(look=look, uv=uv)])[0]
         assert len(opened(data)[0].get("images", ())) == images
         assert b"password" not in data
+
+
+@pytest.mark.parametrize("suffix", ["bmp", "tga", "tiff", "webp"])
+def test_what_no_browser_shows_travels_as_a_jpeg(suffix: str, tmp_path: Path) -> None:
+    from urdfkit.render.looks import Look
+
+    path = tmp_path / f"a.{suffix}"
+    Image.new("RGB", (64, 32), (200, 100, 0)).save(path)
+    item = pictured.build(read(MISSION)).items[0]
+    uv = np.zeros((len(item.vertices), 2), np.float32)
+    data = gltf.write([item._replace(look=Look((1.0, 1.0, 1.0, 1.0), str(path)), uv=uv)])[0]
+    document, chunk = opened(data)
+    view = document["bufferViews"][document["images"][0]["bufferView"]]
+    file = chunk[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
+    with Image.open(BytesIO(file)) as image:
+        assert (image.format, image.size) == ("JPEG", (64, 32))
+        red, green, blue = np.asarray(image.convert("RGB"))[5, 5]
+    assert red > green > blue
 
 
 def test_points_that_are_not_finite_are_left_out() -> None:

@@ -16,10 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from urdfkit.page.pictures import sniffed
 from urdfkit.render.looks import STRIPES, Look
 from urdfkit.render.scene import Item
 from urdfkit.render.textures import stripes
+from urdfkit.render.textures import texture as read_image
 
 Bytes = NDArray[np.uint8]
 
@@ -27,7 +27,7 @@ _MAGIC, _VERSION, _JSON, _BIN = b"glTF", 2, b"JSON", b"BIN\0"
 _ARRAY, _ELEMENTS = 34962, 34963
 _TYPES = {"i1": 5120, "u1": 5121, "u2": 5123, "u4": 5125, "f4": 5126}
 _SHAPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
-#: Textures over so many bytes are left out.
+#: Textures over so many bytes are written anew, smaller.
 MAX_TEXTURE = 4 * 1024 * 1024
 
 
@@ -162,14 +162,13 @@ class Writer:
         return self._once(("material", json.dumps(entry)), self._materials, entry)
 
     def _image(self, texture: str | bytes | None) -> int | None:
-        """A PNG or JPEG as it is; None for what a browser does not show."""
+        """An image that every browser shows; None for what is none."""
         if texture is None or ("image", texture) in self._known:
             return None if texture is None else self._known["image", texture]
-        data = texture if isinstance(texture, bytes) else _image_file(texture)
-        kind = sniffed(data)
-        if not kind:
+        data = _shown(texture)
+        if not data:
             return None
-        entry = {"bufferView": self._view(data), "mimeType": kind}
+        entry = {"bufferView": self._view(data), "mimeType": _kind(data)}
         return self._once(("image", texture), self._images, entry)
 
 
@@ -230,9 +229,19 @@ def _linear(part: float) -> float:
     return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
 
 
-def _image_file(path: str) -> bytes:
-    if path == STRIPES:
+def _shown(texture: str | bytes) -> bytes:
+    """A PNG or JPEG as it is, another image as a JPEG; nothing for what is none."""
+    if texture == STRIPES:
         return stripes()
+    data = texture if isinstance(texture, bytes) else _file(texture)
+    if _kind(data) and len(data) <= MAX_TEXTURE:
+        return data
+    image = read_image(texture)
+    return b"" if image is None else image.jpeg()
+
+
+def _file(path: str) -> bytes:
+    """The bytes of a file, if they may travel as they are."""
     try:
         if os.path.getsize(path) > MAX_TEXTURE:
             return b""
@@ -240,6 +249,13 @@ def _image_file(path: str) -> bytes:
             return file.read()
     except (OSError, ValueError):  # it is gone, or is no name of a file
         return b""
+
+
+def _kind(data: bytes) -> str:
+    """The kind of an image that every browser shows; empty for another one."""
+    if data.startswith(b"\x89PNG\r\n\x1a\n"):
+        return "image/png"
+    return "image/jpeg" if data.startswith(b"\xff\xd8\xff") else ""
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:

@@ -34,6 +34,12 @@ class Texture:
         self._levels = levels
         return np.asarray(levels[number])[::-1]
 
+    def jpeg(self) -> bytes:
+        """The image as a file that every browser shows."""
+        file = io.BytesIO()
+        self._levels[0].save(file, "JPEG", quality=88)
+        return file.getvalue()
+
 
 def srgb_to_linear(values: Floats) -> Floats:
     """Colours as written to amounts of light (IEC 61966-2-1)."""
