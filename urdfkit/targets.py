@@ -60,6 +60,11 @@ class Targets(Record):
         """True if one of some consumers is meant."""
         return any(name in self.names for name in names)
 
+    @property
+    def applies_units(self) -> bool:
+        """True unless all are known and take the numbers of COLLADA files as metres."""
+        return not self.names or any(name not in ("moveit", "pinocchio") for name in self.names)
+
 
 def parse(names: Iterable[str]) -> Targets:
     """Targets given by name.

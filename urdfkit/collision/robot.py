@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from urdfkit.collision.matrix import Matrix
-from urdfkit.collision.sampling import applies_units, collisions
 from urdfkit.collision.still import Still
 from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from urdfkit.collision.matrix import Matrix
     from urdfkit.subject import Subject
 
 
@@ -27,7 +26,7 @@ class Collisions:
     def still(self) -> Still:
         """The robot where it begins, and with each joint at its limits."""
         robot = self._robot
-        return Still(robot.model, robot.tree, robot.meshes, unit=applies_units(robot))
+        return Still(robot.model, robot.tree, robot.meshes, unit=robot.targets.applies_units)
 
     @cached_property
     def in_moveit(self) -> Still:
@@ -37,4 +36,6 @@ class Collisions:
 
     def matrix(self, **options: Any) -> Matrix:
         """Which links can collide; the options are those of `sampling.collisions`."""
+        from urdfkit.collision.sampling import collisions  # processes, which the rules do without
+
         return collisions(self._robot, **options)

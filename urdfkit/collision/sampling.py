@@ -75,7 +75,7 @@ def collisions(
         CollisionError: the robot has too many pairs of links with collision bodies, or no
             process can be started.
     """
-    applies = applies_units(robot) if units is None else units
+    applies = robot.targets.applies_units if units is None else units
     bodies, omitted = solids(robot.model, robot.meshes, unit=applies)
     with Crew(chain(robot.tree), bodies, jobs or _processors()) as crew:
         sampling = _Sampling(robot, crew, samples, seed, progress)
@@ -91,12 +91,6 @@ def collisions(
         _units(robot),
         applies,
     )
-
-
-def applies_units(robot: Subject) -> bool:
-    """True unless all consumers are known and take the numbers of COLLADA files as metres."""
-    names = robot.targets.names
-    return not names or any(name not in ("moveit", "pinocchio") for name in names)
 
 
 def _units(robot: Subject) -> dict[str, float]:
