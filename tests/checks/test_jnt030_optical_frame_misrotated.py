@@ -17,15 +17,15 @@ def robot(rpy: str, camera: str = "camera_link", optical: str = "camera_optical_
 @pytest.mark.parametrize(
     ("rpy", "way"),
     [
-        ("0 0 0", "above"),
-        ("1.5708 0 -1.5708", "behind"),
+        ("0 0 0", "up"),
+        ("1.5708 0 -1.5708", "backwards"),
         ("0 1.5708 0", "forwards, but turned,"),
         ("-1.5708 0 0", "to the left"),
     ],
 )
 def test_other_ways_are_told_and_mended(rpy: str, way: str) -> None:
     (message,) = messages("JNT030", robot(rpy))
-    assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} of 'camera_link'")
+    assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} from 'camera_link'")
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))
 
 

@@ -52,8 +52,8 @@ def check(subject: Subject) -> Iterator[Finding]:
             origin = joint.at.child("origin")
             yield Finding(
                 origin or joint.at,
-                f"joint '{joint.name}': '{joint.child.value}' looks {_way(rotation)} of "
-                f"'{joint.parent.value}', and an optical frame looks forwards with x to the right",
+                f"joint '{joint.name}': '{joint.child.value}' looks {_way(rotation)} from "
+                f"'{joint.parent.value}'; an optical frame looks forwards, its x to the right",
                 'write rpy="-1.5707963 0 -1.5707963"',
                 _fix(joint),
                 confidence=Confidence.INFERRED,
@@ -83,9 +83,8 @@ def _way(rotation: Rotation) -> str:
     z = tuple(row[2] for row in rotation)
     axis = max(range(3), key=lambda i: abs(z[i]))
     sign = z[axis] > 0
-    return (("behind", "to the right", "below"), ("forwards, but turned,", "to the left", "above"))[
-        sign
-    ][axis]
+    ways = ("backwards", "to the right", "down"), ("forwards, but turned,", "to the left", "up")
+    return ways[sign][axis]
 
 
 def _fix(joint: Joint) -> Fix | None:
