@@ -68,5 +68,6 @@ def to_path(uri: str) -> str:
         return uri
     path = unquote(parts.path, errors="surrogateescape")
     if os.name == "nt":
-        path = path.lstrip("/").replace("/", os.sep)
+        share = f"//{parts.netloc}{path}" if parts.netloc else path.lstrip("/")
+        path = share.replace("/", os.sep)
     return path
