@@ -8,7 +8,9 @@ import pytest
 
 from tests.lsp.edited import XACRO, Edited
 from urdfkit.editing.fixer import apply_edits
-from urdfkit.lsp.navigation import references, rename
+from urdfkit.errors import UrdfkitError
+from urdfkit.lsp.navigation import definitions, references, renamable, rename
+from urdfkit.lsp.workspace import Workspace
 from urdfkit.source import Source
 
 ROBOT = XACRO.format(
@@ -129,3 +131,30 @@ def test_odd_files_do_no_harm(tmp_path: Path, text: str) -> None:
         (tmp_path / name).write_bytes(text.encode("latin-1") + b" left")
     renamed(path, 'joint name="le', "ft", "port")
     assert Source.read(path).data.count(b"port") == 1
+
+
+def test_a_yaml_file_leads_to_the_robot(tmp_path: Path) -> None:
+    path = package(tmp_path)
+    yaml = tmp_path / "config" / "controllers.yaml"
+    text = yaml.read_text().replace('["left"]', '["le|ft"]')
+    file = Edited(yaml, text)
+    at = (file.robot, file.page, file.offset)
+    (given,) = definitions(*at)
+    assert (given.source.path, given.line, given.text) == (str(path), 4, "left")
+    assert len(references(*at, definitions=False)) == 4
+    here = renamable(*at).span
+    assert (Path(here.source.path), here.line, here.text) == (yaml, 4, "left")
+    edits = rename(*at, "port")
+    assert {edit.span.source.path for edit in edits} >= {str(path), str(yaml)}
+    nothing = Edited(yaml, text.replace("|", "").replace("side: left", "side: le|ft"))
+    assert definitions(nothing.robot, nothing.page, nothing.offset) == []
+
+
+def test_yaml_of_no_robot_has_nothing_to_say(tmp_path: Path) -> None:
+    workspace = Workspace()
+    path = str(tmp_path / "a.yaml")
+    workspace.set_text(path, b"joints: [left]\n")
+    assert workspace.check(path, thorough=True).diagnostics == {path: []}
+    with pytest.raises(UrdfkitError, match="is part of no robot"):
+        workspace.robot(path)
+    assert workspace.close(path) == {}

@@ -25,7 +25,8 @@ _BY_JOINT = re.compile(r"joint_limits|gains|constraints|initial_positions|defaul
 #: The program whose arguments are frames.
 _PUBLISHER = "static_transform_publisher"
 
-_YAML, _LAUNCH, _ROBOTS = (".yaml", ".yml"), (".launch", ".launch.xml"), (".urdf", ".xacro")
+_YAML, _ROBOTS = (".yaml", ".yml"), (".urdf", ".xacro")
+_LAUNCH, _PYTHON = (".launch", ".launch.xml"), ".launch.py"
 #: Files of a package that are looked at, and folders in one another.
 MAX_FILES, MAX_DEPTH = 300, 4
 
@@ -73,6 +74,14 @@ def mentions(
     return found
 
 
+def mention_at(source: Source, offset: int) -> Mention | None:
+    """The place in a file of YAML or a launch file; None elsewhere, and in other files."""
+    if not source.path.endswith((*_YAML, *_LAUNCH, _PYTHON)):
+        return None
+    found = (one for one in _in_file(source) if one.span.start <= offset <= one.span.end)
+    return next(found, None)
+
+
 def _files(folder: str, resolver: Resolver) -> Iterator[str]:
     """The files of a package that may name something, up to a number."""
     count, queue = 0, [(folder, 0)]
@@ -81,7 +90,7 @@ def _files(folder: str, resolver: Resolver) -> Iterator[str]:
             path = os.path.join(place, name)
             if is_folder and depth < MAX_DEPTH and not name.startswith("."):
                 queue.append((path, depth + 1))
-            elif name.endswith((*_YAML, *_LAUNCH, *_ROBOTS, ".launch.py")) and count < MAX_FILES:
+            elif name.endswith((*_YAML, *_LAUNCH, *_ROBOTS, _PYTHON)) and count < MAX_FILES:
                 count += 1
                 yield path
 
@@ -89,7 +98,7 @@ def _files(folder: str, resolver: Resolver) -> Iterator[str]:
 def _in_file(source: Source) -> Iterator[Mention]:
     if source.path.endswith(_YAML):
         return _in_yaml(source)
-    return _in_python(source) if source.path.endswith(".py") else _in_launch(source)
+    return _in_python(source) if source.path.endswith(_PYTHON) else _in_launch(source)
 
 
 def _kind(key: str) -> str:

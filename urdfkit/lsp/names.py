@@ -6,7 +6,6 @@ that an expression makes is known by the values that the expanded document has f
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
@@ -92,11 +91,6 @@ class Names:
     def __init__(self, pages: Iterable[Page], document: Document | None) -> None:
         self.pages = {page.source.path: page for page in pages}
         self._document = document
-
-    @property
-    def paths(self) -> set[str]:
-        """The real paths of the texts."""
-        return {os.path.realpath(path) for path in self.pages}
 
     @cached_property
     def macros(self) -> dict[str, Node]:

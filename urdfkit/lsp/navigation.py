@@ -8,7 +8,7 @@ import re
 from urdfkit.diagnostic import Edit
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
-from urdfkit.lsp.mentions import mentions
+from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import Name
 from urdfkit.lsp.workspace import Robot
 from urdfkit.source import Source, Span
@@ -25,7 +25,7 @@ def definitions(robot: Robot, page: Page, offset: int) -> list[Span]:
     """Where the name, the package or the file at a place is given."""
     if found := _file(robot, page, offset):
         return [Span(found, 0, 0)]
-    name = robot.names.at(page.source, offset)
+    name = _name(robot, page, offset)
     if name is None:
         return []
     if name.kind == "package":
@@ -37,12 +37,23 @@ def definitions(robot: Robot, page: Page, offset: int) -> list[Span]:
 
 def references(robot: Robot, page: Page, offset: int, *, definitions: bool) -> list[Span]:
     """Where the name at a place is used, and where it is given if that is asked for."""
-    name = robot.names.at(page.source, offset)
+    name = _name(robot, page, offset)
     if name is None:
         return []
     same = robot.names.same(name)
     own = [one.span for one in same if definitions or not one.is_definition]
     return own + _beside(robot, name, same)
+
+
+def _name(robot: Robot, page: Page, offset: int) -> Name | None:
+    """The name at a place, be it in a file that is none of the robot's own."""
+    found = mention_at(page.source, offset)
+    if found is None:
+        return robot.names.at(page.source, offset)
+    kind, span = found
+    given = (one for one in robot.names.all if one.is_definition and one.kind == kind)
+    nodes = [one.node for one in given if span.text in robot.names.values(one)]
+    return Name(kind, span.text, span, False, nodes[0]) if nodes else None
 
 
 def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
@@ -51,7 +62,8 @@ def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
     if not kinds:
         return []
     values = robot.names.values(name)
-    found = mentions(values, robot.path, robot.names.paths, robot.resolver)
+    own = {*robot.sources, *(robot.before.sources if robot.before else ())}
+    found = mentions(values, robot.path, own, robot.resolver)
     return [one.span for one in found if one.kind in kinds]
 
 
@@ -86,7 +98,7 @@ def renamable(robot: Robot, page: Page, offset: int) -> Name:
     Raises:
         CannotRename: with the reason.
     """
-    name = robot.names.at(page.source, offset)
+    name = _name(robot, page, offset)
     if name is None or name.kind == "package":
         raise CannotRename("there is no name here that can be changed")
     same = robot.names.same(name)

@@ -32,6 +32,8 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8
+#: Files that belong to robots of their package, and are none themselves.
+_NO_ROBOTS = (".yaml", ".yml")
 #: What takes too long for every key that is pressed.
 _SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
@@ -206,7 +208,7 @@ class Workspace:
         return self._configs[folder]
 
     def entries(self, path: str) -> tuple[EntryPoint, ...]:
-        """The robots that a file is part of; itself if there are none."""
+        """The robots that a file is part of; itself if there are none and it may be one."""
         if path not in self._entries:
             self._entries[path] = self._find_entries(path)
         return self._entries[path]
@@ -221,7 +223,7 @@ class Workspace:
         except UrdfkitError:
             return alone
         own = tuple(robot for robot in found if os.path.realpath(robot.file) == path)
-        return own or found or alone
+        return own or found or (() if path.endswith(_NO_ROBOTS) else alone)
 
     def robot(self, path: str) -> Robot:
         """The first robot that a file is part of.
@@ -229,6 +231,8 @@ class Workspace:
         Raises:
             UrdfkitError: its file cannot be read.
         """
+        if not self.entries(path):
+            raise UrdfkitError(f"{path} is part of no robot")
         entry = self.entries(path)[0]
         if entry.file not in self._robots:
             config, _ = self.config(path)

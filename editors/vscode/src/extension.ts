@@ -47,6 +47,8 @@ async function start(): Promise<void> {
       documentSelector: [
         { language: "urdf" },
         { scheme: "file", language: "xml", pattern: ROBOTS },
+        // Of controllers: what they name leads to the robot, and is renamed with it.
+        { scheme: "file", language: "yaml" },
       ],
     },
   );
