@@ -140,7 +140,7 @@ def test_absurd_sizes_give_a_page(size: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("limit", "reason"),
-    [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "triangles are more than")],
+    [("MAX_LINKS", "links are more than a page"), ("MAX_TRIANGLES", "it is coarse, for the robot")],
 )
 def test_a_robot_may_be_too_large_for_a_page(
     limit: str, reason: str, monkeypatch: pytest.MonkeyPatch
@@ -149,6 +149,7 @@ def test_a_robot_may_be_too_large_for_a_page(
     text, document = report(MISSION, quick=True)
     assert reason in document["missing"]["3D view"]
     assert reason in text
+    assert ('id="model"' in text) == (limit == "MAX_TRIANGLES")
 
 
 @pytest.mark.parametrize("content", ["", '<robot name="r"><link', '<robot name="r"/>'])

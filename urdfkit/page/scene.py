@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
 
-#: A page of more is too slow to open, or too large to send.
-MAX_LINKS, MAX_TRIANGLES = 5000, 3_000_000
+#: A page of more links is too slow to open, one of more triangles too large to send.
+MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
 
 
 class Scene(Record):
@@ -39,7 +39,7 @@ def surfaces(subject: Subject) -> Surfaces:
     """The triangles of a robot, for pictures and for the engine.
 
     Raises:
-        Unavailable: a library is not installed, or the robot is too large for a page.
+        Unavailable: a library is not installed, or the robot has too many links for a page.
     """
     if len(subject.model.links) > MAX_LINKS:
         raise Unavailable(f"{len(subject.model.links)} links are more than a page can show")
@@ -47,26 +47,21 @@ def surfaces(subject: Subject) -> Surfaces:
         from urdfkit.render import build as build_surfaces
     except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
-    built = build_surfaces(subject, roles=("visual", "collision"))
-    triangles = sum(len(item.faces) for item in built.items)
-    if triangles > MAX_TRIANGLES:
-        raise Unavailable(
-            f"{triangles} triangles are more than a page can carry: see urdfkit mesh simplify"
-        )
-    return built
+    return build_surfaces(subject, roles=("visual", "collision"))
 
 
 def build(subject: Subject, built: Surfaces) -> Scene:
-    """The scene of a robot.
+    """The scene of a robot; of one with very many triangles a coarse one.
 
     Args:
         subject: the robot.
         built: its triangles.
     """
+    from urdfkit.page.coarse import coarsened
     from urdfkit.page.gltf import write
 
     tree = subject.tree
-    model, triangles = write(built.items)
+    model, triangles = write(coarsened(built.items, MAX_TRIANGLES))
     names = list(tree.frames)  # parents before children, links of closed loops left out
     numbers = {name: number for number, name in enumerate(names)}
     robot = {

@@ -112,6 +112,11 @@ def drawn(told: Told, *, has_pictures: bool) -> tuple[dict[str, str], Scene | No
         return found, None
     if has_pictures:
         found |= drawings.pictures(built, subject, told.diagnostics)
+    triangles = sum(len(item.faces) for item in built.items)
+    if triangles > scene.MAX_TRIANGLES:
+        told.document["missing"]["3D view"] = (
+            f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
+        )
     return found, scene.build(subject, built)
 
 
