@@ -57,8 +57,8 @@ def build(subject: Subject, built: Surfaces) -> Scene:
         subject: the robot.
         built: its triangles.
     """
-    from urdfkit.page.coarse import coarsened
     from urdfkit.page.gltf import write
+    from urdfkit.render.coarse import coarsened
 
     tree = subject.tree
     model, triangles = write(coarsened(built.items, MAX_TRIANGLES))

@@ -7,7 +7,7 @@ import pytest
 np = pytest.importorskip("numpy")
 pytest.importorskip("PIL")
 
-from urdfkit.page.coarse import CELLS, coarsened
+from urdfkit.render.coarse import CELLS, coarsened
 from urdfkit.render.looks import PLAIN
 from urdfkit.render.scene import Item
 
