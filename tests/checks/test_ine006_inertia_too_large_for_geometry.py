@@ -54,6 +54,12 @@ def test_the_share_of_a_merged_body_is_told() -> None:
     assert message.endswith("; it is 25% of what a simulator merges into 'base'")
 
 
+def test_no_share_of_a_body_whose_other_links_are_frames() -> None:
+    robot = part("ball", 1, (0.1, 0.1, 0.1), BALL) + link("tool") + joint("ball", "tool")
+    (message,) = messages("INE006", robot)
+    assert "merges" not in message
+
+
 def test_copies_are_one_finding_and_one_fix() -> None:
     robot = part("a", 1, (7, 7, 7), BALL) + part("b", 0.1, (7, 7, 7), BALL)
     (found,) = told("INE006", robot)

@@ -85,7 +85,7 @@ def _radius(weighed: Weighed) -> str:
 
 def _share(weighed: Weighed, masses: Masses) -> str:
     """How much of a simulated body's inertia it is, if fixed joints make it a part of one."""
-    if len(weighed.body.links) < 2:
+    if sum(link.mass > 0 for link, _ in weighed.body.links) < 2:
         return ""
     share = weighed.moments[2] / masses.moments_of(weighed.body)[2]
     top = weighed.body.top.name
