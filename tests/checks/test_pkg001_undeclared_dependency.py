@@ -53,3 +53,13 @@ def test_a_file_outside_of_packages(tmp_path: Path) -> None:
     file = tmp_path / "r.urdf"
     file.write_text('<robot name="r"><link name="package://hand/x"/></robot>')
     assert check(file, select=["PKG001"]).diagnostics == ()
+
+
+def test_the_fix_stands_behind_dependencies_of_its_kind(tmp_path: Path) -> None:
+    lines = "\n  <run_depend>urdf</run_depend>\n  <test_depend>ament</test_depend>\n"
+    (found,) = told(tmp_path, HAND, lines)
+    assert found.fix is not None
+    (edit,) = found.fix.edits
+    text = edit.span.source.data.decode()
+    place = text.index("<run_depend>urdf</run_depend>") + len("<run_depend>urdf</run_depend>")
+    assert (edit.span.start, edit.text) == (place, "\n  <run_depend>hand</run_depend>")

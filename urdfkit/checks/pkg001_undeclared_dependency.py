@@ -83,7 +83,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _fix(source: Source, name: str) -> Fix | None:
-    """The dependency behind the last one, or before the end of the package."""
+    """The dependency behind the last of its kind, else of any, or at the end of the package."""
     root = read_xml(source)[0]
     if root is None or root.root.tag != "package":
         return None
@@ -91,6 +91,7 @@ def _fix(source: Source, name: str) -> Fix | None:
     tag = "exec_depend" if package.get("format") in ("2", "3") else "run_depend"
     line = f"<{tag}>{name}</{tag}>"
     others = [child for child in package.children if child.tag.endswith("depend")]
+    others = [child for child in others if child.tag == tag] or others
     edits = insert_after(others[-1], (line,)) if others else insert_last(package, (line,))
     return Fix(f"add {line} to package.xml", edits)
 
