@@ -62,6 +62,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"Gazebo drops {lost}: there is no link or joint '{reference.value}'",
                 f"did you mean '{meant}'?" if meant else "",
                 _fix(reference, meant) if meant else None,
+                alike="" if meant else "unlike any",
             )
 
 
