@@ -26,13 +26,23 @@
     box.textContent = "";
     for (const name of names) {
       const label = document.createElement("label");
-      const input = document.createElement("input");
+      const input = field(declared[name]);
       input.name = name;
-      input.value = input.defaultValue = declared[name];
+      input.dataset.was = declared[name];
       label.append(name, " ", input);
       box.append(label);
       if (name === kept) input.focus();
     }
+  }
+  function field(value) {
+    const input = document.createElement(/^(true|false)$/i.test(value) ? "select" : "input");
+    if (input.tagName === "SELECT") {
+      const spelt = value[0] === value[0].toUpperCase() ? ["True", "False"] : ["true", "false"];
+      input.append(...spelt.map((word) => new Option(word)));
+      input.addEventListener("change", () => form.requestSubmit());
+    }
+    input.value = value;
+    return input;
   }
   // Sections that are as they were stay: what the reader has opened, chosen and scrolled to, too.
   function renew(html) {
@@ -73,7 +83,7 @@
     if (state.error) tell(state.error, true);
     else if (!state.readable) tell(page.word("The file cannot be read; the 3D view shows it as it was."), true);
     else if (!state.whole) tell(`${time} · ${page.word("statics, collisions and pictures follow")} …`);
-    else tell(`${time} · ${state.files} ${page.word("files are watched")}`);
+    else tell(`${time} · ${page.word("watched files")}: ${state.files}`);
     page.revision = state.revision;
   }
   let turn = Promise.resolve();
@@ -85,7 +95,7 @@
     event.preventDefault();
     const given = {}; // what is not touched keeps its value
     for (const input of form.elements) {
-      if (input.name && input.value !== input.defaultValue) given[input.name] = input.value;
+      if (input.name && input.value !== input.dataset.was) given[input.name] = input.value;
     }
     await fetch("arguments", { method: "POST", body: JSON.stringify(given) });
   });

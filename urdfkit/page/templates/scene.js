@@ -63,12 +63,13 @@
     fill(nodes);
     pose();
     world.updateMatrixWorld(true);
+    const before = size;
     const box = measure();
     view.frame(box, size);
     explain(box);
     page.joints.show(robot.joints, pose);
     readFindings();
-    if (!stays) view.home();
+    if (!stays || size > 1.5 * before || before > 1.5 * size) view.home();
     select([...chosen].map((number) => robot.links[number] && robot.links[number].name).filter(Boolean), true);
     pose();
   }
