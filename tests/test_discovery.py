@@ -163,6 +163,23 @@ def test_includes_in_comments_do_not_count(tmp_path):
     assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 2
 
 
+def test_a_dangling_link_hides_no_robot(tmp_path):
+    (tmp_path / "a.urdf").symlink_to(tmp_path / "gone.urdf")
+    (tmp_path / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
+    assert check(tmp_path).files == (str(tmp_path / "b.urdf"),)
+
+
+def test_robots_of_a_folder_are_spelt_as_the_folder_was(tmp_path, monkeypatch):
+    (tmp_path / "robots").mkdir()
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "robots" / "b.urdf").write_text('<robot name="b"><link name="a"/></robot>')
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert check("../robots").files == ("../robots/b.urdf",)
+    assert check(tmp_path / "robots").files == (str(tmp_path / "robots" / "b.urdf"),)
+    monkeypatch.chdir(tmp_path)
+    assert check("robots").files == check(tmp_path / "robots").files == ("robots/b.urdf",)
+
+
 def test_files_that_include_each_other_are_bounded(tmp_path):
     write(tmp_path, "a.xacro", include("b.xacro") + '<link name="a"/>')
     write(tmp_path, "b.xacro", include("a.xacro") + '<link name="b"/>')

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 from urdfkit.diagnostic import Diagnostic, Edit, Report
 from urdfkit.editing import rewriting
 from urdfkit.editing.fixer import apply_edits, encoded
-from urdfkit.editing.rewriting import Rewrite, on_disk, shown
+from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.engine import check, subjects
 from urdfkit.errors import UrdfkitError
 from urdfkit.harm import Key, Watch, harm, key_of, real_path, useless
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 from urdfkit.workspace.resolve import Resolver
 

@@ -10,10 +10,10 @@ from urdfkit.discovery import descriptions
 from urdfkit.editing import rewriting
 from urdfkit.editing.fixer import encoded
 from urdfkit.editing.formatter import WIDTH, formatted
-from urdfkit.editing.rewriting import Rewrite, on_disk, shown
+from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.errors import UrdfkitError
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.workspace.ownership import Ownership
 from urdfkit.workspace.resolve import Resolver
 

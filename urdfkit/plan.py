@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from urdfkit.diagnostic import Skipped
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.resolve import Resolver
 
@@ -84,7 +84,8 @@ class Plan:
             from urdfkit.config import Config
             from urdfkit.discovery import discover
 
-            self.add_found(discover(os.fspath(file), self.config or Config(), self.resolver))
+            folder = os.fspath(file)
+            self._add_found(discover(folder, self.config or Config(), self.resolver), folder)
         else:
             self._add_file(os.fspath(file))
 
@@ -94,12 +95,12 @@ class Plan:
         from urdfkit.discovery import affected
 
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
-        self.add_found(affected(paths, self.config or Config(), self.resolver))
+        self._add_found(affected(paths, self.config or Config(), self.resolver), *paths[:1])
 
-    def add_found(self, found: Found) -> None:
-        """The entry points of a folder."""
+    def _add_found(self, found: Found, given: str = "") -> None:
+        """The entry points of a folder, or of what was given otherwise."""
         for robot in found.robots:
-            source = self.resolver.read(_shown(robot.file))
+            source = self.resolver.read(_spelt(robot.file, given))
             self._add(source, robot.name, robot.arguments, found=True)
         for library in found.libraries:
             reason = "makes no link itself, and no file includes it: check a robot that uses it"
@@ -128,7 +129,7 @@ class Plan:
         self.jobs.append(Job(source, "", self.arguments, False))
         launch = read_launch(source, self.resolver, self.arguments)
         for description in launch.descriptions:
-            robot = self.resolver.read(_shown(description.path))
+            robot = self.resolver.read(_spelt(description.path, source.path))
             common = self.config.arguments if self.config else {}
             arguments = {**common, **description.arguments}
             job = Job(robot, "", arguments, False, description.frame, launch.parameters)
@@ -140,6 +141,6 @@ class Plan:
         self.jobs.append(Job(source, name, every, found))
 
 
-def _shown(path: str) -> str:
-    """A path as a user would type it."""
-    return os.path.relpath(path)
+def _spelt(path: str, given: str) -> str:
+    """A path as a user would type it who typed another one."""
+    return shown(os.path.abspath(path)) if os.path.isabs(given) else os.path.relpath(path)

@@ -184,3 +184,16 @@ class Span(Record):
 
     def __repr__(self) -> str:
         return f"Span({self}, {self.text[:40]!r})"
+
+
+def shown(path: str) -> str:
+    """A path as a user would type it: from the current folder, if the file lies in it.
+
+    >>> shown(os.path.abspath("README.md")), shown("/etc/hosts")
+    ('README.md', '/etc/hosts')
+    """
+    try:
+        relative = os.path.relpath(path)
+    except (OSError, ValueError):  # the current folder is gone; another drive
+        return path
+    return path if relative.startswith(os.pardir) else relative

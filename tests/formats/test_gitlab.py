@@ -39,6 +39,11 @@ def test_severities(severity: Severity, name: str) -> None:
     assert issue["severity"] == name
 
 
+def test_text_stays_readable() -> None:
+    source = Source("roboter/ärmchen.urdf", b"<r/>")
+    assert '"path": "roboter/ärmchen.urdf"' in render(report(diagnostic(span(source, "r"))))
+
+
 def test_nothing_found_is_an_empty_list() -> None:
     assert render(report()) == "[]\n"
 

@@ -18,7 +18,7 @@ from urdfkit.config import Config, ConfigError
 from urdfkit.discovery import discover
 from urdfkit.engine import check
 from urdfkit.rule_packages import installed
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.subject import Subject
 from urdfkit.targets import Targets, parse
 from urdfkit.workspace.resolve import Resolver
@@ -72,7 +72,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     lines = [*_installed(), "", *_environment()]
     try:
         config = options.config(values, near)
-        lines.append(f"configuration: {_path(config.path) if config else 'none'}")
+        lines.append(f"configuration: {shown(config.path) if config else 'none'}")
     except ConfigError as error:
         if words:
             raise
@@ -112,9 +112,9 @@ def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     yield f"{path}: {len(found.robots)} robots{configured}"
     for robot in found.robots:
         words = [f"{name}:={value}" for name, value in robot.arguments.items()]
-        yield "  " + " ".join([_path(robot.file), *words])
+        yield "  " + " ".join([shown(robot.file), *words])
     for library in found.libraries:
-        yield f"  {_path(library)}: makes no link itself, and no file includes it"
+        yield f"  {shown(library)}: makes no link itself, and no file includes it"
 
 
 def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
@@ -141,8 +141,8 @@ def _packages(path: str, resolver: Resolver) -> Iterator[str]:
     workspace = resolver.packages.workspace(path)
     known = {**resolver.packages.known(path), **resolver.packages.explicit}
     inside = {name: at for name, at in known.items() if at.startswith(workspace)}
-    yield f"  workspace: {_path(workspace)}"
-    yield from (f"  package {name}: {_path(folder)}" for name, folder in sorted(inside.items()))
+    yield f"  workspace: {shown(workspace)}"
+    yield from (f"  package {name}: {shown(folder)}" for name, folder in sorted(inside.items()))
     if len(known) > len(inside):
         yield f"  and {len(known) - len(inside)} packages around it"
 
@@ -154,9 +154,3 @@ def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:
     inferred = subject.inferred_targets
     yield f"  targets: {', '.join(inferred.names) or 'none; name them with --target'}"
     yield from (f"    {reason}" for reason in inferred.evidence)
-
-
-def _path(path: str) -> str:
-    """From the current folder, where it lies in it."""
-    relative = os.path.relpath(path)
-    return path if relative.startswith(os.pardir) else relative

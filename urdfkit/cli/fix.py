@@ -13,6 +13,7 @@ from urdfkit.cli.checking import choices, fail_on, mend
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.fixing import Fixes
 from urdfkit.formats._layout import printable, wrap
+from urdfkit.source import shown
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "
@@ -80,10 +81,10 @@ def _applied(fixes: Fixes) -> Iterator[str]:
 
 def _meshes(fixes: Fixes, made: str) -> Iterator[str]:
     for mesh in fixes.meshes:
-        yield f"{made} {printable(output.shorter(mesh.path))}:"
+        yield f"{made} {printable(shown(mesh.path))}:"
         yield from output.indented(mesh.reason)
     for other in fixes.unmade:
-        yield f"cannot make {printable(output.shorter(other.path))}:"
+        yield f"cannot make {printable(shown(other.path))}:"
         yield from output.indented(other.reason)
 
 

@@ -15,6 +15,7 @@ from urdfkit.inertials.matter import SOURCES
 from urdfkit.inertials.proposals import Proposal, propose, rewrites
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.inertia import MassProperties
+from urdfkit.source import shown
 
 VERSION = 1
 
@@ -76,7 +77,7 @@ def command(
             lines += [line for file in files for line in file.diff().splitlines()]
         else:
             rewriting.write(files)
-            lines += [f"wrote {output.shorter(file.path)}" for file in files]
+            lines += [f"wrote {shown(file.path)}" for file in files]
         lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
         lines = lines or ["nothing to write"]
     elif form == "json":

@@ -18,6 +18,7 @@ from urdfkit.jsontext import dumped
 from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.meshes.facts import counted
 from urdfkit.overview import Overview, Shapes, Structure, summarise
+from urdfkit.source import shown
 
 VERSION = 1
 
@@ -59,7 +60,7 @@ def command(
 def render(found: Overview) -> Iterator[str]:
     """The lines of the page."""
     kind = "xacro" if found.is_xacro else "URDF"
-    yield f"{found.name or '(no name)'}: {kind}, {os.path.relpath(found.file)}"
+    yield f"{found.name or '(no name)'}: {kind}, {shown(found.file)}"
     targets = ", ".join(found.targets) or "not known; name it with --target when you check"
     yield from _entry("target", targets)
     yield ""

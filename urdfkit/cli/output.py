@@ -64,15 +64,6 @@ def write(text: str) -> None:
             raise UnwritableFile(f"standard output: {error.strerror or error}") from error
 
 
-def shorter(path: str) -> str:
-    """A path from the current folder, where it lies in it."""
-    try:
-        relative = os.path.relpath(path)
-    except (OSError, ValueError):  # the current folder is gone; another drive
-        return path
-    return path if relative.startswith(os.pardir) else relative
-
-
 def labelled(label: str, text: str) -> list[str]:
     """A text behind a word, in lines no wider than the terminal."""
     lines = indented(text, first=f"  {label:<10} ", rest=" " * 13)

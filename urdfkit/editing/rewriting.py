@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import os
 from collections.abc import Iterable
 
 from urdfkit import atomic
@@ -58,9 +57,3 @@ def on_disk(path: str) -> bytes | None:
             return file.read()
     except (OSError, ValueError):
         return None
-
-
-def shown(path: str) -> str:
-    """A path as a user would type it, who is in a folder above the file or elsewhere."""
-    relative = os.path.relpath(path)
-    return path if relative.startswith(os.pardir) else relative

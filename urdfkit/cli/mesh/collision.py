@@ -10,6 +10,7 @@ from urdfkit.assets.collision_shapes import Proposal, edited, propose
 from urdfkit.cli import options, output, progress
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.source import shown
 
 
 @click.command("collision")
@@ -49,9 +50,9 @@ def command(
         left = found.left
         if diff:
             lines = [*"".join(file.diff() for file in found.files).splitlines()]
-            lines += [f"# new file {output.shorter(path)}" for path in found.meshes]
+            lines += [f"# new file {shown(path)}" for path in found.meshes]
         else:
-            lines += [f"wrote {output.shorter(path)}" for path in found.write()]
+            lines += [f"wrote {shown(path)}" for path in found.write()]
         lines += [f"link '{name}' stays as it is: {reason}" for name, reason in left.items()]
     output.write("\n".join(lines) + "\n")
     return int(bool(left))

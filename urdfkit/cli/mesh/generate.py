@@ -10,6 +10,7 @@ from urdfkit.assets.stand_ins import StandIn, Undone, generate, generate_missing
 from urdfkit.cli import options, output
 from urdfkit.cli.robot import robot
 from urdfkit.meshes.parts import PARTS
+from urdfkit.source import shown
 from urdfkit.spatial import Vector
 
 _PARTS = {part.module: part for part in PARTS}
@@ -85,11 +86,11 @@ def render(made: list[StandIn], undone: tuple[Undone, ...], dry_run: bool) -> It
     if not made and not undone:
         yield "nothing is missing"
     for one in made:
-        yield f"{'would write' if dry_run else 'wrote'} {output.shorter(one.path)}"
+        yield f"{'would write' if dry_run else 'wrote'} {shown(one.path)}"
         yield from output.indented(f"the file {one.defect}")
         yield from output.indented(one.reason)
         yield f"  {len(one.mesh.faces)} triangles, {len(one.mesh.parts)} materials"
     for other in undone:
-        yield f"cannot make {output.shorter(other.path)}"
+        yield f"cannot make {shown(other.path)}"
         yield from output.indented(f"the file {other.defect}")
         yield from output.indented(other.reason)

@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.meshes.geometry import Mesh
 from urdfkit.meshes.writers import glb, losses, refuse_good, write
+from urdfkit.source import shown
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -46,7 +47,7 @@ def save(mesh: Mesh, path: str | None) -> Iterator[str]:
     if path is None:
         yield "nothing is written; --output OUT or --write does"
         return
-    yield "wrote " + ", ".join(map(output.shorter, write(mesh, path)))
+    yield "wrote " + ", ".join(map(shown, write(mesh, path)))
     if lost := losses(mesh, path):
         yield f"  this format cannot hold: {', '.join(lost)}"
     if path.lower().endswith(".glb"):
