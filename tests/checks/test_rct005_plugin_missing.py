@@ -46,3 +46,17 @@ def test_a_transmission_without_plugin() -> None:
     ]
     given = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
     assert told("RCT005", ROBOT + control(driven("swing"), given)) == []
+
+
+@pytest.mark.parametrize(
+    ("hardware", "number"),
+    [
+        (f'<hardware><xacro:if value="0">{PLUGIN}</xacro:if></hardware>', 0),
+        (f'<xacro:unless value="1"><hardware>{PLUGIN}</hardware></xacro:unless>', 0),
+        ('<hardware><xacro:if value="1"><param name="rate">5</param></xacro:if></hardware>', 1),
+    ],
+)
+def test_the_choice_of_arguments(hardware: str, number: int) -> None:
+    text = GOOD.replace(f"<hardware>{PLUGIN}</hardware>", hardware)
+    robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>'
+    assert len(told("RCT005", robot)) == number

@@ -1,7 +1,8 @@
 """A block of ros2_control names no hardware plugin.
 
 The parser stops with an exception, and the controller manager does not start. Name the class of the
-hardware; `mock_components/GenericSystem` is one for tests without hardware.
+hardware; `mock_components/GenericSystem` is one for tests without hardware. A block that leaves the
+choice to arguments of xacro is passed over.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -10,6 +11,7 @@ Sources:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
@@ -18,6 +20,7 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -41,6 +44,12 @@ GOOD = BAD.replace(
 )
 
 
+#: A plugin, or all of the hardware, within a condition.
+_CONDITIONAL = re.compile(
+    r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
+)
+
+
 @rule(
     "RCT005",
     "plugin-missing",
@@ -50,6 +59,8 @@ GOOD = BAD.replace(
 def check(subject: Subject) -> Iterator[Finding]:
     for component in components(subject.model):
         hardware = component.at.child("hardware")
+        if component.plugin is None and _is_left_to_arguments(component.at):
+            continue
         if hardware is None:
             yield Finding(component.at, f"{component.called} has no <hardware>")
         elif component.plugin is None:
@@ -64,3 +75,11 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"transmission '{transmission.get('name') or ''}' names no <plugin>",
                     "write <plugin>transmission_interface/SimpleTransmission</plugin> into it",
                 )
+
+
+def _is_left_to_arguments(component: Element) -> bool:
+    """True if the block names a plugin behind a condition that does not hold here.
+
+    Such a robot is started with other arguments, and without them it only shows itself.
+    """
+    return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
