@@ -78,6 +78,7 @@ class TestText:
             ("]]>", "]]>", "']]>' in a text must be written ']]&gt;'"),
             ("\x01", "\x01", "the control character U+0001 is not allowed in XML"),
             ("\0", "\0", "the control character U+0000 is not allowed in XML"),
+            ("a </1 b", "</", "'</' begins no end tag: a name must follow"),
             ("< link/>", "< link", "no blank may stand between '<' and 'link'"),
         ],
     )

@@ -9,7 +9,7 @@ from tests.srdfs import ROBOT
 from urdfkit import check
 from urdfkit.reading import read_xml
 from urdfkit.source import Source
-from urdfkit.srdf import Srdf
+from urdfkit.srdf import Srdf, find
 from urdfkit.subject import Subject
 from urdfkit.workspace.beside import srdf_files
 from urdfkit.workspace.resolve import Resolver
@@ -43,6 +43,27 @@ def test_what_cannot_be_read_is_no_srdf(tmp_path, text):
     (tmp_path / "r.urdf").write_text(ROBOT)
     (tmp_path / "r.srdf").write_text(text)
     assert check(tmp_path / "r.urdf", select=["SRD"]).diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("names", "chosen"),
+    [
+        (["r"], "a.srdf"),
+        (["other"], "a.srdf"),  # SRD011 tells that it has another name
+        (["other", "r"], "b.srdf"),
+        (["other", "another"], None),
+        (["r", "r"], None),
+        (["r", "other", "r"], None),
+    ],
+)
+def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names, chosen):
+    robot = tmp_path / "r.urdf"
+    robot.write_text(ROBOT)
+    for letter, name in zip("abc", names, strict=False):
+        (tmp_path / f"{letter}.srdf").write_text(f'<robot name="{name}"/>')
+    resolver = Resolver(environment={})
+    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    assert (found and Path(found.path).name) == chosen
 
 
 def srdf(text: str) -> Srdf:

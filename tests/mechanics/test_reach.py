@@ -65,6 +65,18 @@ def test_a_slide_goes_to_the_end_that_is_farther() -> None:
     assert found.pose["j1"] == -0.7
 
 
+def test_of_two_arms_the_longer_one_is_told() -> None:
+    """An arm may be longer by what it slides alone, which must not be left out."""
+    slide = '<axis xyz="1 0 0"/><limit lower="0" upper="5" effort="1" velocity="1"/>'
+    long = chain(("continuous", "0 0 0", Z), ("prismatic", "0.1 0 0", slide))
+    short = chain(("continuous", "0 0 0", Z), ("continuous", "2 0 0", Z))
+    renamed = short.replace('"l0"', '"root"').replace('"l', '"s').replace('"j', '"k')
+    both = long + renamed.replace('<link name="root"/>', "").replace('"root"', '"l0"')
+    found = reach(tree(both))
+    assert found is not None
+    assert (found.link, round(found.distance, 9)) == ("l2", 5.1)
+
+
 @pytest.mark.parametrize(
     "text",
     [
