@@ -9,10 +9,7 @@ from collections.abc import Collection, Iterable
 _LONGEST = 200
 
 #: What tells siblings apart.
-_SIDES = (
-    r"(?i)(?<![a-z])(?:left|right|front|rear|back|upper|lower|inner|outer|[fr][lr]|[lr])(?![a-z])"
-    r"|\d+"
-)
+_SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
 
 
 def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
@@ -71,5 +68,10 @@ class Speller:
 
 
 def _are_siblings(word: str, other: str) -> bool:
-    sides, others = re.findall(_SIDES, word), re.findall(_SIDES, other)
+    sides, others = _sides(word), _sides(other)
     return bool(sides and others and sides != others)
+
+
+def _sides(name: str) -> list[str]:
+    parts = re.findall(r"[a-z]+|\d+", name.casefold())
+    return [part for part in parts if part in _SIDES or part.isdigit()]

@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.model import number
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -58,6 +59,8 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _wrong(parameter: Parameter, text: str) -> tuple[str, str] | None:
     """What is read instead, and what to write."""
     if parameter.type in ("float", "int"):
+        if number(text) is not None:
+            return None
         found = re.match(_NUMBER, text, re.IGNORECASE)
         if found is None:
             return "and no number", "write a number"

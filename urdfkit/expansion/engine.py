@@ -175,8 +175,9 @@ class Engine:
             stock_macro(elt, macros)
 
         def handle_macro_call(node: Node, macros: Any, symbols: Any) -> bool:
-            if node.tagName.startswith("xacro:"):
-                self._run.enter_call(len(xacro.macrostack))
+            if not node.tagName.startswith("xacro:"):
+                return False
+            self._run.enter_call(len(xacro.macrostack))
             return bool(stock_call(node, macros, symbols))
 
         def is_valid_name(name: str) -> bool:
