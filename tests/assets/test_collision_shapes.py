@@ -131,3 +131,32 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     flat = trimesh.Trimesh(np.eye(3), [[0, 1, 2]])
     assert main(["mesh", "collision", str(robot(tmp_path, link(), flat)), "--write"]) == 1
     assert "stays as it is: all points lie in a plane" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("kind", "axis", "origin", "taken"),
+    [
+        ("continuous", "0 0 1", "0 0 0.02", "cylinder"),
+        ("continuous", "0 0 -2", "0 0 0", "cylinder"),
+        ("continuous", "1 0 0", "0 0 0", "pieces"),
+        ("continuous", "0 0 1", "0.05 0 0", "pieces"),
+        ("revolute", "0 0 1", "0 0 0", "pieces"),
+    ],
+)
+def test_a_wheel_rolls_on_a_cylinder(
+    kind: str, axis: str, origin: str, taken: str, tmp_path: Path
+) -> None:
+    """A tyre without a hub: every solid shape around it sticks out by far."""
+    write(as_mesh(trimesh.creation.annulus(0.07, 0.1, 0.04, sections=48)), tmp_path / "a.stl")
+    (tmp_path / "r.urdf").write_text(
+        '<robot name="r"><link name="base"/><link name="wheel"><visual>'
+        f'<origin xyz="{origin}"/><geometry><mesh filename="a.stl"/></geometry></visual></link>'
+        f'<joint name="j" type="{kind}"><parent link="base"/><child link="wheel"/>'
+        f'<axis xyz="{axis}"/></joint></robot>'
+    )
+    (proposal,) = propose(read(tmp_path / "r.urdf"))
+    (fits,) = proposal.fits
+    assert fits.best.kind == taken
+    assert bool(fits.why) == (taken == "cylinder")
+    if taken == "cylinder":
+        assert fits.best.size[:2] == pytest.approx((0.1, 0.04), rel=1e-3)

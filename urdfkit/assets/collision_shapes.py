@@ -15,7 +15,7 @@ from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.inertials.proposals import UnknownLink
 from urdfkit.model import Body, Link
 from urdfkit.record import Record
-from urdfkit.spatial import Frame, to_rpy
+from urdfkit.spatial import Frame, Vector, rotate, to_rpy, transposed
 
 if TYPE_CHECKING:
     from urdfkit.meshes.fitting import Fits
@@ -132,7 +132,7 @@ def _proposal(
     fitted: dict[tuple[object, ...], Fits],
 ) -> Proposal:
     """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
-    from urdfkit.meshes.fitting import fit
+    from urdfkit.meshes.fitting import fit, rolling
     from urdfkit.meshes.hull import NoHull
     from urdfkit.meshes.repair.soup import soup_of
 
@@ -149,11 +149,27 @@ def _proposal(
                 fitted[key] = fit(mesh, bound, most=most)
         except NoHull as reason:
             return Proposal(link, link.visuals, (), (), str(reason))
-        fits.append(fitted[key])
+        axle = _axle(subject, link, body)
+        fits.append(rolling(fitted[key], mesh, *axle) if axle else fitted[key])
         bounds.append(bound)
     if not fits:
         return Proposal(link, (), (), (), "it has no visual")
     return Proposal(link, link.visuals, tuple(fits), tuple(bounds))
+
+
+def _axle(subject: Subject, link: Link, body: Body) -> tuple[Vector, Vector] | None:
+    """The axis of the continuous joint of a link, and a point of it, in the frame of a shape."""
+    joints = subject.tree.parents.get(link.name, [])
+    turning = [joint for joint in joints if joint.kind == "continuous"]
+    if not turning:
+        return None
+    x, y, z = turning[0].axis.value if turning[0].axis else (1.0, 0.0, 0.0)
+    length = (x * x + y * y + z * z) ** 0.5
+    if not length:
+        return None
+    back = transposed(body.origin.rotation)
+    a, b, c = body.origin.position
+    return rotate(back, (x / length, y / length, z / length)), rotate(back, (-a, -b, -c))
 
 
 def edited(subject: Subject, proposals: Iterable[Proposal]) -> Edited:

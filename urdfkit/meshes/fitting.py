@@ -22,6 +22,9 @@ from urdfkit.spatial import Frame, Rotation, Vector
 _SMALLEST = 1e-6
 #: A box along the axes is taken if it is larger than the smallest one by no more than this.
 _ALONG_AXES = 1.03
+#: A wheel: the cosine between the axes, their distance as a part of the radius, and the part of the
+#: circle around it that its outline fills.
+_ALONG, _BESIDE, _ROUND = 0.99, 0.1, 0.95
 
 
 class Fit(Record):
@@ -49,11 +52,38 @@ class Fits(Record):
         best: the simplest within the bound, else that with the smallest error.
         tried: all of them.
         within: True if the best one is within the bound.
+        why: another reason to take the best one; empty for none.
     """
 
     best: Fit
     tried: tuple[Fit, ...]
     within: bool
+    why: str = ""
+
+
+def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
+    """The cylinder, for what turns about it and is round: hubs and grooves do not touch the ground.
+
+    Args:
+        fits: of the mesh.
+        mesh: that was fitted.
+        axis: that it turns about; a unit vector.
+        through: a point of that axis.
+    """
+    from scipy.spatial import ConvexHull
+
+    cylinder = next(one for one in fits.tried if one.kind == "cylinder")
+    radius = cylinder.size[0]
+    rows = _with_z(np.asarray(axis, dtype=float))
+    offset = np.subtract(cylinder.frame.position, through)
+    beside = float(np.linalg.norm((rows @ offset)[:2]))
+    along = abs(float(np.dot(axis, [row[2] for row in cylinder.frame.rotation])))
+    if along < _ALONG or beside > _BESIDE * radius:
+        return fits
+    seen = mesh.vertices @ rows.T
+    if ConvexHull(seen[:, :2]).volume < _ROUND * np.pi * radius**2:
+        return fits
+    return fits._replace(best=cylinder, why="it is round and turns about its axis")
 
 
 def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:

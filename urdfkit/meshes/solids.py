@@ -11,7 +11,7 @@ from math import cos, pi, sin
 import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
 
-from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
+from urdfkit.meshes.geometry import Floats, Material, Mesh, Part
 from urdfkit.meshes.shading import shaded
 from urdfkit.spatial import Vector
 
@@ -63,23 +63,28 @@ def _united(solids: Sequence[Manifold]) -> Manifold:
 
 
 def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
-    """What of some solids lies outside of a mesh; all of them, if that is none itself.
+    """What of some solids lies outside of those that a mesh consists of.
 
     Args:
         pieces: each part a solid; they may overlap.
-        mesh: any.
+        mesh: any; what of it is no solid is passed over.
     """
+    from urdfkit.meshes.edges import Edges, three_cornered
+    from urdfkit.meshes.overlap import bodies
+    from urdfkit.meshes.pieces import take_apart
     from urdfkit.meshes.welding import weld
 
-    solids = [_solid(part.vertices, part.faces) for part in pieces.parts]
-    whole = Manifold.batch_boolean(solids, OpType.Add)
-    inside = _solid(*weld(mesh.vertices, mesh.faces))
-    return as_mesh(whole if inside.is_empty() else whole - inside)
-
-
-def _solid(vertices: Floats, faces: Integers) -> Manifold:
-    """Empty, if the triangles are none."""
-    return Manifold(Mesh64(vertices, faces.astype(np.uint64)))
+    whole = Manifold.batch_boolean(
+        [Manifold(Mesh64(part.vertices, part.faces.astype(np.uint64))) for part in pieces.parts],
+        OpType.Add,
+    )
+    # A part may be a solid of its own that touches others, or one colour of a whole.
+    for one in (mesh, *(mesh._replace(parts=(part,)) for part in mesh.parts)):
+        places, faces = weld(one.vertices, one.faces)
+        edges = Edges(faces[three_cornered(faces)])
+        for body in bodies(places, edges.faces, take_apart(places, edges)):
+            whole = whole - body
+    return as_mesh(whole)
 
 
 def as_mesh(solid: Manifold, material: Material | None = None) -> Mesh:

@@ -70,6 +70,6 @@ def render(proposals: Sequence[Proposal]) -> Iterator[str]:
             tried = ", ".join(f"{one.kind} {tables.length(one.error)}" for one in fits.tried)
             yield from output.indented(f"sticks out by: {tried}")
             verdict = "within" if fits.within else "nothing is within"
-            limit = tables.length(bound)
             taken = f"{len(fits.best.mesh.parts)} pieces" if fits.best.kind == "pieces" else ""
-            yield f"  taken: {taken or fits.best.kind} ({verdict} {limit})"
+            why = fits.why or f"{verdict} {tables.length(bound)}"
+            yield f"  taken: {taken or fits.best.kind} ({why})"
