@@ -262,26 +262,35 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     It is as large as a shape that the link has beside, or a mesh; else it reaches to the joints
     that hang on the link.
     """
+    size, frame = _room(subject, link, body, least)
+    edges = np.array(size, dtype=np.float32)
+    vertices, faces, _, uv = primitives.box(*size)
+    assert uv is not None
+    side = np.arange(6) % 3  # the stripes are as wide and as steep on every side
+    shown = np.stack((edges[(side + 1) % 3], edges[(side + 2) % 3]), axis=1)
+    uv = (uv.reshape(6, 4, 2) * (shown / max(edges.max(), 1e-9))[:, None]).reshape(-1, 2)
+    label = f"missing: {os.path.basename(_filename(body.shape))}"
+    return Item(link.name, role, label, PLACEHOLDER, placed(vertices, frame), faces, None, uv)
+
+
+def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vector, Frame]:
+    """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
-    known = next((half for half in halves if half), None)
+    if known := next((half for half in halves if half), None):
+        x, y, z = known
+        return (2 * x, 2 * y, 2 * z), body.origin
     extents = (_extent(subject, other) for other in bodies)
-    around = None if known else next((ends for ends in extents if ends), None)
-    if known:
-        vertices, faces, _, uv = primitives.box(*(2 * part for part in known))
-        vertices = placed(vertices, body.origin)
-    elif around:
-        vertices, faces, _, uv = primitives.box(*(around[1] - around[0]))
-        vertices = vertices + (around[0] + around[1]) / 2
+    if around := next((ends for ends in extents if ends), None):
+        lowest, highest = around
+        edges = highest - lowest
     else:
         joints = [joint.origin.position for joint in subject.tree.children[link.name]]
         ends = np.array([(0.0, 0.0, 0.0), *joints])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
-        extent = np.maximum(highest - lowest, least)
-        vertices, faces, _, uv = primitives.box(*extent)
-        vertices = vertices + ((lowest + highest) / 2).astype(np.float32)
-    label = f"missing: {os.path.basename(_filename(body.shape))}"
-    return Item(link.name, role, label, PLACEHOLDER, vertices, faces, None, uv)
+        edges = np.maximum(highest - lowest, least)
+    (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
+    return (x, y, z), Frame(position=(a, b, c))
 
 
 def _extent(subject: Subject, body: Body) -> tuple[Floats, Floats] | None:
