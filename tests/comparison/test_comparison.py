@@ -63,6 +63,12 @@ def test_the_same_robot_does_not_differ(pair: Path) -> None:
     assert as_text.render(found).splitlines() == ["a/arm.urdf -> b/arm.urdf", "no differences"]
 
 
+def test_progress_is_told_in_steps(pair: Path) -> None:
+    told: list[tuple[int, int]] = []
+    compare("a/arm.urdf", "b/arm.urdf", progress=lambda done, total: told.append((done, total)))
+    assert told == [(0, 3), (1, 3), (2, 3)]
+
+
 def test_a_frame_that_moved_carries_what_hangs_on_it(pair: Path) -> None:
     """The flange is 0.5 m from the shoulder: turned by t, it moves by 2 * 0.5 * sin(t / 2)."""
     turn = 0.1

@@ -10,6 +10,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output
+from urdfkit.cli.progress import shown
 from urdfkit.comparison import KINDS, compare
 from urdfkit.differences import Tolerances
 from urdfkit.page.words import LANGUAGES
@@ -80,16 +81,18 @@ def command(
             raise options.UsageError("--lang is for HTML: write -o diff.html, or --format html")
         render = partial(render, language=lang)
     counted = _kinds(fail_on)
-    comparison = compare(
-        *files,
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        tolerances=_tolerances(tolerance),
-        targets=options.words(values, "target"),
-        trust=trust,
-        config=options.config(values, _near(files)),
-        has_pictures=name == "html",
-    )
+    with shown("steps") as bar:
+        comparison = compare(
+            *files,
+            arguments=options.arguments(values),
+            packages=options.packages(values),
+            tolerances=_tolerances(tolerance),
+            targets=options.words(values, "target"),
+            trust=trust,
+            config=options.config(values, _near(files)),
+            has_pictures=name == "html",
+            progress=bar,
+        )
     if target:
         atomic.write(target, output.encode(render(comparison)))
     else:

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20
 
+#: Letters of a tag that are shown: a macro may be called with twenty arguments.
+_MOST = 100
+
 
 @click.command("trace")
 @click.argument("file")
@@ -100,4 +103,5 @@ def _calls(via: tuple[Step, ...]) -> Iterator[str]:
 
 
 def _one_line(span: Span) -> str:
-    return " ".join(span.text.split())
+    text = " ".join(span.text.split())
+    return text if len(text) <= _MOST else f"{text[:_MOST]}..."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import dist
 from typing import TYPE_CHECKING
 
@@ -93,6 +93,7 @@ def compare(
     trust: bool = False,
     config: Config | None = None,
     has_pictures: bool = False,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
     """What became of a robot.
 
@@ -107,15 +108,20 @@ def compare(
         trust: let expressions of the models run unfenced and read any file.
         config: settings of the project.
         has_pictures: draw both states, if the libraries for it are installed.
+        progress: is told how many steps are done, and of how many.
 
     Raises:
         UnreadableFile: a file is missing.
         UnreadableRobot: a state cannot be read; with every reason.
         UrdfkitError: there is no such revision, or git is not there.
     """
+    tell = progress or (lambda done, total: None)
+    steps = 4 if has_pictures else 3
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
-        states = [
-            read(
+        states: list[State] = []
+        for word, name in ((before, "before"), (after, "after")):
+            tell(len(states), steps)
+            state = read(
                 word,
                 os.path.join(os.path.realpath(folder), name),
                 arguments=arguments,
@@ -124,12 +130,13 @@ def compare(
                 trust=trust,
                 config=config,
             )
-            for word, name in ((before, "before"), (after, "after"))
-        ]
+            states.append(state)
+        tell(2, steps)
         found = _compare(states[0], states[1], tolerances or Tolerances())
         if has_pictures:
             from urdfkit.comparison.pictures import pictures
 
+            tell(3, steps)
             drawn = pictures(states[0].subject, states[1].subject, found)
             found = found._replace(pictures=drawn)
         for state in states:

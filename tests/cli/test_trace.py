@@ -1,0 +1,61 @@
+"""The trace command: from a value back to the number that somebody wrote."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.cli import main
+
+ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="half" value="0.5"/>
+  <xacro:macro name="ball" params="name mass colour:=red note:=''">
+    <link name="${name}"><inertial><mass value="${2*mass}"/></inertial></link>
+  </xacro:macro>
+  <xacro:ball name="a" mass="${half}" note="%s"/>
+</robot>
+"""
+
+
+def trace(
+    folder: Path, capsys: pytest.CaptureFixture[str], address: str, note: str = ""
+) -> list[str]:
+    file = folder / "r.xacro"
+    file.write_text(ROBOT % note, encoding="utf-8")
+    assert main(["trace", str(file), address]) == 0
+    return capsys.readouterr().out.replace(str(file), "FILE").splitlines()
+
+
+def test_a_value_is_followed_through_arguments_to_a_property(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert trace(tmp_path, capsys, "link/a/inertial/mass@value") == [
+        "link/a/inertial/mass@value = 1.0",
+        '  FILE:4:49  value="${2*mass}"',
+        "    mass = 0.5  (argument)  FILE:6:30",
+        "        ${half}",
+        "      half = 0.5  (property)  FILE:2:38",
+        '  called at FILE:6:3  <xacro:ball name="a" mass="${half}" note=""/>',
+    ]
+
+
+def test_a_call_with_many_arguments_is_cut(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (*_, last) = trace(tmp_path, capsys, "link/a", note="long " * 100)
+    assert last.startswith('  called at FILE:6:3  <xacro:ball name="a" mass="${half}" note="long ')
+    assert last.endswith("...")
+    assert len(last) < 130
+
+
+@pytest.mark.parametrize("address", ["link/b", "link/a@nothing"])
+def test_what_is_not_there_is_said(
+    address: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "r.xacro"
+    file.write_text(ROBOT % "", encoding="utf-8")
+    assert main(["trace", str(file), address]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("error: ")
