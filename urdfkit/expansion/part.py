@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from urdfkit.reading import Problem
-from urdfkit.source import Span
+from urdfkit.source import Span, shown
 from urdfkit.workspace.includes import top_includer
 
 if TYPE_CHECKING:
@@ -51,4 +51,4 @@ def _lacking(problem: Problem) -> str:
 
 
 def _help(top: str) -> str:
-    return f"check the robot instead: urdfkit check {os.path.relpath(top)}" if top else ""
+    return f"check the robot instead: urdfkit check {shown(top)}" if top else ""
