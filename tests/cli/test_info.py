@@ -91,7 +91,7 @@ def test_a_robot_that_cannot_be_read_says_why(
     told = capsys.readouterr().err
     assert told.startswith(f"error: {file}:1:")
     assert "'nothing'" in told
-    assert told.endswith(f", and 1 more; see 'urdfkit check {file}'\n")
+    assert told.endswith(f"; see 'urdfkit check {file}', which tells 1 error more\n")
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import options
 from urdfkit.errors import UnreadableRobot
 from urdfkit.loading import read
+from urdfkit.meshes.facts import counted
 from urdfkit.subject import Subject
 
 if TYPE_CHECKING:
@@ -72,6 +73,7 @@ def _first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
     problems = cast("tuple[Problem, ...]", error.problems)
     if not problems:
         return error
-    first, more = problems[0], "" if len(problems) == 1 else f", and {len(problems) - 1} more"
-    text = f"{first.span}: {first.message}{more}; see 'urdfkit check {file}'"
+    first, others = problems[0], len(problems) - 1
+    more = f", which tells {counted(others, 'error')} more" if others else ""
+    text = f"{first.span}: {first.message}; see 'urdfkit check {file}'{more}"
     return UnreadableRobot(text, problems)
