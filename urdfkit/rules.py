@@ -42,7 +42,7 @@ TOLD_BY_GRAMMAR = frozenset(
 #: Rules that only tell what is wrong with the mesh files; imported likewise.
 TOLD_BY_FILES = frozenset(
     "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH013 MSH014 "
-    "MSH018 MSH024 MSH025 MSH026 MSH027 MSH030 MSH035".split()
+    "MSH018 MSH036 MSH024 MSH025 MSH026 MSH027 MSH030 MSH035".split()
 )
 
 #: Rules that only tell what is doubtful about the triangles of meshes; imported likewise.

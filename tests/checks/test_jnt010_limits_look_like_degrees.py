@@ -85,3 +85,12 @@ def test_what_an_expression_gave_is_not_edited() -> None:
     assert [found.fix for found in told("JNT010", text, "robot.xacro")] == [None]
     right = of_xacro(robot(joint("j", "revolute", limit("${radians(-90)}", "${pi/2}"))))
     assert told("JNT010", right, "robot.xacro") == []
+
+
+def test_one_joint_in_degrees_among_others_in_radians() -> None:
+    small = [joint(f"j{n}", "revolute", limit("-2", "2")) for n in range(2)]
+    odd = joint("odd", "revolute", limit("-137", "137"))
+    assert len(messages("JNT010", robot(*small, odd))) == 1
+    assert messages("JNT010", robot(odd)) == []
+    free = joint("free", "revolute", limit("-100", "100"))
+    assert messages("JNT010", robot(*small, free)) == []

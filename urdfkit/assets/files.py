@@ -143,6 +143,8 @@ class Files:
                 codes.add("MSH003")
             if "\\" in mesh.at.value:
                 codes.add("MSH004")
+            if mesh.located.scheme not in ("package", "model", "absolute", "relative"):
+                codes.add("MSH036")
             if ".." in mesh.located.relative:
                 codes.add("MSH006")
             if mesh.facts and mesh.located.path:

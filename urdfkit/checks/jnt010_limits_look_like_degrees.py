@@ -40,6 +40,7 @@ FIXED = GOOD
 
 #: Further than two turns to one side, in rad.
 _FAR = 4 * pi
+_ONE_TURN = 7.0
 
 #: Angles that have a name of their own.
 _NAMED = frozenset((45, 90, 135, 180, 270, 360))
@@ -62,9 +63,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         if ends and joint.kind == "revolute" and _whole(ends) and max(map(abs, ends)) > _FAR:
             suspects.append((joint, ends))
     sizes = {abs(end) for _, ends in suspects for end in ends if end}
+    rest = [ends for joint in subject.model.joints if (ends := _small(joint))]
+    lonely = len(rest) >= max(2, len(suspects)) and not sizes & _ROUND
     many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
     for joint, (lower, upper) in suspects:
-        if not many and not {abs(lower), abs(upper)} & _NAMED:
+        if not (many or lonely) and not {abs(lower), abs(upper)} & _NAMED:
             continue
         assert joint.limit is not None
         turns = max(abs(lower), abs(upper)) / (2 * pi)
@@ -75,6 +78,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             fix=_in_radians(joint),
             confidence=Confidence.INFERRED,
         )
+
+
+def _small(joint: Joint) -> tuple[float, float] | None:
+    """The limits of a joint that turns about once at most: there somebody thought in radians."""
+    ends = bounds(joint)
+    is_small = ends is not None and 0 < max(map(abs, ends)) < _ONE_TURN
+    return ends if joint.kind == "revolute" and is_small else None
 
 
 def _whole(ends: tuple[float, float]) -> bool:

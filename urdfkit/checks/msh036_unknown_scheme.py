@@ -1,0 +1,72 @@
+"""A mesh reference begins with a scheme that no reader knows.
+
+`package://`, `model://` and `file://` lead to files. A misspelt one leads nowhere: RViz and Gazebo
+write "could not load resource" and draw nothing. Meshes on the web, which RViz alone fetches, are
+left alone.
+
+Sources:
+    URDF, link: https://wiki.ros.org/urdf/XML/link
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.editing.edits import replace_value
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <geometry><mesh filename="packge://arm_description/meshes/forearm.stl"/></geometry>
+  </visual>
+</link>"""
+FIXED = GOOD = BAD.replace("packge", "package")
+PLATE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+FILES = {
+    "package.xml": b"<package><name>arm_description</name></package>",
+    "meshes/forearm.stl": PLATE,
+}
+
+_KNOWN = ("package", "model", "file")
+#: Fetched by some readers, and not by urdfkit.
+_REMOTE = ("http", "https", "ftp", "fuel")
+
+
+@rule(
+    "MSH036",
+    "unknown-scheme",
+    Severity.ERROR,
+    needs=(Need.MODEL, Need.FILES),
+    help="write package://PACKAGE/path",
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for mesh in subject.files.meshes:
+        scheme, colon, rest = mesh.at.value.partition("://")
+        if not colon or scheme.lower() in (*_KNOWN, *_REMOTE) or "\\" in scheme:
+            continue
+        meant = nearest(scheme, _KNOWN)
+        edits = replace_value(mesh.literal, f"{meant}://{rest}") if meant and mesh.literal else None
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} begins with '{scheme}://', which no reader knows",
+            f"did you mean '{meant}://'?" if meant else "",
+            Fix(f"write {meant}://", edits) if edits else None,
+        )
