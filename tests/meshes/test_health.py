@@ -69,6 +69,7 @@ def test_edges() -> None:
 
 
 def test_a_point_is_inside_or_outside() -> None:
+    pytest.importorskip("rtree", reason="trimesh needs it to tell what is inside")
     ball = trimesh.creation.torus(1.0, 0.3)
     points, faces = np.array(ball.vertices), np.array(ball.faces)
     rng = np.random.default_rng(1)
