@@ -51,7 +51,7 @@ def test_a_plain_robot_needs_none_of_these_rules() -> None:
     others |= {"GEO013", "GEO014", "GEO015", "GAZ058"} | glance.ABOUT_STATICS
     others |= glance.ABOUT_COMPONENTS | glance.ABOUT_TRANSMISSIONS
     others |= {code for about in glance.ABOUT_JOINTS for code in about}
-    others |= glance.ABOUT_PARAMETERS | set(glance.ABOUT_NAMES)
+    others |= {"TRE007"} | glance.ABOUT_PARAMETERS | set(glance.ABOUT_NAMES)
     assert silent(subject) == glance.ABOUT_TREES | others
 
 

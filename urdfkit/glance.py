@@ -101,6 +101,8 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
         codes |= ABOUT_COMPONENTS
     if not model.transmissions:
         codes |= ABOUT_TRANSMISSIONS
+    if not any(root.inertial for root in tree.roots):
+        codes.add("TRE007")
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     codes |= _about_statics(model, tree)
@@ -209,8 +211,10 @@ def _about_gazebo(model: RobotModel) -> set[str]:
 
 def _about_shapes(model: RobotModel) -> set[str]:
     codes: set[str] = set()
-    if all(bool(link.visuals) == bool(link.collisions) for link in model.links):
-        codes |= {"GEO002", "GEO003"}
+    if all(link.collisions or not link.visuals for link in model.links):
+        codes.add("GEO002")
+    if all(link.visuals or not link.collisions for link in model.links):
+        codes.add("GEO003")
     if any(link.visuals or link.collisions for link in model.links):
         codes.add("GEO008")
     shapes = model.shapes
@@ -276,9 +280,9 @@ def _axis_is_written(joint: Joint) -> bool:
 
 
 def _axis_is_unit(joint: Joint) -> bool:
-    if joint.axis is None:
-        return joint.kind not in DEGREES_OF_FREEDOM
-    return abs(hypot(*joint.axis.value) - 1) < 0.01
+    if joint.kind not in DEGREES_OF_FREEDOM:
+        return True
+    return joint.axis is not None and abs(hypot(*joint.axis.value) - 1) < 0.01
 
 
 def _axis_is_plain_or_slanting(joint: Joint) -> bool:
@@ -309,6 +313,11 @@ def _range_is_a_few_turns(joint: Joint) -> bool:
     return all(abs(end) < 4 * pi for end in bounds(joint) or ())
 
 
+def _turns_without_end(joint: Joint) -> bool:
+    written = joint.limit.at.attributes if joint.limit else {}
+    return joint.kind != "continuous" or {"lower", "upper"}.isdisjoint(written)
+
+
 def _range_is_around_zero(joint: Joint) -> bool:
     ends = bounds(joint)
     return ends is None or ends[0] <= 0 <= ends[1]
@@ -322,6 +331,7 @@ ABOUT_JOINTS: dict[tuple[str, ...], Callable[[Joint], bool]] = {
     ("JNT007",): _axis_is_written,
     ("JNT008", "JNT009", "JNT028"): _motor_is_limited,
     ("JNT010",): _range_is_a_few_turns,
+    ("JNT013",): _turns_without_end,
     ("JNT023",): _range_is_around_zero,
     ("JNT027",): _axis_is_plain_or_slanting,
 }

@@ -50,6 +50,8 @@ def about_plugins(uses: tuple[Use, ...], targets: Targets, conversion: Conversio
         codes |= {"GAZ020", "GAZ021", "GAZ022", "GAZ023"}
     if not any(reference.kind == "joint" for reference in references):
         codes.add("GAZ028")
+    if conversion.model.transmissions or conversion.model.ros2_controls:
+        codes.add("GAZ029")
     if len({use.name for use in uses}) == len(uses):
         codes.add("GAZ027")
     return codes
