@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from math import cos, pi, sin
+from pathlib import Path
 
 import pytest
 
@@ -40,7 +41,21 @@ def test_matrices(capsys: pytest.CaptureFixture[str]) -> None:
     matrix = found["mass_matrix"]
     assert matrix[0][1] == matrix[1][0]
     assert main(["kinematics", ARM, *words]) == 0
-    assert "columns are shoulder, elbow" in capsys.readouterr().out
+    page = capsys.readouterr().out
+    assert "columns are shoulder, elbow" in " ".join(page.split())
+    assert max(map(len, page.splitlines())) <= 80
+
+
+def test_many_columns_of_a_jacobian_fit_a_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("pinocchio")
+    text = Path(ARM).read_text(encoding="utf-8").replace('"elbow"', f'"{"elbow_" * 9}"')
+    (tmp_path / "arm.urdf").write_text(text, encoding="utf-8")
+    assert main(["kinematics", str(tmp_path / "arm.urdf"), "--jacobian", "forearm"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1] == f"  {'elbow_' * 9}"
+    assert max(map(len, lines)) <= 80
 
 
 def test_without_pinocchio_frames_are_there_and_matrices_say_what_is_missing(

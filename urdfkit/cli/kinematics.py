@@ -12,6 +12,7 @@ from urdfkit.cli import output
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
+from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.kinematics import frames, transform
 from urdfkit.spatial import Frame, to_rpy
@@ -101,7 +102,8 @@ def render(found: Mapping[str, Any], root: str) -> Iterator[str]:
         yield f"roll pitch yaw in degrees:  {_numbers(_turn(frame))}"
         yield f"roll pitch yaw in rad:      {_numbers(to_rpy(frame.rotation))}"
     if "jacobian" in found:
-        yield f"Jacobian of {found['link']}, {where}: columns are {', '.join(found['columns'])}"
+        head = f"Jacobian of {found['link']}, {where}: columns are {', '.join(found['columns'])}"
+        yield wrap(head, output.width(), indent=2)
         yield from _matrix(found["jacobian"], ("vx", "vy", "vz", "wx", "wy", "wz"))
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
