@@ -19,9 +19,29 @@ def test_it_matters_in_gz_sim_only(targets, severities):
     assert [finding.severity for finding in found] == severities
 
 
+@pytest.mark.parametrize(
+    ("target", "read"),
+    [
+        ("gz-fortress", {"gz_frame_id", "ignition_frame_id"}),
+        ("gz-harmonic", {"gz_frame_id"}),
+        ("gz-jetty", {"gz_frame_id", "frame_id"}),
+    ],
+)
 @pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
-def test_any_name_of_the_frame_will_do(tag):
-    assert findings("GAZ053", "imu", f"<{tag}>base</{tag}>", targets=("gz-harmonic",)) == []
+def test_each_gazebo_reads_its_own_tags(tag, target, read):
+    found = findings("GAZ053", "imu", f"<{tag}>base</{tag}>", targets=(target,))
+    told = [] if tag in read else [f"sensor 's' names its frame by <{tag}> only"]
+    assert [one.message for one in found] == told
+
+
+@pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
+def test_without_a_known_target_any_name_will_do(tag):
+    assert findings("GAZ053", "imu", f"<{tag}>base</{tag}>") == []
+
+
+def test_one_of_several_targets_may_suffer():
+    both = ("gz-harmonic", "gz-jetty")
+    assert len(findings("GAZ053", "imu", "<frame_id>base</frame_id>", targets=both)) == 1
 
 
 def test_a_model_is_told_once():

@@ -1,7 +1,9 @@
 """A sensor of gz-sim does not say in which frame it measures.
 
 Its messages are then stamped with a name of Gazebo's own, such as `robot/base_link/lidar`, which TF
-does not know: RViz shows "frame does not exist". Name the link's frame with `<gz_frame_id>`.
+does not know: RViz shows "frame does not exist". Name the link's frame with `<gz_frame_id>`, which
+all of them read. Fortress alone reads `<ignition_frame_id>`, too, and only Gazebo from Ionic on
+(Jetty) reads `<frame_id>`.
 
 Sources:
     gz-sensors, Sensor.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Sensor.cc
@@ -30,8 +32,12 @@ BAD = """\
 </gazebo>"""
 GOOD = BAD.replace("</update_rate>", "</update_rate><gz_frame_id>base</gz_frame_id>")
 
-_GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
-_TAGS = ("gz_frame_id", "frame_id", "ign_frame_id", "ignition_frame_id")
+#: The tags by which each reads the frame.
+_TAGS = {
+    "gz-fortress": ("gz_frame_id", "ignition_frame_id"),
+    "gz-harmonic": ("gz_frame_id",),
+    "gz-jetty": ("gz_frame_id", "frame_id"),
+}
 
 
 @rule(
@@ -39,22 +45,34 @@ _TAGS = ("gz_frame_id", "frame_id", "ign_frame_id", "ignition_frame_id")
     "frame-id-missing",
     Severity.INFO,
     help="add <gz_frame_id>LINK</gz_frame_id> to the sensor",
-    by_target=dict.fromkeys(_GZ, Severity.WARNING),
+    by_target=dict.fromkeys(_TAGS, Severity.WARNING),
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    if subject.targets.names and not subject.targets.any_of(_GZ):
+    if subject.targets.names and not subject.targets.any_of(_TAGS):
         return
-    without = [sensor for sensor in sensors(subject.model) if _nameless(sensor)]
+    readers = [tags for target, tags in _TAGS.items() if subject.targets.any_of((target,))]
+    without = [sensor for sensor in sensors(subject.model) if _is_nameless(sensor, readers)]
     # One slip, made once by whoever wrote or generated the model: told where it begins.
     if without:
+        first = without[0]
         more = f" (and {len(without) - 1} more likewise)" if len(without) > 1 else ""
-        yield Finding(without[0].at, f"{without[0].who} names no frame for its measurements{more}")
+        tags = [f"<{tag}>" for tag in _known() if first.at.child(tag) is not None]
+        named = f"its frame by {tags[0]} only" if tags else "no frame for its measurements"
+        yield Finding(first.at, f"{first.who} names {named}{more}")
 
 
-def _nameless(sensor: Sensor) -> bool:
+def _is_nameless(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:
+    """True if one of the readers finds no frame; if none is known, nobody."""
     if sensor.type == "contact":  # tells which bodies touch, not where it is
         return False
     kind = types().get(sensor.type)
+    given = {tag for tag in _known() if sensor.at.child(tag) is not None}
     return (
-        kind is not None and kind.gz and not any(sensor.at.child(tag) is not None for tag in _TAGS)
+        kind is not None
+        and kind.gz
+        and any(given.isdisjoint(tags) for tags in readers or [_known()])
     )
+
+
+def _known() -> tuple[str, ...]:
+    return tuple(dict.fromkeys(tag for tags in _TAGS.values() for tag in tags))
