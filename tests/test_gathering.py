@@ -63,3 +63,15 @@ def test_what_a_comment_accepts_is_not_among_them() -> None:
     (finding,) = told("URD001", robot)
     assert "likewise" in finding.message
     assert [note.message.split("'")[1] for note in finding.related] == ["l2", "l3", "l4", "l5"]
+
+
+def test_a_help_of_its_own_stands_in_the_note() -> None:
+    slips = "robotBaseFrme odometryFrme commandTopc odometryTopc publishOdmTF odometryRte".split()
+    tags = "".join(f"<{tag}>x</{tag}>" for tag in slips)
+    plugin = f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{tags}</plugin>'
+    found = told("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
+    (finding,) = found
+    assert finding.help == "did you mean <robotBaseFrame>?"
+    assert finding.related[0].message.endswith(
+        "does not read <odometryFrme>: did you mean <odometryFrame>?"
+    )

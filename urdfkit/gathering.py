@@ -27,9 +27,15 @@ def _as_one(group: list[Diagnostic]) -> Diagnostic:
     first, *others = group
     return first._replace(
         message=f"{first.message} (and {len(others)} more likewise)",
-        related=first.related + tuple(Related(o.span, o.message) for o in others[:MAX_NOTES]),
+        related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
         fix=_together([one.fix for one in group]),
     )
+
+
+def _note(other: Diagnostic, first: Diagnostic) -> Related:
+    """What is told of another one: its help, too, if that is its own."""
+    own = other.help if other.help != first.help else ""
+    return Related(other.span, f"{other.message}: {own}" if own else other.message)
 
 
 def _together(fixes: list[Fix | None]) -> Fix | None:

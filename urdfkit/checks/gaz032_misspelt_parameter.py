@@ -56,4 +56,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.title} does not read <{element.tag}>",
             f"did you mean <{name}>?",
             Fix(f"rename it to <{name}>", edits) if edits else None,
+            alike=use.filename,
         )

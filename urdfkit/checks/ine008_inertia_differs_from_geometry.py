@@ -57,4 +57,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             replacement(weighed, diagnosis.tensor),
             confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
+            alike="other shape",
         )
