@@ -103,7 +103,7 @@ def render(found: Mapping[str, Any], root: str) -> Iterator[str]:
         yield f"roll pitch yaw in rad:      {_numbers(to_rpy(frame.rotation))}"
     if "jacobian" in found:
         head = f"Jacobian of {found['link']}, {where}: columns are {', '.join(found['columns'])}"
-        yield wrap(head, output.width(), indent=2)
+        yield from wrap(head, output.width(), indent=2).split("\n")
         yield from _matrix(found["jacobian"], ("vx", "vy", "vz", "wx", "wy", "wz"))
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
