@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -97,6 +98,52 @@ def shown(page: Page, selector: str) -> str:
     return "\n".join(one.text for one in found)
 
 
+def look_at(page: Page, address: str, package: Path) -> None:
+    """Open the robot, and wait for what is wrong with it."""
+    told = Counter(one.severity for one in check(package / ROBOT).diagnostics)
+    wanted = [str(told[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
+    payload = quote(json.dumps([["openFile", f"vscode-remote://{address}{package / ROBOT}"]]))
+    page.driver.get(f"http://{address}/?folder={package}&payload={payload}")
+    until(lambda: shown(page, "#status\\.problems").split()[:3] == wanted)
+    assert mode(page) == "URDF"
+
+
+def open_file(page: Page, path: Path) -> None:
+    """Open another file."""
+    from selenium.webdriver.common.keys import Keys
+
+    press(page, Keys.CONTROL, "o", Keys.NULL)
+    until(lambda: shown(page, ".quick-input-widget"))
+    press(page, Keys.CONTROL, "a", Keys.NULL)
+    press(page, str(path))
+
+    def opened() -> bool:
+        time.sleep(1)  # until the list of files is filled, nothing happens
+        if shown(page, ".quick-input-widget"):
+            press(page, Keys.ENTER)
+        return path.name in shown(page, ".tab.active")
+
+    until(opened)
+
+
+def go_to(page: Page, line: int, column: int) -> None:
+    """Put the cursor somewhere."""
+    from selenium.webdriver.common.keys import Keys
+
+    press(page, Keys.CONTROL, "g", Keys.NULL)
+    until(lambda: shown(page, ".quick-input-widget"))
+    press(page, f"{line}:{column}", Keys.ENTER)
+    until(lambda: cursor(page) == f"Ln {line}, Col {column}")
+
+
+def mode(page: Page) -> str:
+    return shown(page, "#status\\.editor\\.mode")
+
+
+def cursor(page: Page) -> str:
+    return shown(page, "#status\\.editor\\.selection")
+
+
 def press(page: Page, *keys: str) -> None:
     page.driver.switch_to.active_element.send_keys(*keys)
 
@@ -104,24 +151,30 @@ def press(page: Page, *keys: str) -> None:
 def test_findings_hover_and_definition_in_vscode(package: Path, address: str) -> None:
     from selenium.webdriver.common.keys import Keys
 
-    told = Counter(one.severity for one in check(package / ROBOT).diagnostics)
-    wanted = [str(told[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
-    file = f"vscode-remote://{address}{package / ROBOT}"
-    payload = quote(json.dumps([["openFile", file]]))
+    text = (package / ROBOT).read_text(encoding="utf-8")
     with browser() as page:
-        page.driver.get(f"http://{address}/?folder={package}&payload={payload}")
-        until(lambda: shown(page, "#status\\.problems").split()[:3] == wanted)
-        assert shown(page, "#status\\.editor\\.mode") == "URDF"
-
-        text = (package / ROBOT).read_text(encoding="utf-8")
-        child = text.index('<parent link="base_link"')
-        line = text.count("\n", 0, child) + 1
-        press(page, Keys.CONTROL, "g", Keys.NULL)
-        until(lambda: shown(page, ".quick-input-widget"))
-        press(page, f"{line}:22", Keys.ENTER)
-        until(lambda: shown(page, "#status\\.editor\\.selection") == f"Ln {line}, Col 22")
+        look_at(page, address, package)
+        go_to(page, text.count("\n", 0, text.index('<parent link="base_link"')) + 1, 22)
         press(page, Keys.CONTROL, "k", "i", Keys.NULL)
         assert "base_link" in until(lambda: shown(page, ".monaco-hover"))
         press(page, Keys.ESCAPE, Keys.F12)
         given = text.count("\n", 0, text.index('<link name="base_link"')) + 1
-        until(lambda: shown(page, "#status\\.editor\\.selection").startswith(f"Ln {given},"))
+        until(lambda: cursor(page).startswith(f"Ln {given},"))
+
+
+def test_a_joint_in_yaml_leads_to_the_robot_in_vscode(package: Path, address: str) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    text = (package / ROBOT).read_text(encoding="utf-8")
+    name = re.findall(r'<joint name="(\w+)" type="continuous"', text)[0]
+    (package / "config").mkdir()
+    (package / "config" / "wheels.yaml").write_text(f"drive:\n  joints: [{name}]\n")
+    with browser() as page:
+        look_at(page, address, package)
+        open_file(page, package / "config" / "wheels.yaml")
+        until(lambda: mode(page) == "YAML")
+        go_to(page, 2, 13)
+        given = text.count("\n", 0, text.index(f'<joint name="{name}"')) + 1
+
+        press(page, Keys.F12)
+        until(lambda: mode(page) == "URDF" and cursor(page).startswith(f"Ln {given},"))
