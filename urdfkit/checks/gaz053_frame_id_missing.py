@@ -56,8 +56,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     if without:
         first = without[0]
         more = f" (and {len(without) - 1} more likewise)" if len(without) > 1 else ""
-        tags = [f"<{tag}>" for tag in _known() if first.at.child(tag) is not None]
-        named = f"its frame by {tags[0]} only" if tags else "no frame for its measurements"
+        tags = _given(first)
+        named = f"its frame by <{tags[0]}> only" if tags else "no frame for its measurements"
         yield Finding(first.at, f"{first.who} names {named}{more}")
 
 
@@ -66,13 +66,13 @@ def _is_nameless(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:
     if sensor.type == "contact":  # tells which bodies touch, not where it is
         return False
     kind = types().get(sensor.type)
-    given = {tag for tag in _known() if sensor.at.child(tag) is not None}
-    return (
-        kind is not None
-        and kind.gz
-        and any(given.isdisjoint(tags) for tags in readers or [_known()])
-    )
+    if kind is None or not kind.gz:
+        return False
+    given = _given(sensor)
+    return not given or any(set(tags).isdisjoint(given) for tags in readers)
 
 
-def _known() -> tuple[str, ...]:
-    return tuple(dict.fromkeys(tag for tags in _TAGS.values() for tag in tags))
+def _given(sensor: Sensor) -> list[str]:
+    """The tags of a frame that it has."""
+    known = dict.fromkeys(tag for tags in _TAGS.values() for tag in tags)
+    return [tag for tag in known if sensor.at.child(tag) is not None]
