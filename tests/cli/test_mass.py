@@ -58,11 +58,23 @@ def test_a_pose(capsys: pytest.CaptureFixture[str]) -> None:
     assert opened[2] > closed[2]
 
 
+def test_a_robot_without_mass_is_told_in_a_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    visual = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    text = f'<robot name="r"><link name="a">{visual}</link></robot>'
+    (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
+    page = run(capsys, str(tmp_path / "r.urdf"))
+    assert page == "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some\n"
+
+
 def test_what_is_not_known_fits_a_terminal(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     names = [f"a_frame_with_a_name_{number}" for number in range(8)]
-    links = "".join(f'<link name="{name}"><inertial/></link>' for name in names)
+    links = "".join(
+        f'<link name="{name}"><inertial><mass value="1"/></inertial></link>' for name in names
+    )
     (tmp_path / "frames.urdf").write_text(f'<robot name="r">{links}</robot>', encoding="utf-8")
     lines = run(capsys, str(tmp_path / "frames.urdf")).splitlines()
     notes = lines[-3:]

@@ -55,6 +55,9 @@ def command(
 
 def render(found: MassTable) -> Iterator[str]:
     """Two tables: masses and places, then moments and axes."""
+    if found.rows and not found.whole.mass:
+        yield "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some"
+        return
     yield from _masses(found)
     yield ""
     yield from _moments(found)
