@@ -132,9 +132,16 @@ def _contact(
     x, y = ((points[:, i] - np.float32(origin[i])) / np.float32(cell) for i in range(2))
     top = height + 2 * size
     screen, _ = projected(x, y, np.float32(top) - points[:, 2], faces, CELLS, workers)
-    grid = Grid(CELLS, 0, CELLS, np.array((0.5,), dtype=np.float32))
-    numbers, nearness = split(nearest(screen, np.arange(len(screen.top)), grid))
-    above = np.where(numbers >= 0, np.float32(top - height) - nearness, np.float32(np.inf))
+    everything, middle = np.arange(len(screen.top)), np.array((0.5,), dtype=np.float32)
+    above = np.empty((CELLS, CELLS), dtype=np.float32)
+
+    def band(first: int, last: int) -> None:
+        grid = Grid(CELLS, first, last, middle)
+        numbers, nearness = split(nearest(screen, everything, grid))
+        level = np.float32(top - height) - nearness
+        above[first:last] = np.where(numbers >= 0, level, np.float32(np.inf))
+
+    workers.bands(CELLS, CELLS // 4, band)
     hidden = np.zeros((CELLS, CELLS), dtype=np.float32)
     for reach, blur, weight in LAYERS:
         near = np.clip(1 - above / np.float32(reach * size), 0, 1)

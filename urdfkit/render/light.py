@@ -11,7 +11,7 @@ from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import Soup, extent
-from urdfkit.render.work import Workers
+from urdfkit.render.work import CHUNK, Workers
 
 #: Texels of the edge of the shadow map.
 TEXELS = 1024
@@ -61,12 +61,15 @@ class ShadowMap(NamedTuple):
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Points (n, 3) of the camera's frame: column and row in texels, and height in m."""
-        x, y, z = (
-            dot(points, axis) - np.float32(start)
-            for axis, start in zip(self.axes, self.origin, strict=True)
-        )
+        return self.placed(turned(points, self.axes))
+
+    def placed(self, points: Floats) -> tuple[Floats, Floats, Floats]:
+        """The same of points in the axes of the map."""
+        x, y, z = (points[:, axis] - np.float32(self.origin[axis]) for axis in range(3))
         factor = np.float32(self.scale)
-        return x * factor, y * factor, z
+        x *= factor
+        y *= factor
+        return x, y, z
 
 
 def shadow_map(
@@ -82,7 +85,12 @@ def shadow_map(
         workers: that do it.
     """
     axes = _axes(rig)
-    seen = turned(whole.points, axes)
+    seen = np.empty_like(whole.points)
+
+    def turn(first: int, last: int) -> None:
+        seen[first:last] = turned(whole.points[first:last], axes)
+
+    workers.bands(len(seen), CHUNK, turn)
     lowest, highest = extent(seen, pieces)
     edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2
@@ -92,7 +100,7 @@ def shadow_map(
     result = ShadowMap(
         axes, origin.astype(np.float32), scale, np.zeros((TEXELS, TEXELS), dtype=np.float32)
     )
-    x, y, z = result.coordinates(whole.points)
+    x, y, z = result.placed(seen)
     screen, _ = projected(x, y, z, faces, TEXELS, workers)
     everything = np.arange(len(screen.top))
     offsets = np.array((0.5,), dtype=np.float32)

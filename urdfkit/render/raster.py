@@ -48,25 +48,27 @@ def projected(
     x: Floats, y: Floats, nearness: Floats, faces: Integers, width: int, workers: Workers
 ) -> tuple[Projected, Integers]:
     """Triangles that may be in a picture of some width, and their numbers among all."""
-    found: dict[int, tuple[Integers, ...]] = {}
+    count = len(faces)
+    a, b, c = (np.empty(count, dtype=np.int32) for _ in range(3))
+    top, bottom = (np.empty(count, dtype=np.float32) for _ in range(2))
+    inside = np.empty(count, dtype=bool)
 
     def some(first: int, last: int) -> None:
-        a, b, c = (np.ascontiguousarray(faces[first:last, corner]) for corner in range(3))
-        xa, xb, xc = x[a], x[b], x[c]
-        inside = np.minimum(np.minimum(xa, xb), xc) < width
-        inside &= np.maximum(np.maximum(xa, xb), xc) > 0
-        ya, yb, yc = y[a], y[b], y[c]
-        top, bottom = np.minimum(np.minimum(ya, yb), yc), np.maximum(np.maximum(ya, yb), yc)
-        inside &= bottom > top
-        kept = np.flatnonzero(inside)
-        found[first] = (a[kept], b[kept], c[kept], top[kept], bottom[kept], kept + first)
+        here = slice(first, last)
+        for corner, column in enumerate((a, b, c)):
+            column[here] = faces[here, corner]
+        xs, ys = ([values[column[here]] for column in (a, b, c)] for values in (x, y))
+        np.minimum(np.minimum(ys[0], ys[1]), ys[2], out=top[here])
+        np.maximum(np.maximum(ys[0], ys[1]), ys[2], out=bottom[here])
+        inside[here] = bottom[here] > top[here]
+        inside[here] &= np.minimum(np.minimum(xs[0], xs[1]), xs[2]) < width
+        inside[here] &= np.maximum(np.maximum(xs[0], xs[1]), xs[2]) > 0
 
-    workers.bands(len(faces), CHUNK, some)
-    pieces = [found[first] for first in sorted(found)]
-    if not pieces:
-        none, nowhere = np.zeros(0, dtype=np.int32), np.zeros(0, dtype=np.float32)
-        return Projected(x, y, nearness, (none, none, none), nowhere, nowhere), none
-    a, b, c, top, bottom, chosen = (np.concatenate(column) for column in zip(*pieces, strict=True))
+    workers.bands(count, CHUNK, some)
+    chosen = np.flatnonzero(inside)
+    if len(chosen) < count:
+        a, b, c = (column[chosen] for column in (a, b, c))
+        top, bottom = top[chosen], bottom[chosen]
     return Projected(x, y, nearness, (a, b, c), top, bottom), chosen
 
 
