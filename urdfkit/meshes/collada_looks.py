@@ -74,12 +74,12 @@ class Looks:
             image = self._image(texture.get("texture", ""), effect)
             self.textures.append(image)
             rgba = (1.0, 1.0, 1.0, 1.0)
-        opacity = self._opacity(shader)
+        opacity = self._opacity(shader, rgba[3])
         path = find_image(image, self._folder) if image else None
         if texture is not None and path is None:
             rgba = _DEFAULT.rgba
             self.missing.append(image)
-        found = Material(name, (*rgba[:3], rgba[3] * opacity), path)
+        found = Material(name, (*rgba[:3], opacity), path)
         return Look(found, texture.get("texcoord", "") if texture is not None else "")
 
     def _colour(self, element: Element | None) -> Colour | None:
@@ -94,13 +94,18 @@ class Looks:
         red, green, blue, *alpha = (float(value) for value in np.clip(numbers, 0, 1))
         return (red, green, blue, alpha[0] if alpha else 1.0)
 
-    def _opacity(self, shader: Element) -> float:
-        """From ``<transparent>`` and ``<transparency>``, as the mode of the former says."""
+    def _opacity(self, shader: Element, alpha: float) -> float:
+        """From ``<transparent>`` and ``<transparency>``, as the mode of the former says.
+
+        Args:
+            shader: with or without them.
+            alpha: of the colour, which counts where they are not there.
+        """
         transparent = child(shader, "transparent")
         number = floats(text(child(shader, "transparency", "float")))
         factor = float(number[0]) if len(number) and np.isfinite(number[0]) else 1.0
         if transparent is None or child(transparent, "color") is None:
-            return 1.0  # the mode of an absent colour is everybody's guess: 1 is meant, or 0
+            return alpha  # the mode of an absent colour is everybody's guess: 1 is meant, or 0
         colour = self._colour(transparent) or (1.0, 1.0, 1.0, 1.0)
         mode = transparent.get("opaque", "A_ONE")
         if mode.startswith("RGB"):

@@ -49,6 +49,19 @@ def test_what_is_written_is_read_back(suffix: str, tmp_path: Path) -> None:
     assert sorted(os.listdir(tmp_path)) == sorted(encode(PARTS, path.name))
 
 
+@pytest.mark.parametrize("suffix", [".dae", ".obj", ".glb"])
+def test_glass_stays_as_clear_as_it_is(suffix: str, tmp_path: Path) -> None:
+    mesh = PARTS
+    for number in range(3):
+        write(mesh, tmp_path / f"{number}{suffix}")
+        mesh = load(tmp_path / f"{number}{suffix}")
+    materials = sorted((part.material for part in mesh.parts if part.material), key=str)
+    assert [material.rgba for material in materials] == [
+        pytest.approx((0.2, 0.4, 0.6, 0.5), abs=3e-3),
+        pytest.approx((1.0, 0.0, 0.0, 1.0), abs=3e-3),
+    ]
+
+
 @pytest.mark.parametrize("way", [(".glb", ".dae"), (".dae", ".glb"), (".glb", ".glb")])
 def test_there_and_back_again_z_stays_upwards(way: tuple[str, str], tmp_path: Path) -> None:
     mesh = PARTS
