@@ -70,13 +70,13 @@ bounded = settings(
 
 def examine(path: Path, data: bytes) -> Report | None:
     """The report on a file as if it stood at a path; None where the job cannot be done."""
-    started = time.monotonic()
+    started = time.process_time()
     try:
         report = engine.check(Source(str(path), data))
     except UrdfkitError:
         return None
     assert [f"{crash.code}: {crash.error}\n{crash.traceback}" for crash in report.crashed] == []
-    assert time.monotonic() - started < DEADLINE
+    assert time.process_time() - started < DEADLINE
     return report
 
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import base64
 import os
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import pytest
 
@@ -308,10 +308,10 @@ def test_nodes_that_multiply(tmp_path: Path) -> None:
         for i in range(60)
     )
     library = f'{doubling}<node id="n60">{SHOWN}</node>'
-    start = perf_counter()
+    start = process_time()
     with pytest.raises(UnloadableMesh, match="shows more than"):
         square(tmp_path, library=library, nodes='<node><instance_node url="#n0"/></node>')
-    assert perf_counter() - start < 20
+    assert process_time() - start < 20
 
 
 def test_nodes_within_nodes_ten_thousand_deep(tmp_path: Path) -> None:
