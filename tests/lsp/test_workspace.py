@@ -180,9 +180,9 @@ def test_a_key_costs_less_than_100_ms_on_the_missions_model() -> None:
     times = []
     for number in range(7):
         changed = text.replace("3.1415926", f"3.14159{number}")
-        start = time.perf_counter()
+        start = time.process_time()
         file.type(changed)
         file.workspace.check(file.path)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert min(times) < 0.1
     assert slow_rules() == sorted(slow_rules())
