@@ -123,3 +123,11 @@ def test_what_a_plugin_reads() -> None:
     (hydrodynamics,) = plugins.find("gz-sim-hydrodynamics-system")
     assert hydrodynamics.reads("xDotU")
     assert not hydrodynamics.reads("xDotA")
+
+
+def test_each_file_name_finds_the_plugins_that_have_it() -> None:
+    having = {
+        file: [p for p in plugins.all_plugins() if file in (*p.files, *p.fortress_files)]
+        for file in plugins.files()
+    }
+    assert {file: list(plugins.find(file)) for file in plugins.files()} == having

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from urdfkit.catalog import data
+from urdfkit.catalog import loads, text
 from urdfkit.record import Record
 from urdfkit.static import Any
 
@@ -98,17 +98,33 @@ class Plugin(Record):
 
 
 @cache
-def _content() -> dict[str, Any]:
-    return data("plugins")
+def _content() -> tuple[dict[str, Any], list[str]]:
+    """What holds for all plugins, and the plugins, each in a line that is read when it is needed.
+
+    To read them all takes 1 ms, and a robot has a few.
+    """
+    head, _, lines = text("plugins").partition(' "plugins": [\n')
+    return loads(head.rstrip(",\n") + "}"), lines.rpartition("\n ]")[0].splitlines()
 
 
 @cache
-def _by_file() -> dict[str, list[dict[str, Any]]]:
-    found: dict[str, list[dict[str, Any]]] = {}
-    for entry in _content()["plugins"]:
-        for file in (*entry["files"], *entry.get("fortress_files", ())):
-            found.setdefault(file, []).append(entry)
+def _entries(file: str) -> list[dict[str, Any]]:
+    """The plugins that have a file of this name."""
+    return [
+        entry
+        for line in _content()[1]
+        if f'"{file}"' in line and file in _files(entry := loads(line.rstrip(",")))
+    ]
+
+
+@cache
+def _all() -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = loads(f"[{' '.join(_content()[1])}]")
     return found
+
+
+def _files(entry: dict[str, Any]) -> list[str]:
+    return [*entry["files"], *entry.get("fortress_files", ())]
 
 
 @cache
@@ -118,7 +134,7 @@ def _by_id() -> dict[str, Plugin]:
 
 def files() -> list[str]:
     """Every file name of every plugin."""
-    return list(_by_file())
+    return list(dict.fromkeys(file for entry in _all() for file in _files(entry)))
 
 
 def find(filename: str) -> tuple[Plugin, ...]:
@@ -127,28 +143,28 @@ def find(filename: str) -> tuple[Plugin, ...]:
     Gazebo Classic wants the name of the library as it is; gz-sim forgives a missing ``lib`` and
     ``.so``, and the version number in ``gz-sim8-``.
     """
-    entries = _by_file().get(filename, ())
+    entries = _entries(filename)
     if not entries and "-" in filename and (match := re.match(_GZ_NAME, filename)):
-        entries = _by_file().get("".join(match.groups()), ())
+        entries = _entries("".join(match.groups()))
     if not entries and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
-        entries = _by_file().get(match.group(1), ())
+        entries = _entries(match.group(1))
     return tuple(_plugin(entry) for entry in entries)
 
 
 def all_plugins() -> tuple[Plugin, ...]:
     """Every plugin of every generation."""
-    return tuple(_plugin(entry) for entry in _content()["plugins"])
+    return tuple(_plugin(entry) for entry in _all())
 
 
 def renames() -> dict[str, str]:
     """What the tags of ROS 1 plugins are called in ROS 2, where the plugin has that tag."""
-    found: dict[str, str] = _content()["renames"]
+    found: dict[str, str] = _content()[0]["renames"]
     return found
 
 
 def often_unread() -> dict[str, list[str]]:
     """Tags that shipped examples give to plugins which do not read them, by generation."""
-    found: dict[str, list[str]] = _content()["unread"]
+    found: dict[str, list[str]] = _content()[0]["unread"]
     return found
 
 
@@ -160,7 +176,7 @@ def _plugin(entry: dict[str, Any]) -> Plugin:
 
 
 def _read(entry: dict[str, Any]) -> Plugin:
-    written: dict[str, str] = dict(_content()["ros_block"]) if entry.get("ros") else {}
+    written: dict[str, str] = dict(_content()[0]["ros_block"]) if entry.get("ros") else {}
     written.update(entry["parameters"])
     words = entry.get("words", {})
     return Plugin(
