@@ -68,3 +68,11 @@ def test_a_comment_that_xacro_passes_on(tmp_path: Path) -> None:
 def test_a_library_is_judged_where_it_is_used(tmp_path: Path) -> None:
     robot = f'<robot {XACRO}><!-- a: b -->\n\n<xacro:macro name="m"><link/></xacro:macro></robot>'
     assert told(tmp_path, robot, "robot.xacro") == []
+
+
+def test_a_package_of_rosbuild_is_of_ros_1(tmp_path: Path) -> None:
+    (tmp_path / "manifest.xml").write_text("<package/>")
+    robot = tmp_path / "robot.urdf"
+    robot.write_text('<robot name="r"><!-- mass: 5 kg --><link name="base"/></robot>')
+    report = engine.check(robot, select=["XML005"])
+    assert (report.diagnostics, report.crashed) == ((), ())

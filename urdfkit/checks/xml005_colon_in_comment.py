@@ -18,6 +18,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.errors import UnreadableFile
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.source import Source, Span
 from urdfkit.static import TYPE_CHECKING
@@ -77,5 +78,8 @@ def _is_ament(subject: Subject) -> bool:
     package = subject.resolver.packages.enclosing(subject.source.path)
     if package is None:
         return False
-    manifest = Source.read(os.path.join(package[1], "package.xml"))
+    try:
+        manifest = Source.read(os.path.join(package[1], "package.xml"))
+    except UnreadableFile:  # a package of rosbuild has another file
+        return False
     return b"<build_type>ament" in manifest.data
