@@ -22,6 +22,7 @@ ACTUATOR = '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></act
         ),
         ('name="t"', "", "transmission '' has no name"),
         (ACTUATOR, "", "transmission 't' has no <actuator>"),
+        ('<actuator name="m">', "<actuator>", "transmission 't' has no name in its <actuator>"),
         (
             TYPE,
             "</transmission><transmission>",

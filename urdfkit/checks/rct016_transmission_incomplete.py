@@ -71,4 +71,9 @@ def _missing(transmission: Element) -> list[str]:
         attribute = " (the attribute does not count)" if "type" in transmission.attributes else ""
         missing.append(f"<type>{attribute}")
     missing += [f"<{tag}>" for tag in ("joint", "actuator") if transmission.child(tag) is None]
+    missing += [
+        f"name in its <{child.tag}>"
+        for child in transmission.children
+        if child.tag in ("joint", "actuator") and not child.get("name")
+    ]
     return missing
