@@ -11,9 +11,11 @@ import asyncio
 import json
 import secrets
 import socket
+import threading
 from collections.abc import AsyncIterator, Callable
+from contextlib import suppress
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.page import html
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
     from starlette.applications import Starlette
     from starlette.requests import Request
     from starlette.responses import Response
+
+T = TypeVar("T")
 
 HOST = "127.0.0.1"
 #: Seconds between two looks at the files. They are looked at, not watched: that works on every
@@ -89,7 +93,7 @@ class Viewer:
         """Add what takes a while, unless there is another state by then."""
         async with self._one_at_a_time:
             if state is self.state:
-                whole = await asyncio.to_thread(completed, state)
+                whole = await _aside(completed, state)
                 if state is self.state:
                     self.state = whole
                     self._tell()
@@ -129,6 +133,26 @@ class Viewer:
             "shape": self.shape,
             "error": self.error,
         }
+
+
+async def _aside(work: Callable[[T], T], thing: T) -> T:
+    """What a function makes of a thing, in a thread that Ctrl-C does not wait for."""
+    loop = asyncio.get_running_loop()
+    made: asyncio.Future[T] = loop.create_future()
+
+    def run() -> None:
+        try:
+            result, failed = work(thing), None
+        except Exception as error:
+            result, failed = thing, error
+        with suppress(RuntimeError):  # the loop has ended meanwhile
+            if failed is None:
+                loop.call_soon_threadsafe(made.set_result, result)
+            else:
+                loop.call_soon_threadsafe(made.set_exception, failed)
+
+    threading.Thread(target=run, daemon=True).start()
+    return await made
 
 
 def application(viewer: Viewer, token: str, host: str = HOST) -> Starlette:
