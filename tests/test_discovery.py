@@ -188,6 +188,16 @@ def test_files_that_include_each_other_are_bounded(tmp_path):
     assert names(found) == ["c.xacro"]
 
 
+def test_of_files_that_include_each_other_one_is_checked_and_tells_of_the_ring(tmp_path):
+    write(tmp_path, "a.xacro", include("b.xacro") + '<link name="a"/>')
+    write(tmp_path, "b.xacro", include("c.xacro"))
+    write(tmp_path, "c.xacro", include("b.xacro") + include("a.xacro"))
+    write(tmp_path, "whole.xacro", '<link name="whole"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["a.xacro", "whole.xacro"]
+    report = check(tmp_path)
+    assert [found.code for found in report.diagnostics if found.severity.value == "error"] != []
+
+
 def test_excluded_files_are_passed_over(package):
     config = Config(str(package / "urdfkit.toml"), exclude=("urdf/base.urdf",))
     assert names(discover(str(package), config, Resolver())) == ["arm.xacro"]

@@ -202,17 +202,29 @@ class IncludeGraph:
             return f"$(find {name})"
 
     def entry_points(self) -> Found:
-        """The descriptions that no other file includes, and the libraries among them."""
+        """The descriptions that no other file includes, and the libraries among them.
+
+        Where files include one another in a ring, one of them.
+        """
         included = {target for targets in self.includes.values() for target in targets}
         roots = [
             name
             for path, name in self._names.items()
             if path not in included and _is_description(name)
         ]
+        roots += self._in_rings(roots)
         libraries = tuple(filter(self.is_library, roots))
         outer = [path for path in roots if path not in libraries]
         robots = sorted({*outer, *self._within(outer)})
         return Found(tuple(Robot(path, "", {}) for path in robots), libraries)
+
+    def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
+        """One file of each ring of includes that no root leads to; its check tells of the ring."""
+        reached = {path for root in roots for path in self.closure(os.path.realpath(root))}
+        for path, name in sorted(self._names.items()):
+            if path not in reached and _is_description(name):
+                reached |= self.closure(path)
+                yield name
 
     def _within(self, robots: Iterable[str]) -> Iterator[str]:
         """Whole robots that are included by such as cannot be expanded for want of arguments."""
