@@ -89,7 +89,7 @@ def test_what_is_no_file(tmp_path: Path) -> None:
     for path, reason in (
         (tmp_path, "is no regular file"),
         (tmp_path / "none.stl", "cannot be read: No such file or directory"),
-        (tmp_path / "a\0.stl", "cannot be read: embedded null byte"),
+        (tmp_path / "a\0.stl", "cannot be read: its name holds a NUL"),
         (Path("/dev/zero"), "is no regular file"),
     ):
         with pytest.raises(UnloadableMesh) as caught:

@@ -123,7 +123,7 @@ def test_files(tmp_path: Path) -> None:
         (str(tmp_path), "is no regular file"),
         (os.devnull, "is no regular file"),
         (str(tmp_path / "none.stl"), "cannot be read: No such file or directory"),
-        ("a\0b", "cannot be read: embedded null byte"),
+        ("a\0b", "cannot be read: its name holds a NUL"),
     ):
         defect = sniff_file(name).defect
         assert defect is not None

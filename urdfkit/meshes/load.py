@@ -81,9 +81,10 @@ def read_bytes(path: str) -> bytes:
             raise UnloadableMesh(path, f"has {size // 1024**2} MiB, more than the {limit} read")
         with open(path, "rb") as file:
             return file.read(MAX_BYTES)
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        reason = getattr(error, "strerror", None) or error
-        raise UnloadableMesh(path, f"cannot be read: {reason}") from error
+    except OSError as error:
+        raise UnloadableMesh(path, f"cannot be read: {error.strerror or error}") from error
+    except ValueError as error:
+        raise UnloadableMesh(path, "cannot be read: its name holds a NUL") from error
 
 
 def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -> Mesh:

@@ -86,8 +86,8 @@ def sniff_file(path: str) -> MeshFacts:
             data = file.read(state.st_size if state.st_size <= MAX_BYTES else _HEAD)
     except OSError as error:
         return MeshFacts("", 0, unreadable(f"cannot be read: {error.strerror or error}"))
-    except ValueError as error:  # a NUL in the name
-        return MeshFacts("", 0, unreadable(f"cannot be read: {error}"))
+    except ValueError:
+        return MeshFacts("", 0, unreadable("cannot be read: its name holds a NUL"))
     if state.st_size > MAX_BYTES:
         return MeshFacts(recognise(data, state.st_size), state.st_size)
     return sniff(data, os.path.splitext(path)[1])
