@@ -3,7 +3,14 @@ from __future__ import annotations
 import pytest
 
 from tests.told import fixed, told
-from urdfkit.gathering import MAX_NOTES, MAX_SINGLE
+from urdfkit import Diagnostic, Source, check
+from urdfkit.examples import whole_robot
+from urdfkit.formats import json, markdown, text
+from urdfkit.gathering import MAX_NOTES, MAX_SINGLE, gathered
+
+
+def shown(code: str, robot: str) -> tuple[Diagnostic, ...]:
+    return gathered(told(code, robot))
 
 
 def links(number: int, tag: str = "<tint/>") -> str:
@@ -11,11 +18,11 @@ def links(number: int, tag: str = "<tint/>") -> str:
 
 
 def test_a_few_that_are_alike_are_told_one_by_one() -> None:
-    assert len(told("URD001", links(MAX_SINGLE))) == MAX_SINGLE
+    assert len(shown("URD001", links(MAX_SINGLE))) == MAX_SINGLE
 
 
 def test_many_that_are_alike_are_told_as_the_first() -> None:
-    (finding,) = told("URD001", links(MAX_SINGLE + 1))
+    (finding,) = shown("URD001", links(MAX_SINGLE + 1))
     assert finding.message == "link 'l0': <link> has no element <tint> (and 4 more likewise)"
     assert (finding.span.line, finding.span.text) == (3, "<tint/>")
     assert [(note.span.line, note.message) for note in finding.related] == [
@@ -24,14 +31,14 @@ def test_many_that_are_alike_are_told_as_the_first() -> None:
 
 
 def test_the_fixes_of_all_are_one_fix() -> None:
-    (finding,) = told("URD001", links(9))
+    (finding,) = shown("URD001", links(9))
     assert finding.fix is not None
     assert finding.fix.title == "remove the <tint> (and 8 more likewise)"
     assert fixed("URD001", links(9)).count("tint") == 0
 
 
 def test_without_a_fix_for_each_there_is_none() -> None:
-    (finding,) = told("URD001", links(8) + '<link name="last"><tint>dark</tint></link>')
+    (finding,) = shown("URD001", links(8) + '<link name="last"><tint>dark</tint></link>')
     assert finding.fix is None
 
 
@@ -39,20 +46,20 @@ def test_tags_of_one_link_are_moved_once() -> None:
     pairs = "".join(
         f'<link name="l{i}">\n  <mu1>1</mu1>\n  <mu1>1</mu1>\n</link>' for i in range(5)
     )
-    (finding,) = told("URD008", pairs)
+    (finding,) = shown("URD008", pairs)
     assert finding.fix is not None
     assert fixed("URD008", pairs).count("<mu1>") == 10
 
 
 def test_the_places_that_are_told_are_bounded() -> None:
-    (finding,) = told("URD001", links(60))
+    (finding,) = shown("URD001", links(60))
     assert "and 59 more likewise" in finding.message
     assert len(finding.related) == MAX_NOTES
 
 
 @pytest.mark.parametrize("other", ["<hue/>", "<glow/>"])
 def test_other_slips_are_told_beside_them(other: str) -> None:
-    found = told("URD001", links(5) + links(5, other).replace('"l', '"k'))
+    found = shown("URD001", links(5) + links(5, other).replace('"l', '"k'))
     assert [one.message.split(":")[0] for one in found] == ["link 'l0'", "link 'k0'"]
 
 
@@ -60,7 +67,7 @@ def test_what_a_comment_accepts_is_not_among_them() -> None:
     robot = links(6).replace(
         '<link name="l1">', '<!-- urdfkit: ignore[URD001] our own reader --><link name="l1">'
     )
-    (finding,) = told("URD001", robot)
+    (finding,) = shown("URD001", robot)
     assert "likewise" in finding.message
     assert [note.message.split("'")[1] for note in finding.related] == ["l2", "l3", "l4", "l5"]
 
@@ -69,9 +76,26 @@ def test_a_help_of_its_own_stands_in_the_note() -> None:
     slips = "robotBaseFrme odometryFrme commandTopc odometryTopc publishOdmTF odometryRte".split()
     tags = "".join(f"<{tag}>x</{tag}>" for tag in slips)
     plugin = f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{tags}</plugin>'
-    found = told("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
+    found = shown("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
     (finding,) = found
     assert finding.help == "did you mean <robotBaseFrame>?"
     assert finding.related[0].message.endswith(
         "does not read <odometryFrme>: did you mean <odometryFrame>?"
     )
+
+
+def test_people_are_shown_one_and_programs_get_each() -> None:
+    robot = whole_robot(links(9)).encode()
+    report = check(Source("robot.urdf", robot), select=["URD001"])
+    assert len(report.diagnostics) == 9
+    assert json.render(report).count('"code": "URD001"') == 9
+    assert text.render(report).count(": warning URD001") == 1
+    assert markdown.render(report).count("**URD001**") == 1
+    for rendered in (text.render(report), markdown.render(report)):
+        assert "9 warnings in 1 file" in rendered
+
+
+def test_what_is_alike_in_two_files_is_shown_for_each() -> None:
+    robot = whole_robot(links(5)).encode()
+    report = check(Source("a.urdf", robot), Source("b.urdf", robot), select=["URD001"])
+    assert [one.span.source.path for one in gathered(report.diagnostics)] == ["a.urdf", "b.urdf"]

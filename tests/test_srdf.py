@@ -38,11 +38,14 @@ def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot
     ]
 
 
-@pytest.mark.parametrize("text", ["", "<robot", "<srdf/>"])
-def test_what_cannot_be_read_is_no_srdf(tmp_path, text):
+@pytest.mark.parametrize(
+    ("text", "codes"), [("", ["SRD018"]), ("<robot", ["SRD018"]), ("<srdf/>", [])]
+)
+def test_what_cannot_be_read_is_no_srdf(tmp_path, text, codes):
     (tmp_path / "r.urdf").write_text(ROBOT)
     (tmp_path / "r.srdf").write_text(text)
-    assert check(tmp_path / "r.urdf", select=["SRD"]).diagnostics == ()
+    report = check(tmp_path / "r.urdf", select=["SRD"])
+    assert [found.code for found in report.diagnostics] == codes
 
 
 @pytest.mark.parametrize(

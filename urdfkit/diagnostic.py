@@ -92,7 +92,7 @@ class Diagnostic(Record):
         help: what to do.
         fix: a remedy as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
-        alike: the same for findings of one rule that are told as one where they are many.
+        alike: the same for findings of one rule that people are shown as one where they are many.
     """
 
     code: str

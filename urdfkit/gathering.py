@@ -1,4 +1,8 @@
-"""Many findings that are alike, told as one: who made a slip thirty times, made it once."""
+"""Many findings that are alike, shown as one: who made a slip thirty times, made it once.
+
+People read them so, in a terminal, a pull request or a page. A program gets each by itself: an
+editor marks every place, and a baseline must know the thirty-first as new.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +17,11 @@ MAX_NOTES = 20
 
 
 def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Findings of one robot, with those that are alike in the place of the first of them."""
+    """Findings, with those of a file that are alike in the place of the first of them."""
     groups: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):
-        groups.setdefault((one.code, one.alike) if one.alike else number, []).append(one)
+        key = (one.code, one.alike, one.span.source.path) if one.alike else number
+        groups.setdefault(key, []).append(one)
     found: list[Diagnostic] = []
     for group in groups.values():
         found += [_as_one(group)] if len(group) > MAX_SINGLE else group

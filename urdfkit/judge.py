@@ -125,10 +125,6 @@ class _Run:
 
             sifted = sift(diagnostics, self.subject.ignores)
             diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
-        if sum(bool(one.alike) for one in diagnostics) > 1:
-            from urdfkit.gathering import gathered
-
-            diagnostics = gathered(diagnostics)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return Verdict(
             diagnostics,

@@ -13,6 +13,7 @@ from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.formats._layout import printable
 from urdfkit.formats._paths import relative
 from urdfkit.formats.text import summary
+from urdfkit.gathering import gathered
 
 #: Findings of one table. GitHub takes 1 MiB for all steps of a job.
 MAX_ROWS = 200
@@ -29,9 +30,10 @@ _WIDE = 10**6  # of a line that is never broken
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """A heading with the counts, a table of errors and warnings, and the infos folded up."""
     counts = summary(report, width=_WIDE).strip()
-    bad = [found for found in report.diagnostics if found.severity is not Severity.INFO]
+    shown = gathered(report.diagnostics)
+    bad = [found for found in shown if found.severity is not Severity.INFO]
     bad.sort(key=lambda found: found.severity.rank)
-    infos = [found for found in report.diagnostics if found.severity is Severity.INFO]
+    infos = [found for found in shown if found.severity is Severity.INFO]
     lines = [f"### urdfkit: {escape(counts)}", ""]
     for crash in report.crashed:
         text = f"{crash.code} crashed on {crash.path}: {crash.error}. This is a bug of urdfkit."
@@ -39,7 +41,8 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     if bad:
         lines += [*_table(bad), ""]
     if infos:
-        many = "1 info" if len(infos) == 1 else f"{len(infos)} infos"
+        count = report.count(Severity.INFO)
+        many = "1 info" if count == 1 else f"{count} infos"
         lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
     if report.diagnostics:
         first = report.diagnostics[0].code

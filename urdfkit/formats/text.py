@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from urdfkit.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
 from urdfkit.document import Step
 from urdfkit.formats._layout import columns, frame, printable, wrap
+from urdfkit.gathering import gathered
 from urdfkit.rules import foreign
 from urdfkit.source import Span
 
@@ -22,7 +23,7 @@ _GUTTER = 8  # columns before a line of source
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings, then the crashed rules, then where to read more, then the summary."""
     page = _Page(color, width)
-    blocks = [page.diagnostic(diagnostic) for diagnostic in report.diagnostics]
+    blocks = [page.diagnostic(diagnostic) for diagnostic in gathered(report.diagnostics)]
     blocks += [page.crash(crash) for crash in report.crashed]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += _mendable(report)

@@ -17,6 +17,7 @@ from urdfkit.addresses import Places
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.formats import json as as_json
+from urdfkit.gathering import gathered
 from urdfkit.loading import described
 from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
@@ -144,6 +145,8 @@ def _document(subject: Subject, report: Report) -> Document:
     is_read = subject.reading.document is not None
     places = Places(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
+    shown = gathered(report.diagnostics)
+    listed = json.loads(as_json.render(report._replace(diagnostics=shown)))["diagnostics"]
     document = {
         "version": VERSION,
         "urdfkit": __version__,
@@ -154,7 +157,7 @@ def _document(subject: Subject, report: Report) -> Document:
             for key in ("error", "warning", "info", "suppressed", "codes", "rules")
         },
         "targets": _targets(report),
-        "findings": findings(report.diagnostics, written["diagnostics"], places),
+        "findings": findings(shown, listed, places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),
