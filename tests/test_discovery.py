@@ -260,3 +260,9 @@ def test_parts_of_a_robot_that_needs_arguments_stay_parts(tmp_path: Path):
     body = include("part.xacro") + include("nameless.xacro") + '<link name="$(arg prefix)"/>'
     write(tmp_path, "whole.xacro", body)
     assert names(discover(str(tmp_path), Config(), Resolver())) == ["whole.xacro"]
+
+
+def test_a_name_that_no_file_can_have_includes_nothing(tmp_path):
+    (tmp_path / "r.xacro").write_bytes(b'<robot><xacro:include filename="a\0b.xacro"/></robot>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert [Path(robot.file).name for robot in found.robots] == ["r.xacro"]

@@ -123,3 +123,9 @@ def expanded(file: Path, arguments: dict[str, str]) -> list[tuple[str, dict[str,
 def content(element: Element) -> tuple[str, dict[str, str], str]:
     values = {key: " ".join(one.value.split()) for key, one in element.attributes.items()}
     return (element.tag, values, element.text.strip())
+
+
+def test_a_folder_without_descriptions_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package/>")
+    with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro with a <robot> in it"):
+        format_files(tmp_path)

@@ -35,7 +35,7 @@ def test_renames_are_made_in_the_text_and_nothing_else_changes() -> None:
 
 def test_the_same_gazebo_needs_nothing() -> None:
     migration = migrate(MODEL, "classic-ros1")
-    assert tuple(migration) == ({}, (), ())
+    assert tuple(migration) == ({}, (), (), {})
     assert migration.diff() == ""
 
 
@@ -70,3 +70,15 @@ def test_an_unknown_target_is_refused() -> None:
     with pytest.raises(UnknownTarget):
         migrate(MODEL, "gazebo")
     assert main(["migrate", str(MODEL), "--to", "gazebo"]) == 2
+
+
+def test_of_a_file_that_cannot_be_read_nothing_is_claimed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "empty.urdf"
+    file.touch()
+    assert migrate(file, "gz-harmonic").unread == {str(file): "the description cannot be read"}
+    assert main(["migrate", str(file), "--to", "gz-harmonic"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith(f"error: {file}: the description cannot be read; see 'urdfkit")

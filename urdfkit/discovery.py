@@ -176,7 +176,8 @@ class IncludeGraph:
         text = text.replace("$(dirname)", os.path.dirname(os.path.abspath(near)))
         if "$" not in text and not set("*?[") & set(text):
             path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
-            yield os.path.realpath(self._existing(path))
+            if "\0" not in path:  # which no file has in its name
+                yield os.path.realpath(self._existing(path))
             return
         yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
 

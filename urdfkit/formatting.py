@@ -11,7 +11,7 @@ from urdfkit.editing import rewriting
 from urdfkit.editing.fixer import encoded
 from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.editing.rewriting import Rewrite, on_disk
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
 from urdfkit.workspace.ownership import Ownership
@@ -64,7 +64,7 @@ def format_files(
         config: of the project; it may exclude files.
 
     Raises:
-        UnreadableFile: a file or folder cannot be read.
+        UnreadableFile: a file or folder cannot be read, or a folder holds no description.
     """
     changed: list[Rewrite] = []
     unchanged: list[str] = []
@@ -96,11 +96,18 @@ def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterato
     for given in files:
         file = os.fspath(given)
         is_folder = os.path.isdir(file)
-        for path in map(shown, descriptions(file, config)) if is_folder else (file,):
+        for path in _below(file, config) if is_folder else (file,):
             real = os.path.realpath(path)
-            if real not in seen and (not is_folder or _is_robot(path)):
+            if real not in seen:
                 seen.add(real)
                 yield path, not is_folder
+
+
+def _below(folder: str, config: Config) -> list[str]:
+    found = [path for path in map(shown, descriptions(folder, config)) if _is_robot(path)]
+    if not found:
+        raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
+    return found
 
 
 def _is_robot(path: str) -> bool:

@@ -45,7 +45,7 @@ def read(
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: it is no XML, or does not expand; with every reason.
     """
-    source = file if isinstance(file, Source) else Source.read(file)
+    source = Source.of(file)
     resolver, given = Resolver(packages), dict(arguments or {})
     if is_launch(source.path):
         source, given = described(source, resolver, given)
@@ -114,7 +114,7 @@ def expand(
     """
     from urdfkit.expansion import expand as expand_source
 
-    source = file if isinstance(file, Source) else Source.read(file)
+    source = Source.of(file)
     xacro = expand_source(source, Resolver(packages), arguments, trust=trust)
     if xacro.document is None:
         raise _unreadable(source, xacro.problems)

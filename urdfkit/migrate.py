@@ -26,11 +26,13 @@ class Migration(Record):
         texts: the new bytes of every file that changes, by its Source.
         left: what has no pure rename, for a person.
         renamed: what the new texts mend.
+        unread: descriptions that nothing is known of, each with the reason.
     """
 
     texts: dict[Source, bytes]
     left: tuple[Diagnostic, ...]
     renamed: tuple[Diagnostic, ...]
+    unread: dict[str, str]
 
     def diff(self) -> str:
         """The changes as a unified diff, which ``patch -p0`` takes."""
@@ -71,7 +73,8 @@ def migrate(
         for edit in diagnostic.fix.edits:
             edits.setdefault(edit.span.source, []).append(edit)
     texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
-    return Migration(texts, tuple(left), tuple(renamed))
+    unread = {skipped.path: skipped.reason for skipped in report.skipped if skipped.code}
+    return Migration(texts, tuple(left), tuple(renamed), unread)
 
 
 def _overlaps(diagnostic: Diagnostic, edits: dict[Source, list[Edit]]) -> bool:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
+from errno import ELOOP
 from itertools import accumulate
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.nearest import did_you_mean
+from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.record import Record
 
 #: Text files over this size are refused: no robot needs it, and a hostile one would.
@@ -75,6 +76,15 @@ class Source:
         if len(data) > MAX_BYTES:
             raise UnreadableFile(f"{path}: larger than {MAX_BYTES // 2**20} MiB")
         return cls(path, data)
+
+    @classmethod
+    def of(cls, file: str | os.PathLike[str] | Source) -> Source:
+        """What has been read already, or a file, which is read now.
+
+        Raises:
+            UnreadableFile: it is missing, a folder, too large, or may not be opened.
+        """
+        return file if isinstance(file, Source) else cls.read(file)
 
     def _as_utf8(self, data: bytes) -> bytes:
         for mark, encoding in _BYTE_ORDER_MARKS:
@@ -145,6 +155,8 @@ def _why_unreadable(path: str, error: OSError) -> str:
         return "is a folder; name the files in it"
     if isinstance(error, PermissionError):
         return "may not be read; see its permissions"
+    if error.errno == ELOOP:
+        return "is a link that leads back to itself"
     if not isinstance(error, FileNotFoundError):
         return error.strerror or str(error)
     folder, name = os.path.split(path)
@@ -152,7 +164,13 @@ def _why_unreadable(path: str, error: OSError) -> str:
         beside = os.listdir(folder or ".")
     except OSError:
         return f"there is no folder '{folder}'"
-    return "there is no such file" + did_you_mean(name, beside)
+    # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
+    alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
+    return "there is no such file" + did_you_mean(name, alike)
+
+
+def _stem(name: str) -> str:
+    return name.partition(".")[0]
 
 
 def _ascii_only(data: bytes) -> bytes:

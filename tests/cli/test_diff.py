@@ -77,8 +77,8 @@ def test_the_configuration_holds_for_both(new: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        ([OLD], "diff takes two files"),
-        ([OLD, OLD, OLD], "diff takes two files"),
+        ([OLD], "name two files"),
+        ([OLD, OLD, OLD], "name two files"),
         ([OLD, "none.urdf"], "none.urdf"),
         ([OLD, OLD, "-o", "x.doc"], "the suffix is none of"),
         ([OLD, OLD, "--fail-on", "colour"], "--fail-on colour: write some of any, none, links"),

@@ -44,7 +44,7 @@ def test_findings_make_it_fail_if_asked(
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        ([MISSION, MISSION], "report takes one file"),
+        ([MISSION, MISSION], "name one file"),
         (["none.urdf"], "none.urdf"),
         ([MISSION, "-o", "r.pdf"], "the suffix is none of"),
         ([MISSION, "-o", "/nowhere/r.md"], "there is no folder"),

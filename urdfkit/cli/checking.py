@@ -62,7 +62,7 @@ def choices(values: Mapping[str, Any]) -> Options:
         "targets": options.words(values, "target"),
         "trust": values["trust"],
         "rules": options.add_rules(values),
-        "config": options.config(values, os.curdir if files[0] == "-" else files[0]),
+        "config": options.config(values, files[0]),
         "changed": values["changed"],
         "jobs": options.jobs(values),
         "cache": not values["no_cache"],

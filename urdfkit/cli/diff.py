@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 from functools import partial
 from importlib import import_module
+from typing import Any
 
 import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output
 from urdfkit.cli.progress import shown
+from urdfkit.cli.robot import judged
 from urdfkit.comparison import KINDS, compare
 from urdfkit.differences import Tolerances
 from urdfkit.page.words import LANGUAGES
@@ -21,9 +23,9 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 
 
 @click.command("diff")
-@click.argument("words", nargs=-1, required=True, metavar="BEFORE AFTER [NAME:=VALUE]...")
+@judged("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
-@click.option("-o", "target", metavar="FILE", help="Write to FILE; its suffix is the format.")
+@click.option("-o", "output_file", metavar="FILE", help="Write to FILE; its suffix is the format.")
 @click.option(
     "--fail-on",
     metavar="KINDS",
@@ -37,23 +39,13 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
     help=f"What may differ: {', '.join(_NUMBERS)}; in m and rad, or relative.",
 )
 @click.option("--lang", type=click.Choice(LANGUAGES), help="Language of the HTML. [default: en]")
-@click.option("--target", "targets", multiple=True, metavar="NAMES", help="Weigh findings for it.")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
-@click.option("--isolated", is_flag=True, help="Take no configuration.")
-@click.option("--trust", is_flag=True, help="Let the models run any expression, read any file.")
 def command(
-    words: tuple[str, ...],
     form: str | None,
-    target: str | None,
+    output_file: str | None,
     fail_on: str,
     tolerance: tuple[str, ...],
     lang: str | None,
-    targets: tuple[str, ...],
-    package: tuple[str, ...],
-    config: str | None,
-    isolated: bool,
-    trust: bool,
+    **values: Any,
 ) -> int:
     """Tell what became of a robot: its parts, not its text.
 
@@ -63,18 +55,12 @@ def command(
 
     Exit codes: 0 no differences that count, 1 some, 2 it cannot be done.
     """
-    values = {
-        options.FILES: words,
-        "package": package,
-        "target": targets,
-        "config": config,
-        "isolated": isolated,
-        "trust": trust,
-    }
     files = options.files(values)
     if len(files) != 2:
-        raise options.UsageError("diff takes two files; xacro arguments are written name:=value")
-    name = _format(form, target)
+        raise options.UsageError("name two files; xacro arguments are written name:=value")
+    if "-" in files:
+        raise options.UsageError("standard input cannot be compared; name a file")
+    name = _format(form, output_file)
     render = import_module(f"urdfkit.comparison.{name}").render
     if lang:
         if name != "html":
@@ -88,13 +74,13 @@ def command(
             packages=options.packages(values),
             tolerances=_tolerances(tolerance),
             targets=options.words(values, "target"),
-            trust=trust,
+            trust=values["trust"],
             config=options.config(values, _near(files)),
             has_pictures=name == "html",
             progress=bar,
         )
-    if target:
-        atomic.write(target, output.encode(render(comparison)))
+    if output_file:
+        atomic.write(output_file, output.encode(render(comparison)))
     else:
         output.write(render(comparison, width=output.width()))
     return int(not counted.isdisjoint(comparison.kinds))
@@ -105,13 +91,13 @@ def _near(files: list[str]) -> str:
     return next((file for file in reversed(files) if os.path.exists(file)), os.curdir)
 
 
-def _format(form: str | None, target: str | None) -> str:
-    if form or not target:
+def _format(form: str | None, output_file: str | None) -> str:
+    if form or not output_file:
         return form or "text"
     for suffix, name in SUFFIXES.items():
-        if target.lower().endswith(suffix):
+        if output_file.lower().endswith(suffix):
             return name
-    raise options.UsageError(f"-o {target}: the suffix is none of {', '.join(SUFFIXES)}")
+    raise options.UsageError(f"-o {output_file}: the suffix is none of {', '.join(SUFFIXES)}")
 
 
 def _kinds(text: str) -> set[str]:

@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from urdfkit import __version__
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, stdin
 from urdfkit.config import Config, ConfigError
 from urdfkit.discovery import discover
 from urdfkit.engine import check
@@ -125,13 +125,14 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     resolver = Resolver(packages)
     given = parse(names) if names else None
     trust = values["trust"] or config.trust
-    subject = Subject(Source.read(path), resolver, arguments, trust=trust, targets=given)
+    source = Source.of(stdin.opened(path))
+    subject = Subject(source, resolver, arguments, trust=trust, targets=given)
     yield f"{path}: {'plain XML' if subject.reading.xacro is None else 'xacro'}"
     yield from _packages(path, resolver)
     if subject.reading.document is not None:
         yield from _targets(subject, given)
     report = check(
-        path, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
+        source, arguments=arguments, packages=packages, targets=names, trust=trust, config=config
     )
     yield f"  rules: {len(report.rules)} had something to look at"
     yield from (f"  {skip.code or 'file'} skipped: {skip.reason}" for skip in report.skipped)

@@ -11,6 +11,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.robot import only_file
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import get
 from urdfkit.source import Source
@@ -57,10 +58,7 @@ def command(
     from urdfkit.workspace.resolve import Resolver
 
     values = {options.FILES: words, "package": package}
-    files = options.files(values)
-    if len(files) != 1:
-        raise options.UsageError("expand takes one file; xacro arguments are written name:=value")
-    source = _read(files[0], root_dir)
+    source = _read(only_file(values), root_dir)
     xacro = expand(
         source,
         Resolver(options.packages(values)),
@@ -82,6 +80,8 @@ def command(
 def _read(file: str, root_dir: str) -> Source:
     if file == "-":
         return stdin.read("<stdin>")
+    if root_dir == os.curdir:
+        return Source.read(file)
     source = Source.read(os.path.join(root_dir, file))
     source.path = file  # the banner names the file as it was typed
     return source

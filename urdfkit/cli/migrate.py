@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 
 import click
 
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, stdin
+from urdfkit.cli.robot import only_file
+from urdfkit.formats._layout import printable
 from urdfkit.migrate import Migration, migrate
 from urdfkit.targets import GAZEBO
 
@@ -24,17 +27,21 @@ def command(words: tuple[str, ...], target: str, package: tuple[str, ...]) -> in
     Exit codes: 0 nothing to do, 1 something is to be changed, 2 the file cannot be read.
     """
     values = {options.FILES: words, "package": package}
-    files = options.files(values)
-    if len(files) != 1:
-        raise options.UsageError("migrate takes one file; xacro arguments are written name:=value")
-    migration = migrate(files[0], target, options.arguments(values), options.packages(values))
+    migration = migrate(
+        stdin.opened(only_file(values)),
+        target,
+        options.arguments(values),
+        options.packages(values),
+    )
+    for file, reason in migration.unread.items():
+        print(printable(f"error: {file}: {reason}; see 'urdfkit check {file}'"), file=sys.stderr)
     output.write("".join(render(migration, target)))
-    return int(bool(migration.renamed or migration.left))
+    return 2 if migration.unread else int(bool(migration.renamed or migration.left))
 
 
 def render(migration: Migration, target: str) -> Iterator[str]:
     """The diff, and what is left as lines that ``patch`` passes over."""
-    if not migration.renamed and not migration.left:
+    if not (migration.renamed or migration.left or migration.unread):
         yield f"nothing to do for {target}\n"
     yield migration.diff()
     for diagnostic in migration.left:

@@ -138,7 +138,7 @@ def jobs(values: Mapping[str, Any]) -> int:
 
 
 def config(values: Mapping[str, Any], near: str) -> Config | None:
-    """The configuration that holds for a file.
+    """The configuration that holds for a file; for standard input that of the current folder.
 
     One that was found may come with a robot from anywhere, and is no more trusted than it.
     """
@@ -148,7 +148,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
 
     if values["config"]:
         return load(values["config"])
-    path = nearest(near)
+    path = nearest(os.curdir if near == "-" else near)
     return None if path is None else load(path, trusted=values["trust"])
 
 

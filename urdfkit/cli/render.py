@@ -12,6 +12,7 @@ import click
 
 from urdfkit.cli import options
 from urdfkit.cli.progress import on_terminal
+from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import printable
 
@@ -67,7 +68,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     if values["diff"]:
         scene = _difference(files, values)
     else:
-        robot = _read(files[0], values)
+        robot = read_robot(values[options.FILES], values["package"], values["trust"])
         scene = _scene(robot, values)
         if not scene.items:
             raise UrdfkitError(_nothing(files[0], robot))
@@ -77,17 +78,6 @@ def command(words: tuple[str, ...], **values: Any) -> int:
             _picture(scene, values)
     _tell(scene)
     return 0
-
-
-def _read(file: str, values: dict[str, Any]) -> Subject:
-    from urdfkit.loading import read
-
-    return read(
-        file,
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        trust=values["trust"],
-    )
 
 
 def _scene(robot: Subject, values: dict[str, Any]) -> Scene:

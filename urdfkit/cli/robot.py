@@ -1,13 +1,13 @@
-"""The words and options of every command that reads one robot."""
+"""The words and options of every command that is about one robot."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
 
-from urdfkit.cli import options
+from urdfkit.cli import options, stdin
 from urdfkit.errors import UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.meshes.facts import counted
@@ -18,20 +18,52 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
+_TRUST = click.option(
+    "--trust", is_flag=True, help="Let the model run any expression, read any file."
+)
+_PACKAGE = click.option(
+    "--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is."
+)
+_ISOLATED = click.option("--isolated", is_flag=True, help="Take no configuration.")
+_CONFIG = click.option(
+    "--config", metavar="FILE", help="The configuration. [default: the nearest one]"
+)
+_TARGET = click.option("--target", multiple=True, metavar="NAMES", help="Weigh findings for it.")
+
 
 def one_robot(command: Command) -> Command:
     """Give a command the words ``FILE [NAME:=VALUE]...`` and the options of reading it."""
-    for add in (
-        click.option(
-            "--trust", is_flag=True, help="Let the model run any expression, read any file."
-        ),
-        click.option(
-            "--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is."
-        ),
-        click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]..."),
-    ):
+    words = click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+    for add in (_TRUST, _PACKAGE, words):
         command = add(command)
     return command
+
+
+def judged(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Command]:
+    """Give a command words, and the options of reading and of judging what they name.
+
+    Their values are those that the functions of `options` take.
+    """
+    words = click.argument(options.FILES, nargs=-1, required=True, metavar=metavar)
+
+    def decorated(command: Command) -> Command:
+        for add in (_TRUST, _ISOLATED, _CONFIG, _PACKAGE, _TARGET, words):
+            command = add(command)
+        return command
+
+    return decorated
+
+
+def only_file(values: Mapping[str, Any]) -> str:
+    """The one file that a command line names.
+
+    Raises:
+        UsageError: it names no file, or more than one.
+    """
+    files = options.files(values)
+    if len(files) != 1:
+        raise options.UsageError("name one file; xacro arguments are written name:=value")
+    return files[0]
 
 
 def robot(
@@ -53,22 +85,20 @@ def robot(
         UrdfkitError: the file cannot be read.
     """
     values = {options.FILES: words, "package": package}
-    files = options.files(values)
-    if len(files) != 1:
-        raise options.UsageError("name one file; xacro arguments are written name:=value")
+    file = only_file(values)
     try:
         return read(
-            files[0],
+            stdin.opened(file),
             arguments=options.arguments(values),
             packages=options.packages(values),
             trust=trust,
             progress=progress,
         )
     except UnreadableRobot as error:
-        raise _first_of(error, files[0]) from error
+        raise first_of(error, file) from error
 
 
-def _first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
+def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
     """The first of many reasons: a package that is missing is often missing in every file."""
     problems = cast("tuple[Problem, ...]", error.problems)
     if not problems:

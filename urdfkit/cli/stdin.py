@@ -8,6 +8,15 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.source import MAX_BYTES, Source
 
 
+def opened(word: str) -> str | Source:
+    """The file that a word of the command line names; '-' is what comes in.
+
+    Raises:
+        UnreadableFile: standard input is closed, or too large.
+    """
+    return read("<stdin>") if word == "-" else word
+
+
 def read(name: str) -> Source:
     """Everything that comes in, as a source of this name.
 

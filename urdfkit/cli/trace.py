@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from urdfkit.cli import options, output
+from urdfkit.cli import options, output, stdin
+from urdfkit.cli.robot import first_of
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.errors import UnreadableRobot
 from urdfkit.source import Source, Span
@@ -49,16 +50,15 @@ def command(
 
     values = {options.FILES: (file, *arguments), "package": package}
     xacro = expand(
-        Source.read(file),
+        Source.of(stdin.opened(file)),
         Resolver(options.packages(values)),
         options.arguments(values),
         trust=trust,
         traced=True,
     )
     if xacro.document is None:
-        raise UnreadableRobot(
-            f"{file} does not expand: {xacro.first_error}; 'urdfkit check' tells where"
-        )
+        error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
+        raise first_of(error, file)
     found = find(xacro.document, address)
     inputs = xacro.inputs(found) if isinstance(found, Attribute) else ()
     output.write("\n".join(render(found, inputs)) + "\n")

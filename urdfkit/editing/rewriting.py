@@ -44,7 +44,10 @@ def write(rewrites: Iterable[Rewrite]) -> None:
     """
     rewrites = tuple(rewrites)
     for one in rewrites:
-        if on_disk(one.path) != one.before:
+        now = on_disk(one.path)
+        if now is None:
+            raise UnwritableFile(f"{one.path}: there is no such file to change")
+        if now != one.before:
             raise UnwritableFile(f"{one.path}: it has changed meanwhile; run it again")
     for one in rewrites:
         atomic.write(one.path, one.after)

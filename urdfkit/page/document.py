@@ -7,6 +7,7 @@ of a library or of a robot, is None, and ``missing`` says why.
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from math import isfinite
@@ -63,7 +64,7 @@ class Told(Record):
 
 
 def describe(
-    file: str,
+    file: str | os.PathLike[str] | Source,
     *,
     arguments: Mapping[str, str] | None = None,
     packages: Mapping[str, str] | None = None,
@@ -93,8 +94,8 @@ def describe(
     """
     every = {**(config.packages if config else {}), **(packages or {})}
     values = {**(config.arguments if config else {}), **(arguments or {})}
-    source, resolver = Source.read(file), Resolver(every)
-    if is_launch(file):
+    source, resolver = Source.of(file), Resolver(every)
+    if is_launch(source.path):
         source, values = described(source, resolver, values)
     report = check(
         source,

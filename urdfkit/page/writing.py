@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.page.document import LONG, Document, Told, describe
 from urdfkit.page.words import Words
+from urdfkit.source import Source
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
@@ -19,7 +21,7 @@ SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json",
 
 
 def report(
-    file: str,
+    file: str | os.PathLike[str] | Source,
     form: str = "html",
     *,
     language: str = "en",

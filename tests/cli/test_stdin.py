@@ -1,0 +1,74 @@
+"""A description that comes in through standard input."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+
+FILE = MODELS / "good" / "gripper.urdf"
+
+
+@pytest.fixture(autouse=True)
+def gripper(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(FILE.read_bytes())))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["info"],
+        ["tree"],
+        ["kinematics"],
+        ["mass"],
+        ["gazebo"],
+        ["inertia"],
+        ["report"],
+        ["migrate", "--to", "gz-harmonic"],
+        ["mesh", "collision"],
+    ],
+    ids=lambda words: words[0],
+)
+def test_a_command_says_of_it_what_it_says_of_the_file(
+    words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(FILE.parent)
+    assert main([*words, "-"]) == 0
+    of_stdin = capsys.readouterr()
+    assert main([*words, FILE.name]) == 0
+    of_file = capsys.readouterr()
+    said = of_stdin.out.replace(r"\<stdin\>", "<stdin>").replace("<stdin>", FILE.name)
+    assert (said, of_stdin.err) == (of_file.out, of_file.err)
+
+
+def test_the_element_of_trace_may_be_in_it(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["trace", "-", "link/palm"]) == 0
+    assert '<stdin>:13:3  <link name="palm">' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["view", "-"], "name a file to follow"),
+        (["diff", str(FILE), "-"], "standard input cannot be compared; name a file"),
+        (["fix", "-"], "standard input cannot be fixed in place; name a file"),
+        (["inertia", "-", "--write", "--link", "palm", "--mass", "3"], "there is no such file"),
+    ],
+    ids=lambda value: value[0] if isinstance(value, list) else "",
+)
+def test_what_needs_a_file_says_so(
+    words: list[str],
+    reason: str,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(words) == 2
+    captured = capsys.readouterr()
+    assert (captured.out, reason in captured.err) == ("", True), captured.err
+    assert list(tmp_path.iterdir()) == []
