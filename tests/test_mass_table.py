@@ -7,7 +7,7 @@ from math import pi
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
-from tests.massive import BALL, inertial, link, part, shape
+from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.test_overview import of
 from urdfkit.loading import read
 from urdfkit.mass_table import mass_properties
@@ -46,7 +46,7 @@ def test_links_without_mass_or_shape_are_no_rows() -> None:
 def test_the_mission_s_model() -> None:
     found = mass_properties(read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"))
     assert found.whole.mass == pytest.approx(10.2301)
-    assert found.root == "dummy"
+    assert found.whole.root == "dummy"
     rows = {row.link: row for row in found.rows}
     assert len(rows) == 9
     wheel = rows["wheel_1"]
@@ -60,7 +60,14 @@ def test_a_pose_moves_the_whole_and_no_link() -> None:
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
     zero, moved = mass_properties(arm), mass_properties(arm, {"shoulder": 1.0})
     assert zero.rows == moved.rows
-    assert zero.whole.center != moved.whole.center
+    assert zero.whole.mass == moved.whole.mass
+    assert zero.whole.properties != moved.whole.properties
+
+
+def test_a_loop_has_a_mass_and_no_centre() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    found = mass_properties(of(link("a", ball) + joint("a", "b") + joint("b", "a") + link("b")))
+    assert (found.whole.mass, found.whole.properties, found.axes) == (2, None, None)
 
 
 @needs_corpus

@@ -12,7 +12,7 @@ import pytest
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id
-from tests.massive import inertial, joint, link, shape
+from tests.massive import BALL, inertial, joint, link, shape
 from urdfkit.examples import whole_robot
 from urdfkit.loading import read
 from urdfkit.overview import summarise
@@ -56,7 +56,9 @@ def test_the_arm_lies_down() -> None:
     )
     x = (1.5 * 0.15 + 0.7 * (0.36 + 0.125)) / 5.2
     z = (3 * 0.05 + 2.2 * 0.145) / 5.2
-    assert list(found.weight.whole.center) == pytest.approx([x, 0, z], abs=1e-12)
+    whole = found.weight.whole.properties
+    assert whole is not None
+    assert list(whole.center) == pytest.approx([x, 0, z], abs=1e-12)
     box = found.shapes.box
     assert box is not None
     assert box.high == pytest.approx((0.61, 0.06, 0.185), abs=1e-6)
@@ -66,7 +68,9 @@ def test_the_arm_lies_down() -> None:
 def test_the_whole_tensor_of_two_balls_by_the_parallel_axes() -> None:
     ball = inertial(2, (0.1, 0.1, 0.1))
     text = link("a", ball) + link("b", ball) + joint("a", "b", xyz="1 0 0")
-    mass, center, tensor = summarise(of(text)).weight.whole
+    whole = summarise(of(text)).weight.whole.properties
+    assert whole is not None
+    mass, center, tensor = whole
     assert (mass, center) == (4, (0.5, 0, 0))
     assert tensor == pytest.approx((0.2, 0, 0, 1.2, 0, 1.2), abs=1e-15)
 
@@ -108,8 +112,22 @@ def test_odd_robots_have_a_page() -> None:
 def test_the_mass_of_a_loop_counts_although_it_is_nowhere() -> None:
     ball = inertial(2, (0.1, 0.1, 0.1))
     loop = link("a", ball) + link("b", ball) + joint("a", "b") + joint("b", "a")
-    weight = summarise(of(loop)).weight
-    assert (weight.total, weight.whole.mass) == (4, 0)
+    whole = summarise(of(loop)).weight.whole
+    assert (whole.mass, whole.properties) == (4, None)
+    assert whole.reason == "no root leads to a, b, in a closed loop"
+
+
+def test_how_several_roots_stand_to_one_another_nobody_says() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    text = link("a", ball, shape("visual", BALL)) + link("b", ball, shape("collision", BALL))
+    found = summarise(of(text))
+    assert (found.weight.whole.mass, found.weight.whole.properties) == (4, None)
+    assert found.weight.whole.reason == "no joint says how the roots a, b stand to one another"
+    assert found.shapes.left_out == {"b": "they do not hang on a"}
+    light = summarise(of(text.replace('value="2"', 'value="0"', 1))).weight.whole
+    assert light.root == "b"
+    assert light.properties is not None
+    assert light.properties.center == (0, 0, 0)
 
 
 def test_turned_primitives_are_measured_exactly() -> None:

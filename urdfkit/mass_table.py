@@ -6,9 +6,10 @@ from collections.abc import Mapping
 
 from urdfkit.inertials.matter import Matter, matter
 from urdfkit.mechanics.extent import WITHOUT_MESHES
-from urdfkit.mechanics.inertia import MassProperties, combined, principal_axes
+from urdfkit.mechanics.inertia import MassProperties, principal_axes
 from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.whole import Whole, whole
 from urdfkit.model import Link
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
@@ -53,16 +54,14 @@ class MassTable(Record):
 
     Attributes:
         rows: in the order of the document.
-        whole: the robot as one rigid body at a pose, in the frame of its root.
-        moments, axes: of the whole, as for a link.
-        root: the name of that link; empty without one.
+        whole: the robot as one rigid body at a pose.
+        moments, axes: of the whole, as for a link; None where it has no properties.
     """
 
     rows: tuple[MassRow, ...]
-    whole: MassProperties
-    moments: Vector
-    axes: Rotation
-    root: str
+    whole: Whole
+    moments: Vector | None
+    axes: Rotation | None
 
 
 def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -> MassTable:
@@ -72,13 +71,12 @@ def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -
         subject: the robot.
         pose: positions of joints in rad or m, for the whole; the others are at 0.
     """
-    links = subject.model.links_by_name
-    placed = frames(subject.tree, pose or {})
-    whole = combined(properties_of(links[name], frame) for name, frame in placed.items())
-    moments, axes = principal_axes(whole.tensor)
-    rows = [_row(subject, link) for link in links.values() if _matters(link)]
-    root = subject.tree.roots[0].name if subject.tree.roots else ""
-    return MassTable(tuple(rows), whole, moments, axes, root)
+    links = subject.model.links_by_name.values()
+    found = whole(subject.tree, frames(subject.tree, pose or {}))
+    body = found.properties
+    moments, axes = principal_axes(body.tensor) if body else (None, None)
+    rows = [_row(subject, link) for link in links if _matters(link)]
+    return MassTable(tuple(rows), found, moments, axes)
 
 
 def _matters(link: Link) -> bool:

@@ -11,13 +11,12 @@ from collections.abc import Iterable, Mapping
 
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.mechanics.extent import WITHOUT_MESHES, extent_of
-from urdfkit.mechanics.inertia import MassProperties, combined
 from urdfkit.mechanics.joints import driven
 from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.reach import Reach, reach
-from urdfkit.mechanics.rigid import properties_of
 from urdfkit.mechanics.shapes import Box
 from urdfkit.mechanics.tree import KinematicTree
+from urdfkit.mechanics.whole import Whole, whole
 from urdfkit.model import Body, RobotModel, Shape
 from urdfkit.record import Record
 from urdfkit.spatial import Frame
@@ -66,14 +65,11 @@ class Weight(Record):
 
     Attributes:
         by_link: in kg, of those that weigh something, the heaviest first.
-        total: of all of them, in kg.
-        whole: as one rigid body at the configuration, in the frame of the root; without links of
-            closed loops, which no root leads to.
+        whole: as one rigid body at the configuration.
     """
 
     by_link: dict[str, float]
-    total: float
-    whole: MassProperties
+    whole: Whole
 
 
 class Shapes(Record):
@@ -154,7 +150,7 @@ def summarise(subject: Subject, pose: Mapping[str, float] | None = None) -> Over
         subject.targets.names,
         subject.targets.evidence,
         structure(subject.tree),
-        _weight(model, placed),
+        Weight(_masses(model), whole(subject.tree, placed)),
         shapes,
         reach(subject.tree),
         tuple(sensors(model)),
@@ -210,16 +206,10 @@ def _depths(tree: KinematicTree) -> dict[str, int]:
     return depths
 
 
-def _weight(model: RobotModel, placed: Mapping[str, Frame]) -> Weight:
+def _masses(model: RobotModel) -> dict[str, float]:
+    """The mass of each link that has one, in kg, the heaviest first."""
     masses = {link.name: link.mass for link in model.links if link.mass}
-    heaviest = sorted(masses, key=lambda name: -masses[name])
-    bodies = [
-        properties_of(link, placed[name])
-        for name, link in model.links_by_name.items()
-        if name in placed
-    ]
-    by_link = {name: masses[name] for name in heaviest}
-    return Weight(by_link, model.mass, combined(bodies))
+    return dict(sorted(masses.items(), key=lambda item: -item[1]))
 
 
 def _shapes(subject: Subject, placed: Mapping[str, Frame]) -> tuple[Shapes, tuple[str, ...]]:

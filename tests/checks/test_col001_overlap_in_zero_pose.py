@@ -35,6 +35,15 @@ def _needs_coal(request: pytest.FixtureRequest) -> None:
         pytest.importorskip("coal")
 
 
+@pytest.mark.parametrize("kind", ["floating", "planar"])
+def test_what_no_joint_binds_is_nowhere(kind: str) -> None:
+    """Neither the trees of two roots nor what floats stands at the origin of the other."""
+    arm = bent(0.004)
+    assert messages("COL001", arm)
+    assert not messages("COL001", arm.replace("revolute", kind, 1))
+    assert not messages("COL001", arm.partition("<joint")[0])
+
+
 def test_the_depth_and_the_smaller_body() -> None:
     text = bent(0.004)
     assert messages("COL001", text) == [

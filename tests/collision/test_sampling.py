@@ -105,6 +105,36 @@ def test_every_verdict() -> None:
     assert verdicts(begun)["base", "top"] == "always"
 
 
+def test_what_no_joint_binds_is_not_compared() -> None:
+    """Two roots, what floats, and a loop: all balls would be in one another at their origins."""
+    ball = sphere(0.1)
+    found = collisions(
+        robot(
+            *(link(name, ball) for name in ("a", "b", "c", "d", "e", "f", "g")),
+            joint("b", "c", "continuous"),
+            joint("c", "d", "planar"),
+            joint("d", "e", "continuous", "1 0 0"),
+            joint("f", "g"),
+            joint("g", "f"),
+        ),
+        samples=10,
+        jobs=1,
+    )
+    assert verdicts(found) == {("b", "c"): "adjacent", ("d", "e"): "adjacent"}
+    assert found.parts == ("a", "b", "d", "f", "g")
+    assert collisions(robot(link("a", ball), link("b"), joint("a", "b")), jobs=1).parts == ()
+
+
+def test_the_parts_of_a_robot_are_told() -> None:
+    from urdfkit.cli.collisions import shown
+
+    found = collisions(robot(link("a", sphere(1)), link("b", sphere(1))), samples=0, jobs=1)
+    assert "2 parts, under a, b: links of different parts are not compared" in shown.text(
+        found, None
+    )
+    assert shown.as_json(found, None)["parts"] == ["a", "b"]
+
+
 def _rising() -> tuple[str, ...]:
     """The top leaves the base in a fiftieth of its way, where it begins."""
     return (

@@ -24,7 +24,7 @@ from urdfkit.srdf import read as read_srdf
 
 def matrix(*pairs: tuple[str, str, Verdict], robot: str = "r") -> Matrix:
     results = tuple(PairResult(*pair, True, 0.1, None) for pair in pairs)
-    return Matrix(robot, results, 10, 10, 10, 0, (), {}, False)
+    return Matrix(robot, results, 10, 10, 10, 0, (), (), {}, False)
 
 
 MATRIX = matrix(

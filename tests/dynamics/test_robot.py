@@ -21,7 +21,8 @@ from tests.mechanics.test_kinematics import tree
 from urdfkit.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.loading import read
 from urdfkit.mechanics import inertia
-from urdfkit.mechanics.kinematics import positions
+from urdfkit.mechanics.kinematics import frames, positions
+from urdfkit.mechanics.whole import whole
 from urdfkit.model import Tensor
 from urdfkit.overview import structure
 from urdfkit.source import Source
@@ -149,6 +150,65 @@ def test_what_follows_nobody_stands_still() -> None:
     assert still.columns == ()
     assert still.gravity({}).shape == (0,)
     assert still.mass_matrix({}).shape == (0, 0)
+
+
+def test_a_planar_joint_moves_across_its_axis_and_turns_about_it() -> None:
+    """As the specification of URDF has it; 2 kg at 0.5 m from the joint, on a table and a wall."""
+    text = link("base", inertial(1, (1, 1, 1))) + link(
+        "puck", inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    )
+    table = dynamics(text + moving("base", "puck", "planar", "0 0 2"))
+    assert table.columns == ("puck_joint[0]", "puck_joint[1]", "puck_joint[2]")
+    assert (table.nq, table.nv) == (4, 3)
+    assert table.gravity({}) == exactly([0, 0, 0])
+    # Along x and y moves the mass; turning about the joint moves it along y at 0.5 m.
+    assert table.mass_matrix({}) == exactly(np.array([[2, 0, 0], [0, 2, 1], [0, 1, 0.1 + 0.5]]))
+    wall = dynamics(text + moving("base", "puck", "planar", "0 1 0"))
+    # The least turn that takes z to y takes y to -z.
+    assert wall.jacobian("puck", {}) == exactly(
+        np.array([[1, 0, 0, 0, 0, 0], [0, 0, -1, 0, 0, 0], [0, 0, 0, 0, 1, 0]]).T
+    )
+    assert wall.gravity({}) == exactly([0, -2 * G, -2 * G * 0.5])
+    assert wall.placement("puck", {}) == exactly(np.eye(4))
+
+
+@pytest.mark.parametrize("axis", ["0 0 -1", "1 2 3", "-1 0.2 -1e-9", "1 0 0"])
+@pytest.mark.parametrize("kind", ["planar", "continuous"])
+def test_any_axis(kind: str, axis: str) -> None:
+    """Turning is about the axis, sliding across it, and at zero all is at its place."""
+    text = link("base", inertial(1, (1, 1, 1))) + link("a", inertial(1, (1, 1, 1)))
+    found = dynamics(text + moving("base", "a", kind, axis, xyz="1 2 3"))
+    jacobian = found.jacobian("a", {})
+    unit = np.fromstring(axis, sep=" ") / np.linalg.norm(np.fromstring(axis, sep=" "))
+    assert jacobian[3:, -1] == exactly(unit)
+    assert jacobian[:3, -1] == exactly([0, 0, 0])
+    assert jacobian[:3, :-1].T @ jacobian[:3, :-1] == exactly(np.eye(found.nv - 1))
+    assert unit @ jacobian[:3, :-1] == exactly(np.zeros(found.nv - 1))
+    expected = np.eye(4)
+    expected[:3, 3] = 1, 2, 3
+    assert found.placement("a", {}) == exactly(expected)
+
+
+@pytest.mark.parametrize("kind", ["planar", "floating"])
+def test_joints_of_several_coordinates_are_those_of_pinocchio_s_reader(kind: str) -> None:
+    """It takes no axis but z."""
+    ball = inertial(2, (0.1, 0.2, 0.3), xyz="0.5 0.1 0.2")
+    text = link("base") + link("a", ball) + link("b", ball)
+    text += moving("base", "a", kind, "0 0 1", xyz="0 0.3 1")
+    text += moving("a", "b", "revolute", "0 1 0", xyz="1 0 0")
+    ours = dynamics(text)
+    theirs = pin.buildModelFromXML(f'<robot name="r">{text}</robot>')
+    data, q = theirs.createData(), pin.neutral(theirs)
+    q[-1] = 0.4
+    pose = {"b_joint": 0.4}
+    assert (ours.nq, ours.nv) == (theirs.nq, theirs.nv)
+    upper = np.triu(pin.crba(theirs, data, q))
+    assert ours.mass_matrix(pose) == exactly(upper + np.triu(upper, 1).T)
+    assert ours.gravity(pose) == exactly(pin.computeGeneralizedGravity(theirs, data, q))
+    expected = pin.computeFrameJacobian(
+        theirs, data, q, theirs.getFrameId("b"), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+    )
+    assert ours.jacobian("b", pose) == exactly(expected)
 
 
 # --- the traps of Pinocchio
@@ -303,7 +363,6 @@ def test_torques_and_jacobians_are_slopes(path: str) -> None:
 
 
 def overview_of(subject: Subject, pose: dict[str, float]) -> inertia.MassProperties:
-    from urdfkit.mechanics.kinematics import frames
-    from urdfkit.overview import _weight
-
-    return _weight(subject.model, frames(subject.tree, pose)).whole
+    found = whole(subject.tree, frames(subject.tree, pose)).properties
+    assert found is not None
+    return found

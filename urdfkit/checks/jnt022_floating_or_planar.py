@@ -3,13 +3,15 @@
 Few readers can do it. Gazebo makes no joint of it at all: the link and what hangs on it become a
 body of their own, which falls, and a planar joint keeps nothing in its plane. KDL, and with it
 robot_state_publisher, takes both for fixed. Drake sets a floating link free. MuJoCo, Pinocchio and
-MoveIt understand both. Three prismatic and revolute joints in a row say planar for everyone; a
-robot that may go anywhere needs no joint at its root.
+MoveIt understand both, but the last two move a planar joint across z, whatever its axis. Three
+prismatic and revolute joints in a row say planar for everyone; a robot that may go anywhere needs
+no joint at its root.
 
 Sources:
     kdl_parser: https://github.com/ros/kdl_parser/blob/noetic-devel/kdl_parser/src/kdl_parser.cpp
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
+    MoveIt, planar_joint_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/planar_joint_model.cpp
 """
 
 from __future__ import annotations

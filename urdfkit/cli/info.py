@@ -106,18 +106,18 @@ def _weight(found: Overview, where: str) -> Iterator[str]:
         return
     shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
     of_all = f"{len(masses)} of {counted(found.structure.links, 'link')}"
-    yield from _entry("mass", f"{found.weight.total:.6g} kg in {of_all}: {_list(shares)}")
-    if not found.structure.roots:
-        yield from _entry("centre", "not known: no link is a root")
+    yield from _entry("mass", f"{whole.mass:.6g} kg in {of_all}: {_list(shares)}")
+    if whole.properties is None:
+        yield from _entry("centre", f"not known: {whole.reason}")
         return
-    root = found.structure.roots[0]
-    yield from _entry("centre", f"{_vector(whole.center)} m in {root}, {where}")
-    noise = 1e-9 * max(map(abs, whole.tensor))
-    xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in whole.tensor)
+    _, center, tensor = whole.properties
+    yield from _entry("centre", f"{_vector(center)} m in {whole.root}, {where}")
+    noise = 1e-9 * max(map(abs, tensor))
+    xx, xy, xz, yy, yz, zz = (f"{0.0 if abs(v) <= noise else v:.4g}" for v in tensor)
     moments, products = f"ixx {xx}, iyy {yy}, izz {zz} kg m^2", f"ixy {xy}, ixz {xz}, iyz {yz}"
     yield from _entry("inertia", f"{moments} about the centre")
     yield from _entry("", products)
-    yield from _entry("", f"principal moments {_vector(principal_moments(whole.tensor))}")
+    yield from _entry("", f"principal moments {_vector(principal_moments(tensor))}")
 
 
 def _size(found: Overview) -> Iterator[str]:
@@ -215,6 +215,7 @@ def _bytes(size: int) -> str:
 def as_json(found: Overview) -> Mapping[str, Any]:
     """The same for programs; lengths in m, masses in kg."""
     structure, shapes, whole = found.structure, found.shapes, found.weight.whole
+    body = whole.properties
     return {
         "version": VERSION,
         "name": found.name,
@@ -224,10 +225,11 @@ def as_json(found: Overview) -> Mapping[str, Any]:
         "pose": found.pose,
         "structure": structure._asdict(),
         "mass": {
-            "total": found.weight.total,
+            "total": whole.mass,
             "links": found.weight.by_link,
-            "center": list(whole.center),
-            "inertia": whole.tensor._asdict(),
+            "center": list(body.center) if body else None,
+            "inertia": body.tensor._asdict() if body else None,
+            "reason": whole.reason,
         },
         "box": {"low": shapes.box.low, "high": shapes.box.high} if shapes.box else None,
         "left_out": shapes.left_out,

@@ -41,7 +41,7 @@ def command(
 ) -> int:
     """Tell where the links of a robot are, and how they move.
 
-    Without further options all frames are listed, in that of the root. The Jacobian and the mass
+    Without further options all frames are listed, in that of their root. The Jacobian and the mass
     matrix have a column for each joint that can be set; they need Pinocchio.
 
     Exit codes: 0 done, 2 the file or the pose cannot be read, there is no such link.
@@ -57,9 +57,9 @@ def command(
     if jacobian or mass_matrix:
         found |= _dynamics(subject, given, jacobian, mass_matrix)
     if form == "json":
-        output.write(dumped(as_json(found)))
+        output.write(dumped(as_json(found, subject.tree.root_of)))
     else:
-        output.page(render(found, subject.tree.roots[0].name if subject.tree.roots else ""))
+        output.page(render(found, subject.tree.root_of))
     return 0
 
 
@@ -84,17 +84,11 @@ def _dynamics(
     return found
 
 
-def render(found: Mapping[str, Any], root: str) -> Iterator[str]:
+def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str]:
     """The lines for people; angles also in degrees, since nobody reads radians."""
     where = "at the given pose" if found["pose"] else "all joints at zero"
     if "frames" in found:
-        if not found["frames"]:
-            yield "no frames: no link is a root"
-            return
-        yield f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
-        width = max(map(len, found["frames"]), default=0)
-        for name, frame in found["frames"].items():
-            yield f"{name:<{width}}  {_numbers((*frame.position, *_turn(frame)))}"
+        yield from _frames(found["frames"], root_of, where)
     if "transform" in found:
         frame = found["transform"]
         yield f"{found['to']} in {found['from']}, {where}"
@@ -108,6 +102,21 @@ def render(found: Mapping[str, Any], root: str) -> Iterator[str]:
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
         yield from _matrix(found["mass_matrix"], found["columns"])
+
+
+def _frames(found: Mapping[str, Frame], root_of: Mapping[str, str], where: str) -> Iterator[str]:
+    """The frames under each root, in the frame of that root."""
+    if not found:
+        yield "no frames: no link is a root"
+        return
+    width = max(map(len, found))
+    trees: dict[str, list[str]] = {}
+    for name in found:
+        trees.setdefault(root_of[name], []).append(name)
+    for root, names in trees.items():
+        yield f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
+        for name in names:
+            yield f"{name:<{width}}  {_numbers((*found[name].position, *_turn(found[name])))}"
 
 
 def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[str]:
@@ -125,11 +134,14 @@ def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{0.0 if abs(value) < 1e-12 else value:>10.5g}" for value in values)
 
 
-def as_json(found: Mapping[str, Any]) -> dict[str, Any]:
+def as_json(found: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, Any]:
     """The same for programs, in m and rad; rotations are three rows."""
     document = dict(found)
     if "frames" in found:
-        document["frames"] = {name: _frame(frame) for name, frame in found["frames"].items()}
+        document["frames"] = {
+            name: {"root": root_of[name], **_frame(frame)}
+            for name, frame in found["frames"].items()
+        }
     if "transform" in found:
         document["transform"] = _frame(found["transform"])
     return document

@@ -16,7 +16,8 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
 from urdfkit.mass_table import MassRow, MassTable, mass_properties
-from urdfkit.spatial import Rotation
+from urdfkit.mechanics.inertia import MassProperties
+from urdfkit.spatial import Rotation, Vector
 
 VERSION = 1
 
@@ -55,7 +56,7 @@ def command(
 
 def render(found: MassTable) -> Iterator[str]:
     """Two tables: masses and places, then moments and axes."""
-    if found.rows and not found.whole.mass:
+    if found.rows and not any(row.properties.mass for row in found.rows):
         yield "no link has a mass; 'urdfkit inertia FILE --density KG/M^3' proposes some"
         return
     yield from _masses(found)
@@ -76,9 +77,9 @@ def _masses(found: MassTable) -> Iterator[str]:
             f"{row.link:<{width}} {row.properties.mass:>10.5g} {share:>6.1%}"
             f" {_three(row.properties.center)} {density:>8}"
         ).rstrip()
-    place = f"  in {found.root}" if found.root else ""
-    total = f"{found.whole.mass:>10.6g} {'':>6} {_three(found.whole.center)}"
-    yield f"{'total':<{width}} {total}{place}"
+    total = f"{'total':<{width}} {found.whole.mass:>10.6g}"
+    body = found.whole.properties
+    yield f"{total} {'':>6} {_three(body.center)}  in {found.whole.root}" if body else total
 
 
 def _moments(found: MassTable) -> Iterator[str]:
@@ -90,11 +91,14 @@ def _moments(found: MassTable) -> Iterator[str]:
             f"{row.link:<{width}} {_three(row.moments)}  {_axes(row.axes):<9}"
             f" {_three(shapes[0]) if shapes else ''}"
         ).rstrip()
-    yield f"{'total':<{width}} {_three(found.moments)}  {_axes(found.axes)}"
+    if found.moments and found.axes:
+        yield f"{'total':<{width}} {_three(found.moments)}  {_axes(found.axes)}"
 
 
 def _unknown(found: MassTable) -> Iterator[str]:
     reasons: dict[str, list[str]] = {}
+    if found.whole.reason:
+        reasons[f"no centre of mass: {found.whole.reason}"] = ["total"]
     for row in found.rows:
         for reason in (row.reason, *(row.matter.notes if row.matter else ())):
             if reason:
@@ -126,21 +130,26 @@ def as_json(found: MassTable) -> str:
     """For programs; in kg, m, kg m^2 and kg/m^3, axes as columns."""
     document = {
         "version": VERSION,
-        "root": found.root,
-        "total": _numbers(found),
+        "root": found.whole.root,
+        "total": _total(found),
         "links": [_link(row) for row in found.rows],
     }
     return dumped(document)
 
 
-def _numbers(found: MassTable | MassRow) -> dict[str, Any]:
-    mass, center, tensor = found.whole if isinstance(found, MassTable) else found.properties
+def _total(found: MassTable) -> dict[str, Any]:
+    body, moments, axes = found.whole.properties, found.moments, found.axes
+    known = _numbers(body, moments, axes) if body and moments and axes else {}
+    return {**known, "mass": found.whole.mass, "reason": found.whole.reason}
+
+
+def _numbers(body: MassProperties, moments: Vector, axes: Rotation) -> dict[str, Any]:
     return {
-        "mass": mass,
-        "center": list(center),
-        "inertia": tensor._asdict(),
-        "principal_moments": list(found.moments),
-        "principal_axes": [list(row) for row in found.axes],
+        "mass": body.mass,
+        "center": list(body.center),
+        "inertia": body.tensor._asdict(),
+        "principal_moments": list(moments),
+        "principal_axes": [list(row) for row in axes],
     }
 
 
@@ -157,7 +166,7 @@ def _link(row: MassRow) -> dict[str, Any]:
             "notes": list(row.matter.notes),
         }
     known = {"density": row.density, "shapes": shapes, "reason": row.reason}
-    return {"name": row.link, **_numbers(row), **known}
+    return {"name": row.link, **_numbers(row.properties, row.moments, row.axes), **known}
 
 
 def as_csv(found: MassTable) -> str:
@@ -174,8 +183,9 @@ def as_csv(found: MassTable) -> str:
             shapes = [row.matter.properties.mass, row.density, *row.of_shapes[0]]
         mass, center, tensor = row.properties
         writer.writerow([row.link, mass, *center, *tensor, *row.moments, *shapes])
-    mass, center, tensor = found.whole
-    writer.writerow(["", mass, *center, *tensor, *found.moments, *[""] * 5])
+    body, moments = found.whole.properties, found.moments
+    known = [*body.center, *body.tensor, *moments] if body and moments else [""] * 12
+    writer.writerow(["", found.whole.mass, *known, *[""] * 5])
     return text.getvalue()
 
 
@@ -192,7 +202,8 @@ def as_markdown(found: MassTable) -> str:
             f"| {name} | {row.properties.mass:.6g} | {_plain(row.properties.center)} |"
             f" {_plain(row.moments)} | {density} |"
         )
-    total = f"{_plain(found.whole.center)} | {_plain(found.moments)}"
+    body, moments = found.whole.properties, found.moments
+    total = f"{_plain(body.center)} | {_plain(moments)}" if body and moments else " | "
     lines.append(f"| **total** | **{found.whole.mass:.6g}** | {total} | |")
     return "\n".join(lines) + "\n"
 

@@ -6,7 +6,8 @@ The same mathematics as `urdfkit.mechanics.kinematics`, over arrays: frames are 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
 from math import pi
 from typing import NamedTuple
 
@@ -91,11 +92,15 @@ class Chain(NamedTuple):
         links: names; a step names them by number.
         axes: the joints that move freely, one column of a configuration each.
         steps: parents before children.
+        parts: for each link, the number of the topmost one that joints with limits bind it to. A
+            root, and what hangs on a planar or floating joint, begins a part; links in a closed
+            loop that no root leads to are one each.
     """
 
     links: tuple[str, ...]
     axes: tuple[Axis, ...]
     steps: tuple[Step, ...]
+    parts: tuple[int, ...]
 
     @property
     def default(self) -> Floats:
@@ -143,6 +148,14 @@ class Chain(NamedTuple):
                 found[step.child] = found[step.parent] @ step.frames(configurations)
         return {link: np.broadcast_to(found[link], (count, 4, 4)) for link in links}
 
+    def pairs(self, links: Iterable[int]) -> Iterator[tuple[int, int]]:
+        """The pairs of some links, those of one part: of others nothing says how they stand."""
+        of_part: dict[int, list[int]] = {}
+        for link in sorted(links):
+            of_part.setdefault(self.parts[link], []).append(link)
+        for group in of_part.values():
+            yield from combinations(group, 2)
+
     def default_with(self, columns: Sequence[int], positions: Floats) -> Floats:
         """Configurations (n, dof): the default, but for some columns with positions (n, k)."""
         rows = np.tile(self.default, (len(positions), 1))
@@ -176,7 +189,7 @@ def along(branch: Sequence[Step], configurations: Floats) -> Floats:
 
 
 def chain(tree: KinematicTree) -> Chain:
-    """The arrays of a tree; links that no root leads to stay at the origin."""
+    """The arrays of a tree; links in a closed loop that no root leads to stay at the origin."""
     names = tuple(tree.model.links_by_name)
     number = {name: index for index, name in enumerate(names)}
     axes = tuple(
@@ -185,18 +198,16 @@ def chain(tree: KinematicTree) -> Chain:
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
     steps: list[Step] = []
-    seen = {root.name for root in tree.roots}
-    queue = list(seen)
-    for parent in queue:  # grows while it is walked
-        for joint in tree.children[parent]:
-            assert joint.child is not None
-            child = joint.child.value
-            if child not in seen:
-                seen.add(child)
-                queue.append(child)
-                law = followed.get(joint.name, _STILL)
-                steps.append(_step(joint, number[parent], number[child], law, columns))
-    return Chain(names, axes, tuple(steps))
+    parts = list(range(len(names)))
+    for joint in tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        parent, child = number[joint.parent.value], number[joint.child.value]
+        law = followed.get(joint.name, _STILL)
+        steps.append(_step(joint, parent, child, law, columns))
+        if joint.kind not in ("planar", "floating"):
+            parts[child] = parts[parent]
+    return Chain(names, axes, tuple(steps), tuple(parts))
 
 
 def _is_free(joint: Joint) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from math import inf
 
 from urdfkit.collision.chain import Chain, chain
@@ -88,6 +89,7 @@ def collisions(
         min(samples, COUNTED),
         seed,
         (*omitted, *crew.omitted),
+        sampling.parts(),
         _units(robot),
         applies,
     )
@@ -134,13 +136,14 @@ class _Sampling:
         self._samples, self._seed, self._progress = samples, seed, progress
         self._adjacency = Adjacency(robot.tree)
         with_bodies = {solid.link for solid in crew.solids}
-        links = [index for index, name in enumerate(self._chain.links) if name in with_bodies]
-        if len(links) * (len(links) - 1) // 2 > MAX_PAIRS:
+        self._links = [at for at, name in enumerate(self._chain.links) if name in with_bodies]
+        pairs = sorted(islice(self._chain.pairs(self._links), MAX_PAIRS + 1))
+        if len(pairs) > MAX_PAIRS:
             raise CollisionError(
-                f"{len(links)} links with collision geometry are too many: they make more than "
-                f"{MAX_PAIRS} pairs"
+                f"{len(self._links)} links with collision geometry are too many: they make more "
+                f"than {MAX_PAIRS} pairs"
             )
-        self._states = {(a, b): _State() for a in links for b in links if a < b}
+        self._states = {pair: _State() for pair in pairs}
         self.done = self._told = 0
 
     def run(self, begin: Mapping[str, float]) -> None:
@@ -256,6 +259,11 @@ class _Sampling:
         """The samples from one number to another in blocks that the memory can hold."""
         size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(self._chain.links)))))
         return tuple((at, min(size, end - at)) for at in range(start, end, size))
+
+    def parts(self) -> tuple[str, ...]:
+        """The topmost links of the parts that are not compared; none if all are one part."""
+        tops = dict.fromkeys(self._chain.parts[link] for link in self._links)
+        return tuple(self._chain.links[top] for top in tops) if len(tops) > 1 else ()
 
     def results(self) -> Iterator[PairResult]:
         """What became of the pairs."""

@@ -148,12 +148,15 @@ class Still:
     def colliding(self, pairs: Sequence[tuple[str, str]], samples: int) -> list[Collision | None]:
         """For each pair of links, whether it collides in one of some samples."""
         known = [self._pair(*pair) for pair in pairs]
+        bound = [pair for pair in known if self._is_bound(pair)]
         rows = self.chain.samples(samples, 0, 0)
-        seen = self._examiner.look(known).at(rows, count=False)
-        return [
-            Collision(-one.distance, self.chain.pose(rows[one.row], *pair)) if one.hits else None
-            for pair, one in zip(known, seen, strict=True)
-        ]
+        seen = self._examiner.look(bound).at(rows, count=False)
+        found = {
+            pair: Collision(-one.distance, self.chain.pose(rows[one.row], *pair))
+            for pair, one in zip(bound, seen, strict=True)
+            if one.hits
+        }
+        return [found.get(pair) for pair in known]
 
     def has_bodies(self, link: str) -> bool:
         """True if a link has bodies that can collide."""
@@ -165,6 +168,10 @@ class Still:
 
     def _names(self, pair: Pair) -> tuple[str, str]:
         return self.chain.links[pair[0]], self.chain.links[pair[1]]
+
+    def _is_bound(self, pair: Pair) -> bool:
+        """True if joints with limits say how two links stand to one another."""
+        return self.chain.parts[pair[0]] == self.chain.parts[pair[1]]
 
     def _is_held(self, pair: Pair) -> bool:
         names = self._names(pair)
@@ -227,7 +234,7 @@ class Still:
             way = np.linalg.norm(centers[number + 1 :] - centers[number], axis=2)
             gap = way.min(axis=1, initial=inf) - reach[number + 1 :] - reach[number]
             close += [(link, links[number + 1 + at]) for at in np.flatnonzero(gap < NEAR)]
-        return close
+        return list(filter(self._is_bound, close))
 
     def _sphere(self, link: int, frames: dict[int, Floats]) -> tuple[Floats, float]:
         """Centers (n, 3) and radius of a sphere that holds the bodies of a link."""

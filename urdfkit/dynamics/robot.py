@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from math import hypot, isfinite
+from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +26,7 @@ from urdfkit.mechanics.rigid import properties_of
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
-from urdfkit.spatial import Frame, Rotation, Vector, cross, transposed
+from urdfkit.spatial import Frame, Rotation, Vector, transposed
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +51,9 @@ class Dynamics:
         tree: of its model.
         model: Pinocchio's, with a free-flyer and every follower a joint of its own.
         columns: the coordinates, in the order of all vectors and matrices here: the name of each
-            joint that can be set, or ``name[0]``, ``name[1]`` ... where it has several.
+            joint that can be set, or ``name[0]``, ``name[1]`` ... where it has several. These are
+            of a planar joint two ways across its axis (x and y, where the axis is z) and the angle
+            about it, of a floating one the linear and then the angular velocity of its child.
         payload: masses in kg that links carry at their origin, besides their own.
 
     Raises:
@@ -60,7 +62,7 @@ class Dynamics:
 
     def __init__(self, tree: KinematicTree, payload: Mapping[str, float] | None = None) -> None:
         if not tree.is_sound:
-            raise Unsuitable("links and joints do not form one tree")
+            raise Unsuitable("links and joints do not form one tree; urdfkit check tells why")
         self.tree = tree
         self.payload = dict(payload or {})
         self._joints = [joint for joint in _downwards(tree) if joint.kind in _KINDS]
@@ -241,7 +243,7 @@ def _lower(tensor: Floats) -> Sequence[float]:
     return tensor[0, 0], tensor[1, 0], tensor[1, 1], tensor[2, 0], tensor[2, 1], tensor[2, 2]
 
 
-#: What Pinocchio makes of each type of joint; a planar one moves across z, whatever its axis.
+#: What Pinocchio makes of each type of joint.
 _KINDS = {
     "revolute": pin.JointModelRX(),
     "continuous": pin.JointModelRUBX(),
@@ -254,7 +256,8 @@ _KINDS = {
 def _joint_model(joint: Joint) -> tuple[pin.JointModel, Frame]:
     """Pinocchio's joint, and the frame in which it has its axis.
 
-    The unbounded one takes no axis from Python, so it turns about the z of a frame of its own.
+    The unbounded one takes no axis from Python, and the planar one has none: Pinocchio's own
+    reader of URDF moves it across z, whatever its axis. Both have the z of a frame of their own.
     """
     axis = direction(joint)
     if joint.kind == "revolute":
@@ -263,16 +266,19 @@ def _joint_model(joint: Joint) -> tuple[pin.JointModel, Frame]:
         return pin.JointModelPrismaticUnaligned(np.array(axis)), Frame()
     if joint.kind == "continuous":
         return pin.JointModelRUBZ(), Frame(_with_z(axis))
+    if joint.kind == "planar":
+        return pin.JointModelPlanar(), Frame(_with_z(axis))
     return _KINDS[joint.kind], Frame()
 
 
 def _with_z(axis: Vector) -> Rotation:
-    """A rotation that takes z to a unit vector."""
-    away = min(range(3), key=lambda index: abs(axis[index]))  # the basis vector least like it
-    x = cross((float(away == 0), float(away == 1), float(away == 2)), axis)
-    size = hypot(*x)
-    x = (x[0] / size, x[1] / size, x[2] / size)
-    return transposed((x, cross(axis, x), axis))
+    """A rotation that takes z to a unit vector: the least one if that points up, as z itself."""
+    x, y, z = axis
+    if z < 0:
+        (a, b, c), (d, e, f), (g, h, i) = _with_z((-x, -y, -z))
+        return (a, -b, -c), (d, -e, -f), (g, -h, -i)
+    k = 1 / (1 + z)  # Rodrigues' formula, with the sine and cosine of the angle in the axis
+    return (1 - k * x * x, -k * x * y, x), (-k * x * y, 1 - k * y * y, y), (-x, -y, z)
 
 
 def _build(

@@ -21,7 +21,7 @@ class Extent(Record):
     """What some shapes take up.
 
     Attributes:
-        box: around them, along the axes of the root; None without any.
+        box: around them, along the axes of their root; None without any.
         measured: how many links have a shape in it.
         left_out: why shapes are not in the box, by link.
     """
@@ -32,7 +32,10 @@ class Extent(Record):
 
 
 def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
-    """The box around all visuals and collisions; of primitives it is exact.
+    """The box around all visuals and collisions of one tree; of primitives it is exact.
+
+    How the trees of several roots stand to one another, nobody says: the first one with shapes
+    counts.
 
     Args:
         subject: the robot.
@@ -41,9 +44,14 @@ def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
     boxes: list[Box] = []
     measured: set[str] = set()
     left_out: dict[str, str] = {}
+    root = ""
     for name, link in subject.model.links_by_name.items():
-        if name not in placed:
+        if name not in placed or not (link.visuals or link.collisions):
             continue  # a link of a loop that no root leads to is nowhere
+        root = root or subject.tree.root_of[name]
+        if subject.tree.root_of[name] != root:
+            left_out[name] = f"they do not hang on {root}"
+            continue
         for body in (*link.visuals, *link.collisions):
             if body.shape is None:
                 continue

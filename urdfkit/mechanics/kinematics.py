@@ -124,14 +124,9 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
             hint = did_you_mean(name, tree.model.links_by_name)
             raise UnknownLink(f"there is no link '{name}'{hint}")
     found = frames(tree, given)
-    if link not in found or seen not in found or _root(tree, link) != _root(tree, seen):
+    if link not in found or tree.root_of[link] != tree.root_of.get(seen):
         raise UnknownLink(f"there is no way from link '{seen}' to link '{link}'")
     return found[seen].inverse @ found[link]
-
-
-def _root(tree: KinematicTree, link: str) -> str:
-    """The root that leads to a link; the first one, where there are several ways."""
-    return next(root.name for root in tree.roots if link in tree.below(root.name))
 
 
 def motion(joint: Joint, position: float) -> Frame:

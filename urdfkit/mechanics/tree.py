@@ -127,6 +127,16 @@ class KinematicTree:
         return tuple(found)
 
     @cached_property
+    def root_of(self) -> dict[str, str]:
+        """The root that leads to each link; links in a closed loop that none leads to have none."""
+        found = {root.name: root.name for root in self.roots}
+        for joint in self.spanning:
+            assert joint.parent is not None
+            assert joint.child is not None
+            found[joint.child.value] = found[joint.parent.value]
+        return found
+
+    @cached_property
     def frames(self) -> dict[str, Frame]:
         """Where each link is with every joint at its origin, in the frame of its root."""
         frames = {root.name: Frame() for root in self.roots}

@@ -30,7 +30,7 @@ def _sections(document: Document, _: Words) -> Iterator[str]:
             [_("Joints"), str(robot["joints"])],
             [_("Degrees of freedom"), str(robot["degrees_of_freedom"])],
             [_("Mass"), f"{robot['mass']:g} kg"],
-            [_("Centre of mass"), f"{_vector(robot['center'])} m"],
+            [_("Centre of mass"), f"{_vector(robot['center'] or [None] * 3)} m"],
         ]
         yield table(["", ""], rows)
     if document["targets"]:

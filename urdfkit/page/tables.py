@@ -5,9 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.mechanics.inertia import combined, principal_moments
-from urdfkit.mechanics.kinematics import frames
-from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.overview import summarise
 from urdfkit.source import Span
 from urdfkit.subject import Unavailable
@@ -20,11 +18,10 @@ Row = dict[str, Any]
 
 
 def robot(subject: Subject) -> Row:
-    """What it is as a whole, all joints at zero; in the frame of its first root."""
+    """What it is as a whole, all joints at zero; in the frame of its root."""
     model, tree = subject.model, subject.tree
-    links = model.links_by_name
     seen = summarise(subject)
-    whole = combined(properties_of(links[name], frame) for name, frame in frames(tree, {}).items())
+    whole = seen.weight.whole.properties
     return {
         "name": model.name,
         "links": len(model.links),
@@ -32,7 +29,7 @@ def robot(subject: Subject) -> Row:
         "degrees_of_freedom": model.degrees_of_freedom,
         "roots": [root.name for root in tree.roots],
         "mass": model.mass,
-        "center": list(whole.center),
+        "center": list(whole.center) if whole else None,
         "visuals": sum(len(link.visuals) for link in model.links),
         "size": list(seen.shapes.box.edges) if seen.shapes.box else None,
         "reach": seen.reach.distance if seen.reach else None,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import combinations
 from typing import NamedTuple
 
 from urdfkit.errors import MissingLibrary
@@ -49,7 +48,7 @@ def overlaps(subject: Subject, given: Mapping[str, float]) -> Iterator[Overlap]:
     known = set(moving.links)
     examiner = Examiner(moving, (form(body) for body in bodies if body.link in known))
     adjacency = Adjacency(subject.tree)
-    pairs = list(combinations(examiner.links, 2))
+    pairs = list(moving.pairs(examiner.links))
     row = moving.row({axis.joint: given.get(axis.joint, 0.0) for axis in moving.axes})
     seen = examiner.look(pairs, [0.0] * len(pairs)).at(row[None], count=True)
     for (first, second), one in zip(pairs, seen, strict=True):

@@ -11,10 +11,9 @@ from math import pi
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.mechanics.inertia import combined
 from urdfkit.mechanics.joints import bounds
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, direction, positions
-from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.whole import whole
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
 from urdfkit.render import primitives
@@ -153,13 +152,12 @@ def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, fl
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
         yield _sign(link.name, "mass", ball, Frame(position=link.inertial.origin.position), MASS)
-    root = subject.tree.roots[0].name
-    whole = combined(
-        properties_of(link, scene.frames[link.name]) for link in _weighed(scene, subject)
-    )
-    ball = primitives.sphere(BALL * size * 1.3)
-    yield _sign(root, "mass", ball, Frame(position=whole.center), WHOLE)
-    yield Label(f"{whole.mass:.4g} kg", root, whole.center)
+    found = whole(subject.tree, scene.frames)
+    if found.properties:
+        center = found.properties.center
+        ball = primitives.sphere(BALL * size * 1.3)
+        yield _sign(found.root, "mass", ball, Frame(position=center), WHOLE)
+        yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
 def _weighed(scene: Scene, subject: Subject) -> list[Link]:

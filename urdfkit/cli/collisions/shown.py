@@ -9,6 +9,7 @@ from urdfkit.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
 from urdfkit.formats._layout import columns, printable, wrap
 from urdfkit.formats._markdown import table
 from urdfkit.formats.markdown import escape
+from urdfkit.meshes.facts import counted
 
 if TYPE_CHECKING:
     from urdfkit.collision.srdf_matrix import Comparison
@@ -104,6 +105,7 @@ def as_json(matrix: Matrix, comparison: Comparison | None) -> dict[str, Any]:
         "applies_units": matrix.applies_units,
         "pairs": [_pair(pair) for pair in matrix.pairs],
         "omitted": [one._asdict() for one in matrix.omitted],
+        "parts": list(matrix.parts),
     }
     if comparison is not None:
         found["compared"] = {
@@ -129,8 +131,8 @@ def _title(matrix: Matrix) -> str:
     links = {name for pair in matrix.pairs for name in (pair.first, pair.second)}
     name = printable(matrix.robot) or "(no name)"
     return (
-        f"{name}: {len(matrix.pairs)} pairs of {len(links)} links, {matrix.samples} samples, "
-        f"seed {matrix.seed}"
+        f"{name}: {counted(len(matrix.pairs), 'pair')} of {counted(len(links), 'link')}, "
+        f"{matrix.samples} samples, seed {matrix.seed}"
     )
 
 
@@ -160,6 +162,13 @@ def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
         yield (
             f"{them} that collide where the robot begins do so in few samples only. An SRDF will "
             "not have them checked: let the robot begin elsewhere, with --pose or --joint."
+        )
+    if matrix.parts:
+        tops = ", ".join(matrix.parts[:_MOST])
+        more = f" and {len(matrix.parts) - _MOST} more" if len(matrix.parts) > _MOST else ""
+        yield (
+            f"{len(matrix.parts)} parts, under {tops}{more}: links of different parts are not "
+            "compared, since no joint bounds how they stand to one another."
         )
     if matrix.samples < matrix.asked:
         yield f"Stopped after {matrix.samples} of {matrix.asked} samples: more showed nothing new."
