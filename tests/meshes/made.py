@@ -100,12 +100,12 @@ def gltf(**more: object) -> bytes:
     return json.dumps(content | more).encode()
 
 
-def glb(text: bytes | None = None) -> bytes:
+def glb(text: bytes | None = None, binary: bytes = b"abcd") -> bytes:
     text = gltf() if text is None else text
     text += b" " * (-len(text) % 4)
-    chunks = (
-        struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", 4, 0x4E4942) + b"abcd"
-    )
+    binary += b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+    chunks += struct.pack("<II", len(binary), 0x4E4942) + binary
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import os
+import struct
 import subprocess
 import sys
 from collections.abc import Callable
@@ -15,7 +16,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshes import made
-from urdfkit.meshes import facts, store
+from urdfkit.meshes import facts, samples, store
 from urdfkit.meshes.measures import Measures
 from urdfkit.meshes.store import Store
 
@@ -155,6 +156,21 @@ def test_materials_belong_to_an_obj_file(tmp_path: Path, cache: Path) -> None:
     (tmp_path / "a.mtl").write_text("newmtl b\n")
     measured(cache, path, facts.OBJ)
     assert len(entries(cache)) == 2
+
+
+def test_buffers_belong_to_a_gltf_file(tmp_path: Path, cache: Path) -> None:
+    content = json.loads(samples.gltf())
+    content["buffers"][0]["uri"] = "the%20numbers.bin"
+    path = tmp_path / "part.gltf"
+    path.write_text(json.dumps(content))
+    buffer = tmp_path / "the numbers.bin"
+    areas = []
+    for size in (1.0, 2.0):
+        buffer.write_bytes(struct.pack("<9f", 0, 0, 0, size, 0, 0, 0, 1, 0))
+        found = measured(cache, path, facts.GLTF)
+        assert isinstance(found, Measures)
+        areas.append(found.area)
+    assert areas == [0.5, 1.0]
 
 
 def test_a_warm_cache_needs_neither_numpy_nor_trimesh(mesh: Path, cache: Path) -> None:

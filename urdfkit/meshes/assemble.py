@@ -9,6 +9,10 @@ import numpy as np
 from urdfkit.meshes.facts import counted
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Material, Part
 
+#: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.
+MAX_NODES = 20_000
+MAX_TRIANGLES = 20_000_000
+
 
 class Stream(NamedTuple):
     """Values, and which of them each corner of each triangle takes.

@@ -1,11 +1,8 @@
-"""The files that mesh files name: images, and the materials of OBJ."""
+"""The files that mesh files name: images, the materials of OBJ, the numbers of glTF."""
 
 from __future__ import annotations
 
 import os
-
-#: No file of materials is larger.
-MAX_LIBRARY = 4 * 1024 * 1024
 
 
 def find_image(name: str, folder: str) -> str | None:
@@ -27,13 +24,17 @@ def find_image(name: str, folder: str) -> str | None:
     return None
 
 
-def read_library(name: str, folder: str) -> bytes | None:
-    """The materials that an OBJ file in a folder names; None if they are not there."""
-    path = os.path.join(folder, name.replace("\\", "/"))
+def place(name: str, folder: str) -> str:
+    """Where a file lies, or would, that a mesh file in a folder names."""
+    return os.path.normpath(os.path.join(folder, name.replace("\\", "/")))
+
+
+def read(path: str, most: int) -> bytes | None:
+    """What a file holds; None if it is not there, or has more than some bytes."""
     try:
-        if not os.path.isfile(path) or os.path.getsize(path) > MAX_LIBRARY:
+        if not os.path.isfile(path) or os.path.getsize(path) > most:
             return None
         with open(path, "rb") as file:
-            return file.read()
+            return file.read(most)
     except (OSError, ValueError):
         return None

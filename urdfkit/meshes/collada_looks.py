@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.meshes.assemble import Losses
-from urdfkit.meshes.beside import find_image
+from urdfkit.meshes.beside import find_image, place
 from urdfkit.meshes.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.meshes.geometry import Material
 from urdfkit.meshes.numbers import floats
@@ -37,6 +37,7 @@ class Looks:
     Attributes:
         textures: the names of images that are used, as written.
         missing: those of them that are not there.
+        files: where they lie, or would.
     """
 
     def __init__(self, tree: Tree, folder: str, losses: Losses) -> None:
@@ -46,6 +47,7 @@ class Looks:
         self._looks: dict[Element, Look] = {}
         self.textures: list[str] = []
         self.missing: list[str] = []
+        self.files: list[str] = []
 
     def look(self, reference: str) -> Look | None:
         """The look of ``#material``; None if there is no such material."""
@@ -76,6 +78,8 @@ class Looks:
             rgba = (1.0, 1.0, 1.0, 1.0)
         opacity = self._opacity(shader, rgba[3])
         path = find_image(image, self._folder) if image else None
+        if image:
+            self.files.append(path or place(image, self._folder))
         if texture is not None and path is None:
             rgba = _DEFAULT.rgba
             self.missing.append(image)

@@ -64,6 +64,7 @@ class Mesh(Record):
         extras: what the file holds besides triangles, such as ``2 cameras``.
         textures: the names of images that its materials use, as written.
         missing: the names of images and of files of materials that it uses and that are not there.
+        files: where the other files lie, or would, that it names: images, materials, numbers.
     """
 
     parts: tuple[Part, ...]
@@ -73,6 +74,7 @@ class Mesh(Record):
     extras: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
 
     @property
     def vertices(self) -> Floats:

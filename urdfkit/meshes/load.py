@@ -1,7 +1,7 @@
 """Mesh files to triangles.
 
-STL, COLLADA and OBJ are read here, for importing trimesh takes longer than reading the meshes of
-a robot; PLY and glTF are left to it.
+All but PLY are read here and not by trimesh: importing it takes longer than reading the meshes of
+a robot, and it loses what is there of many files that are not quite right.
 """
 
 from __future__ import annotations
@@ -107,10 +107,14 @@ def _parse(data: bytes, path: str, found: MeshFacts, *, recover: bool = False) -
             from urdfkit.meshes import load_obj
 
             return load_obj.read(data, folder)
-        if found.format in (facts.PLY, facts.GLB, facts.GLTF) and not found.defect:
-            from urdfkit.meshes import load_by_trimesh
+        if found.format in (facts.GLB, facts.GLTF) and not found.defect:
+            from urdfkit.meshes import load_gltf
 
-            return load_by_trimesh.read(data, found.format, folder)
+            return load_gltf.read(data, found.format, folder)
+        if found.format == facts.PLY and not found.defect:
+            from urdfkit.meshes import load_ply
+
+            return load_ply.read(data, folder)
     except NoTriangles as error:
         raise UnloadableMesh(path, str(error)) from error
     if found.defect:

@@ -12,18 +12,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from urdfkit.meshes.assemble import Losses, assemble, counted_kinds, transformed
+from urdfkit.meshes.assemble import (
+    MAX_NODES,
+    MAX_TRIANGLES,
+    Losses,
+    assemble,
+    counted_kinds,
+    transformed,
+)
 from urdfkit.meshes.collada_looks import Look, Looks
 from urdfkit.meshes.collada_surfaces import Geometries, Surface
 from urdfkit.meshes.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.meshes.geometry import Floats, Mesh, NoTriangles, Part
 from urdfkit.meshes.numbers import floats
 
-#: Nodes within nodes, nodes in all, and triangles of all instances: nodes that show others twice
-#: double with each level.
+#: Nodes within nodes.
 MAX_DEPTH = 200
-MAX_NODES = 20_000
-MAX_TRIANGLES = 20_000_000
 
 #: A number as programs in German or French print it.
 _DECIMAL_COMMA = re.compile(rb"<float_array[^>]*>\s*(-?\d+,\d+)\s")
@@ -79,6 +83,7 @@ class _Reader:
             self._extras(),
             tuple(self._looks.textures),
             tuple(self._looks.missing),
+            tuple(self._looks.files),
         )
 
     def _nodes(self) -> Iterator[tuple[Element, Floats]]:

@@ -54,6 +54,7 @@ def read(data: bytes, folder: str) -> Mesh:
         extras=extras,
         textures=library.textures,
         missing=library.missing,
+        files=library.files,
     )
 
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.meshes.assemble import Losses
-from urdfkit.meshes.beside import find_image, read_library
+from urdfkit.meshes.beside import find_image, place, read
 from urdfkit.meshes.geometry import Material
 from urdfkit.meshes.numbers import floats
+
+#: No file of materials is larger.
+MAX_LIBRARY = 4 * 1024 * 1024
 
 #: How many words follow the options of a texture, at most; not all of them need be there.
 _OPTIONS = {b"-mm": 2, b"-o": 3, b"-s": 3, b"-t": 3}
@@ -24,6 +27,7 @@ class Library:
     Attributes:
         textures: the names of the images that they use.
         missing: the names of files that are not there.
+        files: where all these files lie, or would.
     """
 
     def __init__(self, names: list[str], folder: str, losses: Losses) -> None:
@@ -32,8 +36,11 @@ class Library:
         self._folder = folder
         self.textures: tuple[str, ...] = ()
         self.missing: tuple[str, ...] = ()
+        self.files: tuple[str, ...] = ()
         for name in dict.fromkeys(names):
-            data = read_library(name, folder)
+            path = place(name, folder)
+            self.files += (path,)
+            data = read(path, MAX_LIBRARY)
             if data is None:
                 self.missing += (name,)
             else:
@@ -76,6 +83,7 @@ class Library:
         name = _without_options(rest).decode("utf-8", "replace")
         self.textures = tuple(dict.fromkeys((*self.textures, name)))
         path = find_image(name, self._folder)
+        self.files += (path or place(name, self._folder),)
         if path is None:
             self.missing += (name,)
             return material

@@ -16,7 +16,7 @@ from urdfkit.meshes.measures import Measures, from_json, to_json
 from urdfkit.meshes.sniff import MAX_BYTES
 
 #: Goes up when measures change, or what they are made from.
-VERSION = 4
+VERSION = 5
 
 #: The folder of the cache; where it is set and empty, there is none.
 VARIABLE = "URDFKIT_CACHE_DIR"
@@ -24,7 +24,8 @@ VARIABLE = "URDFKIT_CACHE_DIR"
 #: Entries in one of the 256 folders; of some 2 kB each.
 MAX_ENTRIES = 100
 
-_LIBRARY = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
+_MATERIALS = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
+_URI = rb'"uri"\s*:\s*"(?!data:)([^"]{1,1000})"'
 
 
 @lru_cache
@@ -88,17 +89,27 @@ class Store:
 
 
 def _digest(data: bytes, form: str, folder: str) -> str:
-    """Of all that the measures are made from: an OBJ file and the materials that it names."""
+    """Of all that the measures are made from: a file and those that it names."""
     from hashlib import blake2b
+
+    from urdfkit.meshes import beside
 
     digest = blake2b(f"{form} {len(data)}\n".encode(), digest_size=20)
     digest.update(data)
-    if form == facts.OBJ:
-        from urdfkit.meshes.beside import read_library
-
-        for name in re.findall(_LIBRARY, data):
-            digest.update(name + (read_library(name.decode("utf-8", "replace"), folder) or b""))
+    for name in _names(data, form):
+        digest.update(name.encode() + (beside.read(beside.place(name, folder), MAX_BYTES) or b""))
     return digest.hexdigest()
+
+
+def _names(data: bytes, form: str) -> list[str]:
+    """How a file names others that its measures are made from too."""
+    if form == facts.OBJ:
+        return [name.decode("utf-8", "replace") for name in re.findall(_MATERIALS, data)]
+    if form not in (facts.GLB, facts.GLTF):
+        return []
+    from urllib.parse import unquote
+
+    return [unquote(name.decode("utf-8", "replace")) for name in re.findall(_URI, data)]
 
 
 def _measured(data: bytes, path: str) -> Measures | str:

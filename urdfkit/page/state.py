@@ -104,7 +104,7 @@ def read(wish: Wish) -> State:
     drawings, scene = drawn(told, has_pictures=False)
     stamps = {path: stamp(path) for path in files_of(subject, document)}
     if scene is not None:
-        stamps |= {path: stamp(path) for path in _textures(subject)}
+        stamps |= {path: stamp(path) for path in _beside(subject)}
     return State(document, drawings, scene, _declared(subject), stamps | before, told)
 
 
@@ -131,15 +131,15 @@ def files_of(subject: Subject, document: Document) -> set[str]:
     return found
 
 
-def _textures(subject: Subject) -> set[str]:
-    """The images on the visuals of a robot, as far as they are files."""
-    found: set[str | bytes | None] = set()
+def _beside(subject: Subject) -> set[str]:
+    """The files that the looks of a robot need besides its meshes, such as images."""
+    found: set[str] = set()
     for body in (body for link in subject.model.links for body in link.visuals):
         if body.material and body.material.texture is not None:
-            found.add(subject.files.find(body.material.texture))
+            found.add(subject.files.find(body.material.texture) or "")
         mesh = subject.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
-        found |= {part.material.texture for part in mesh.parts if part.material} if mesh else set()
-    return {path for path in found if isinstance(path, str)}
+        found.update(mesh.files if mesh else ())
+    return found - {""}
 
 
 def _declared(subject: Subject) -> dict[str, str]:

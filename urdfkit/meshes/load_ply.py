@@ -1,0 +1,77 @@
+"""Reading PLY files with trimesh."""
+
+from __future__ import annotations
+
+import logging
+import re
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from urdfkit.meshes.assemble import Losses, Stream, assemble
+from urdfkit.meshes.beside import find_image, place
+from urdfkit.meshes.geometry import Material, Mesh, NoTriangles
+from urdfkit.meshes.ply import MAX_HEADER
+
+#: How MeshLab and its like name the image on a mesh.
+_TEXTURE = re.compile(rb"\ncomment TextureFile[ \t]+([^\r\n]+)")
+
+
+def read(data: bytes, folder: str) -> Mesh:
+    """What a PLY file holds.
+
+    Args:
+        data: the file.
+        folder: that it lies in, and its image.
+
+    Raises:
+        NoTriangles: it holds none, or trimesh cannot read it.
+    """
+    try:
+        mesh = _read(data)
+    except NoTriangles:
+        raise
+    except Exception as error:  # readers of foreign bytes raise anything, and some of it late
+        raise NoTriangles(f"cannot be read: {type(error).__name__}: {error}") from error
+    named = _TEXTURE.search(data[:MAX_HEADER])
+    if named is None:
+        return mesh
+    name = named.group(1).decode("utf-8", "replace").strip()
+    path = find_image(name, folder)
+    return mesh._replace(
+        parts=(mesh.parts[0]._replace(material=Material("", (1.0, 1.0, 1.0, 1.0), path)),),
+        textures=(name,),
+        missing=() if path else (name,),
+        files=(path or place(name, folder),),
+    )
+
+
+def _read(data: bytes) -> Mesh:
+    import trimesh
+
+    trimesh.util.log.setLevel(logging.CRITICAL)  # it logs tracebacks of what is told here
+    found = trimesh.load(BytesIO(data), file_type="ply", process=False)
+    if not isinstance(found, trimesh.Trimesh):
+        raise NoTriangles("holds no triangles")
+    rows = np.asarray(found.faces, dtype=np.int64)
+
+    def stream(values: object) -> Stream | None:
+        if values is None or len(values) != len(found.vertices):  # type: ignore[arg-type]
+            return None
+        return Stream(np.asarray(values, dtype=np.float64), rows)
+
+    visual: Any = found.visual
+    colors = visual.vertex_colors / 255.0 if visual.kind in ("vertex", "face") else None
+    losses = Losses()
+    part = assemble(
+        Stream(np.asarray(found.vertices, dtype=np.float64), rows),
+        losses,
+        normals=stream(found._cache.cache.get("vertex_normals")),  # else it computes them
+        uv=stream(getattr(visual, "uv", None)),
+        colors=stream(colors),
+    )
+    if part is None:
+        lost = "; ".join(losses.sentences())
+        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
+    return Mesh((part,), losses=losses.sentences())
