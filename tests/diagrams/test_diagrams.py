@@ -60,6 +60,17 @@ def test_text() -> None:
     )
 
 
+def test_what_is_too_wide_goes_on_below() -> None:
+    assert text.render(tree(BRANCHES), width=50) == (
+        "base\n"
+        "├ left_link  left: revolute about y, -1 to 2 rad,\n"
+        "│ │   30 N m, 4 rad/s\n"
+        "│ └ tip_link  tip: fixed\n"
+        "└ right_link  right: prismatic along -z,\n"
+        "      0 to 0.1 m, 10 N, 1 m/s\n"
+    )
+
+
 @pytest.mark.parametrize(
     ("content", "kind", "expected"),
     [

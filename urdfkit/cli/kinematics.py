@@ -20,6 +20,9 @@ from urdfkit.subject import Subject, Unavailable
 
 VERSION = 1
 
+#: Rows of a Jacobian: linear velocity in m/s or m/rad/s, then angular velocity.
+_VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
+
 
 @click.command("kinematics")
 @one_robot
@@ -92,13 +95,14 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
     if "transform" in found:
         frame = found["transform"]
         yield f"{found['to']} in {found['from']}, {where}"
-        yield f"x y z in m:                 {_numbers(frame.position)}"
-        yield f"roll pitch yaw in degrees:  {_numbers(_turn(frame))}"
-        yield f"roll pitch yaw in rad:      {_numbers(to_rpy(frame.rotation))}"
+        yield f"x y z in m:                 {_exactly(frame.position)}"
+        yield f"roll pitch yaw in degrees:  {_exactly(_turn(frame))}"
+        yield f"roll pitch yaw in rad:      {_exactly(to_rpy(frame.rotation))}"
     if "jacobian" in found:
-        head = f"Jacobian of {found['link']}, {where}: columns are {', '.join(found['columns'])}"
-        yield from wrap(head, output.width(), indent=2).split("\n")
-        yield from _matrix(found["jacobian"], ("vx", "vy", "vz", "wx", "wy", "wz"))
+        yield f"Jacobian of {found['link']}, {where}: a column in each line"
+        columns = zip(found["columns"], zip(*found["jacobian"], strict=True), strict=True)
+        head = " ".join(f"{name:>9}" for name in _VELOCITY)
+        yield from _table([("", head), *((name, _numbers(column)) for name, column in columns)])
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
         yield from _matrix(found["mass_matrix"], found["columns"])
@@ -109,29 +113,56 @@ def _frames(found: Mapping[str, Frame], root_of: Mapping[str, str], where: str) 
     if not found:
         yield "no frames: no link is a root"
         return
-    width = max(map(len, found))
     trees: dict[str, list[str]] = {}
     for name in found:
         trees.setdefault(root_of[name], []).append(name)
     for root, names in trees.items():
         yield f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
-        for name in names:
-            yield f"{name:<{width}}  {_numbers((*found[name].position, *_turn(found[name])))}"
+        yield from _table([(name, _placed(found[name])) for name in names])
+
+
+def _placed(frame: Frame) -> str:
+    """To a tenth of a millimetre and a hundredth of a degree, point below point."""
+    position = " ".join(_fixed(value, 8, 4) for value in frame.position)
+    return f"{position} {' '.join(_fixed(angle, 7, 2) for angle in _turn(frame))}"
+
+
+def _fixed(value: float, width: int, digits: int) -> str:
+    if abs(value) >= 10 ** (width - digits - 2):
+        return f"{value:>{width}.2g}"
+    return f"{round(value, digits) + 0.0:>{width}.{digits}f}"  # no negative zero
 
 
 def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[str]:
-    width = max(map(len, names), default=0)
-    for name, row in zip(names, rows, strict=True):
-        yield f"{name:<{width}}  {_numbers(row)}"
+    """A square matrix, in groups of as many columns as the terminal has room for."""
+    width = min(max(map(len, names), default=0), 20)
+    count = max(1, (output.width() - width - 2) // 10)
+    for start in range(0, len(names), count):
+        if len(names) > count:
+            columns = names[start : start + count]
+            yield from wrap(f"columns {', '.join(columns)}", output.width(), indent=2).split("\n")
+        cut = (_numbers(row[start : start + count]) for row in rows)
+        yield from _table(list(zip(names, cut, strict=True)))
+
+
+def _table(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
+    """Names, and numbers beside them, or below where a name is too long for that."""
+    width = max(len(name) for name, _ in rows)
+    fits = width + 2 + len(rows[0][1]) <= output.width()
+    for name, numbers in rows:
+        yield from [f"{name:<{width}}  {numbers}"] if fits else [name, f"  {numbers}"]
 
 
 def _turn(frame: Frame) -> list[float]:
     return [degrees(angle) for angle in to_rpy(frame.rotation)]
 
 
+def _exactly(values: Iterable[float]) -> str:
+    return " ".join(f"{0.0 if abs(value) < 1e-12 else value:>12.7g}" for value in values)
+
+
 def _numbers(values: Iterable[float]) -> str:
-    """Aligned, without the noise of rounding."""
-    return " ".join(f"{0.0 if abs(value) < 1e-12 else value:>10.5g}" for value in values)
+    return output.aligned(values, noise=1e-12)
 
 
 def as_json(found: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, Any]:

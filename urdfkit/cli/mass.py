@@ -123,7 +123,7 @@ def _axes(axes: Rotation) -> str:
 def _three(values: Iterable[float]) -> str:
     every = list(values)
     noise = 1e-9 * max(map(abs, every))
-    return " ".join(f"{0.0 if abs(value) <= noise else value:>9.4g}" for value in every)
+    return output.aligned(every, noise)
 
 
 def as_json(found: MassTable) -> str:

@@ -64,6 +64,21 @@ def write(text: str) -> None:
             raise UnwritableFile(f"standard output: {error.strerror or error}") from error
 
 
+def aligned(values: Iterable[float], noise: float = 0.0) -> str:
+    """Numbers to four digits in nine columns each; to fewer digits where that is too little.
+
+    Args:
+        values: the numbers.
+        noise: what is no larger is but the rounding of sums, and 0.
+    """
+    return " ".join(_short(0.0 if abs(value) <= noise else value) for value in values)
+
+
+def _short(value: float) -> str:
+    exact = f"{value:9.4g}"
+    return exact if len(exact) == 9 else f"{value:9.3g}"
+
+
 def labelled(label: str, text: str) -> list[str]:
     """A text behind a word, in lines no wider than the terminal."""
     lines = indented(text, first=f"  {label:<10} ", rest=" " * 13)

@@ -144,14 +144,14 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     yield ""
     width = max(5, *(len(load.joint) for load in found.loads))
     first = "at pose" if posed else "at zero"
-    yield f"{'joint':<{width}}  {first:>9}  {'worst':>9}  {'effort':>9}  {'used':>6}"
+    yield f"{'joint':<{width}}  {first:>9} {'worst':>9}  {'effort':>8}  {'used':>6}"
     for load in found.loads:
         unit = effort_unit(model.joints_by_name[load.joint])
-        limit = "not given" if load.effort is None else f"{load.effort:.4g}"
+        limit = "unknown" if load.effort is None else f"{load.effort:.4g}"
         used = "" if load.used is None else f"{load.used:.0%}"
         yield (
-            f"{load.joint:<{width}}  {_small(load.at_pose):>9}  {_small(load.worst):>9}"
-            f"  {limit:>9}  {used:>6}  {unit}"
+            f"{load.joint:<{width}}  {output.aligned((load.at_pose, load.worst), NOISE)}"
+            f"  {limit:>8}  {used:>6}  {unit}"
         )
     weakest = found.weakest
     if weakest is not None and weakest.worst > NOISE:
@@ -167,11 +167,6 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
 def _wrapped(lines: Iterable[str]) -> Iterator[str]:
     for line in lines:
         yield from wrap(line, output.width(), indent=2).split("\n")
-
-
-def _small(value: float) -> str:
-    """A number, or 0 where it is but the rounding of sums."""
-    return f"{0.0 if abs(value) < NOISE else value:.4g}"
 
 
 def standing(found: Stability | None, roots: set[str]) -> Iterator[str]:

@@ -8,7 +8,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.diagrams import FORMATS
+from urdfkit.diagrams import FORMATS, text
 
 
 @click.command("tree")
@@ -23,9 +23,8 @@ def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: 
     Exit codes: 0 done, 2 the file cannot be read.
     """
     subject = robot(words, package, trust)
-    drawn: str = import_module(f"urdfkit.diagrams.{form}").render(subject.tree)
     if form == "text":
-        output.page(drawn.removesuffix("\n").split("\n"))
+        output.page(text.render(subject.tree, output.width()).removesuffix("\n").split("\n"))
     else:
-        output.write(drawn)
+        output.write(import_module(f"urdfkit.diagrams.{form}").render(subject.tree))
     return 0

@@ -83,6 +83,11 @@ def limits(joint: Joint) -> list[str]:
 
 def caption(joint: Joint) -> str:
     """Type, axis, limits and leader: ``revolute about y, -1.5 to 1.5 rad, 20 N m, 2 rad/s``."""
+    return ", ".join(captions(joint))
+
+
+def captions(joint: Joint) -> list[str]:
+    """The same in its parts."""
     along = axis(joint)
     preposition = "along" if joint.kind == "prismatic" else "about"
     parts = [f"{joint.kind or 'without type'}{f' {preposition} {along}' if along else ''}"]
@@ -92,4 +97,4 @@ def caption(joint: Joint) -> str:
         factor = f"{multiplier:.4g} x " if multiplier != 1 else ""
         shift = f" {offset:+.4g}" if offset else ""
         parts.append(f"follows {factor}{joint.mimic.joint.value}{shift}")
-    return ", ".join(parts)
+    return parts

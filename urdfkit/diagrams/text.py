@@ -4,23 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagrams.rows import caption, rows
+from urdfkit.diagrams.rows import captions, rows
 from urdfkit.mechanics.tree import KinematicTree
 
 #: Deeper links are all drawn at this depth: no terminal is wider.
 MAX_DEPTH = 40
 
 
-def render(tree: KinematicTree) -> str:
+#: What is told of a joint has so many columns at least, however deep it is.
+LEAST_WIDTH = 40
+
+
+def render(tree: KinematicTree, width: int = 80) -> str:
     """The tree as text.
 
     Args:
         tree: of the model.
+        width: columns; what is told of a joint goes on in another line.
     """
-    return "".join(f"{line}\n" for line in _lines(tree))
+    return "".join(f"{line}\n" for line in _lines(tree, width))
 
 
-def _lines(tree: KinematicTree) -> Iterator[str]:
+def _lines(tree: KinematicTree, width: int) -> Iterator[str]:
     bars: list[str] = []  # what stands left of a row at each depth
     for row in rows(tree):
         if row.joint is None:
@@ -29,6 +34,24 @@ def _lines(tree: KinematicTree) -> Iterator[str]:
         del bars[row.depth - 1 :]
         corner = "└ " if row.is_last else "├ "
         left = "".join(bars[:MAX_DEPTH])
-        again = "  (see above)" if row.is_again else ""
-        yield f"{left}{corner}{row.link}  {row.joint.name}: {caption(row.joint)}{again}"
+        parts = captions(row.joint)
+        parts[-1] += "  (see above)" if row.is_again else ""
         bars.append("  " if row.is_last else "│ ")
+        below = "│ " if tree.children[row.link] and not row.is_again else "  "
+        yield from _filled(
+            f"{left}{corner}{row.link}  {row.joint.name}: {parts[0]}",
+            parts[1:],
+            f"{left}{bars[-1]}{below}  ",
+            max(width, len(left) + LEAST_WIDTH),
+        )
+
+
+def _filled(line: str, parts: list[str], indent: str, width: int) -> Iterator[str]:
+    """A line and what goes behind it, in further lines where there is no room."""
+    for part in parts:
+        if len(line) + len(part) + 3 <= width:  # with a comma on either side
+            line += f", {part}"
+        else:
+            yield f"{line},"
+            line = indent + part
+    yield line

@@ -44,7 +44,7 @@ class Load(Record):
         at_pose: what it holds at the pose that was asked for; that at zero if none was.
         worst: the largest that any pose asks of it, without sign: what effort would suffice.
         pose: in which it does, in rad or m; joints that hardly matter there are at rest, and
-            those at 0 are left out.
+            those at 0, or on another branch of the tree, are left out.
     """
 
     joint: str
@@ -129,7 +129,10 @@ def statics(
         climbs = (search.climb(column, poses[start]) for start in starts)
         worst, x = max(climbs, key=lambda climb: climb[0])
         x = search.rested(column, x, worst)
-        where = {one: float(place) for one, place in zip(robot.columns, x, strict=True) if place}
+        where = {
+            robot.columns[other]: float(x[other])
+            for other in np.flatnonzero(search.others[column] & (x != 0))
+        }
         held = float(torques[0, column]), float(asked[column])
         found.append(Load(name, effort(by_name[name]), *held, worst, where))
     found.sort(key=lambda load: (-(load.used or 0.0), -load.worst))
