@@ -184,13 +184,13 @@ def _about_sense(model: RobotModel) -> set[str]:
 
 def _about_mimics(model: RobotModel) -> set[str]:
     """Joints that follow one that moves by itself."""
-    for joint in model.joints:
-        if joint.mimic is None:
-            continue
-        leader = joint.mimic.joint and model.joints_by_name.get(joint.mimic.joint.value)
+    mimics = [(joint, joint.mimic) for joint in model.joints if joint.mimic]
+    codes = {"JNT036"} if all(mimic.multiplier for _, mimic in mimics) else set()
+    for joint, mimic in mimics:
+        leader = mimic.joint and model.joints_by_name.get(mimic.joint.value)
         if not leader or leader.mimic or not {leader.kind, joint.kind} <= set(MOVING):
-            return set()
-    return {"JNT014", "JNT015", "JNT017", "REF004"}
+            return codes
+    return codes | {"JNT014", "JNT015", "JNT017", "REF004"}
 
 
 def _about_gazebo(model: RobotModel) -> set[str]:
@@ -343,6 +343,8 @@ def _about_names(model: RobotModel) -> set[str]:
     codes |= {code for code, is_plain in ABOUT_NAMES.items() if all(map(is_plain, names))}
     if not any(joint.name in model.links_by_name for joint in model.joints):
         codes.add("NAM003")
+    if len({name.casefold() for name in names}) == len(names):
+        codes.add("NAM011")
     if not any(name == "world" or name.startswith("__") for name in names):
         codes.add("NAM005")
     return codes

@@ -17,16 +17,19 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
 
     ``likeness`` is the least ratio of common letters, from 0 to 1.
     """
+    word = word[:_LONGEST].casefold()
+    spellings = {candidate.casefold(): candidate for candidate in known}
+    like = [spelling for spelling in spellings if _most_alike(word, spelling) >= likeness]
+    if not like:
+        return None
     from difflib import SequenceMatcher  # 1 ms, and needed after a slip only
 
-    spellings = {candidate.casefold(): candidate for candidate in known}
-    matcher = SequenceMatcher(b=word[:_LONGEST].casefold())
+    matcher = SequenceMatcher(b=word)
     # The exact ratio takes long; those that can be the best come first.
     bounds: list[tuple[float, str]] = []
-    for spelling in spellings:
+    for spelling in like:
         matcher.set_seq1(spelling)
-        if matcher.real_quick_ratio() >= likeness:
-            bounds.append((matcher.quick_ratio(), spelling))
+        bounds.append((matcher.quick_ratio(), spelling))
     best = (likeness, "")
     for bound, spelling in sorted(bounds, reverse=True):
         if bound < best[0]:
@@ -34,6 +37,13 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
         matcher.set_seq1(spelling)
         best = max(best, (matcher.ratio(), spelling))
     return spellings[best[1]] if best[1] else None
+
+
+def _most_alike(word: str, other: str) -> float:
+    """A bound on the ratio: as if every letter of one that the other has, too, were in place."""
+    foreign = len(other.translate(str.maketrans("", "", word)))
+    common = min(len(word), len(other) - foreign)
+    return 2 * common / (len(word) + len(other) or 1)
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
@@ -53,7 +63,8 @@ class Speller:
     MAX_WORDS = 50
     MAX_KNOWN = 5000
 
-    def __init__(self, known: Collection[str]) -> None:
+    def __init__(self, known: Collection[str], likeness: float = 0.8) -> None:
+        self._likeness = likeness
         self._known = known if len(known) <= self.MAX_KNOWN else ()
         self._found: dict[str, str] = {}
 
@@ -62,7 +73,7 @@ class Speller:
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:
                 return ""
-            found = nearest(word, self._known, 0.8) or ""
+            found = nearest(word, self._known, self._likeness) or ""
             self._found[word] = "" if found and _are_siblings(word, found) else found
         return self._found[word]
 

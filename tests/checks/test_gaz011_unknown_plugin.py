@@ -22,3 +22,8 @@ def test_every_library_of_the_catalogue_is_known() -> None:
 
 def test_no_name_is_told_elsewhere() -> None:
     assert told("GAZ011", BASE + plugin("")) == []
+
+
+def test_another_library_of_the_same_maker_is_no_slip() -> None:
+    (found,) = told("GAZ011", BASE + plugin("libroboticsgroup_gazebo_disable_link_plugin.so"))
+    assert "did you mean" not in (found.help or "")

@@ -71,6 +71,8 @@ def about_sensors(model: RobotModel, targets: Targets) -> set[str]:
     """The rules about sensors."""
     there = list(sensors(model))
     codes = {code for code, is_odd in _ABOUT_SENSORS.items() if not any(map(is_odd, there))}
+    if len({sensor.name for sensor in there}) == len(there):
+        codes.add("GAZ061")
     if targets.names and not any(name.startswith("gz") for name in targets.names):
         codes.add("GAZ053")
     return codes
@@ -127,4 +129,5 @@ _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
 _ABOUT_SENSORS: dict[str, Callable[[Sensor], bool]] = {
     "GAZ043": _has_rate_of_zero,
     "GAZ049": _is_on_optical_frame,
+    "GAZ060": lambda sensor: not sensor.name.strip(),
 }

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from math import atan2, cos, hypot, pi, sin
 
-from urdfkit.mechanics.inertia import ZERO, MassProperties, combined
 from urdfkit.mechanics.kinematics import frames
-from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.rigid import mass_of
 from urdfkit.mechanics.shapes import Primitive, primitive
 from urdfkit.model import Body
 from urdfkit.record import Record
@@ -92,15 +91,16 @@ def stand(
     """
     placed = frames(subject.tree, pose or {})
     links = subject.model.links_by_name
-    bodies = [properties_of(links[name], frame) for name, frame in placed.items()]
-    for name, mass in (payload or {}).items():
-        bodies.append(MassProperties(mass, placed[name].position, ZERO))
-    whole = combined(bodies)
+    loads = [(mass, placed[name].position) for name, mass in (payload or {}).items()]
+    for name, frame in placed.items():
+        if inertial := links[name].inertial:
+            loads.append((mass_of(links[name]), frame.apply(inertial.origin.position)))
+    mass = sum(load for load, _ in loads)
     points = {name: _points(subject, name, placed[name], meshes) for name in placed}
     if contacts is not None:
         points = {name: found for name, found in points.items() if name in contacts}
     heights = [z for found in points.values() for _, _, z in found]
-    if whole.mass <= 0 or not heights:
+    if mass <= 0 or not heights:
         return None
     ground = min(heights)
     near = ground + max(LEAST, TOLERANCE * (max(heights) - ground))
@@ -108,10 +108,10 @@ def stand(
     polygon = hull((x, y) for found in standing.values() for x, y, _ in found)
     if len(polygon) < 3:
         return None
-    x, y, z = whole.center
+    x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
     margin, angle, direction = _edges(polygon, (x, y), z - ground)
     touching = tuple(name for name in links if standing.get(name))
-    return Stability(touching, polygon, whole.center, ground, margin, angle, direction)
+    return Stability(touching, polygon, (x, y, z), ground, margin, angle, direction)
 
 
 def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:

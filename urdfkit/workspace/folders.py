@@ -15,13 +15,21 @@ class Folders:
 
     def __init__(self) -> None:
         self._entries: dict[str, dict[str, bool] | None] = {}
+        self._links: set[str] = set()
         self._real: dict[str, str] = {}
 
     def real(self, path: str) -> str:
-        """A path without symbolic links on the way."""
+        """An absolute path without symbolic links on the way."""
         if path not in self._real:
-            self._real[path] = os.path.realpath(path)
+            above, name = os.path.split(path)
+            is_plain = above != path and not os.path.islink(path)
+            at = os.path.join(self.real(above), name) if is_plain else os.path.realpath(path)
+            self._real[path] = at
         return self._real[path]
+
+    def is_link(self, path: str) -> bool:
+        """True for a symbolic link in a folder whose entries were asked for."""
+        return path in self._links
 
     def entries(self, folder: str) -> dict[str, bool] | None:
         """What is in a folder: True for folders, False for the rest; None if it cannot be read."""
@@ -29,11 +37,18 @@ class Folders:
             try:
                 with os.scandir(folder) as found:
                     self._entries[folder] = {
-                        entry.name: _is_folder(entry) for entry in found if _leads_somewhere(entry)
+                        entry.name: _is_folder(entry) for entry in found if self._leads(entry)
                     }
             except (OSError, ValueError):  # ValueError: a NUL in the name
                 self._entries[folder] = None
         return self._entries[folder]
+
+    def _leads(self, entry: os.DirEntry[str]) -> bool:
+        """False for a symbolic link to nothing."""
+        if not entry.is_symlink():
+            return True
+        self._links.add(entry.path)
+        return os.path.exists(entry.path)
 
     def find(self, folder: str, relative: str) -> str | None:
         """The file at a path below a folder, spelt exactly so; None if there is none."""
@@ -89,7 +104,7 @@ class Folders:
                 path = os.path.join(at, name)
                 if not is_folder:
                     found.append(path)
-                elif len(queue) < limit and name[0] != "." and not os.path.islink(path):
+                elif len(queue) < limit and name[0] != "." and not self.is_link(path):
                     queue.append(path)
         return found
 
@@ -104,11 +119,6 @@ def _alike(entries: dict[str, bool], name: str) -> list[str]:
 
 def _parts(relative: str) -> list[str]:
     return [part for part in relative.split("/") if part not in ("", ".")]
-
-
-def _leads_somewhere(entry: os.DirEntry[str]) -> bool:
-    """False for a symbolic link to nothing."""
-    return not entry.is_symlink() or os.path.exists(entry.path)
 
 
 def _is_folder(entry: os.DirEntry[str]) -> bool:

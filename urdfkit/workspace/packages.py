@@ -307,7 +307,7 @@ class _Scan:
 
     def _in_a_circle(self, path: str) -> bool:
         """True if a symbolic link leads to where another led, or to a folder around it."""
-        if not os.path.islink(path):
+        if not self._packages.folders.is_link(path):
             return False
         real = os.path.realpath(path)
         if real in self._linked or (path + os.sep).startswith(real + os.sep):

@@ -164,7 +164,7 @@ class Resolver:
             path: the file, which need not exist.
             near: path of the checked file.
         """
-        path = os.path.abspath(path)
+        path, near = os.path.abspath(path), os.path.abspath(near)
         if "\0" in path:
             return False
         try:
@@ -173,7 +173,7 @@ class Resolver:
                 return False
         except OSError:
             pass  # missing: only its place counts
-        real = os.path.realpath(path)
+        real = self.folders.real(path)
         chosen = [candidate for found in self._candidates.values() for candidate in found]
         roots = [self.packages.workspace(near), self.packages.workspace(self.folders.real(near))]
         roots += [candidate.folder for candidate in chosen if candidate.certain]
