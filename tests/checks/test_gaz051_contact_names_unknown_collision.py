@@ -25,3 +25,11 @@ def test_the_nearest_is_told():
     inner = "<contact><collision>base_colision</collision></contact>"
     (finding,) = findings("GAZ051", "contact", inner)
     assert finding.message.endswith("did you mean 'base_collision'?")
+
+
+@pytest.mark.parametrize("name", ["end", "end_collision", "tip_collision"])
+def test_what_gazebo_calls_it_is_told(name):
+    inner = f"<contact><collision>{name}</collision></contact>"
+    (finding,) = findings("GAZ051", "contact", inner, reference="tip")
+    assert finding.message.endswith("Gazebo calls it 'base_fixed_joint_lump__end_collision_1'")
+    assert finding.fix and finding.fix.title == "write base_fixed_joint_lump__end_collision_1"

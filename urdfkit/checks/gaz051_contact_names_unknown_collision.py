@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_text
 from urdfkit.gazebo.sensors import sensors
-from urdfkit.nearest import Speller, did_you_mean
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -60,15 +60,27 @@ def check(subject: Subject) -> Iterator[Finding]:
             if named is None or link is None:
                 continue
             simulated = next(one for one in subject.gazebo.links if one.name == link)
-            known = [name for name, _ in simulated.collisions]
+            known = dict(simulated.collisions)
             name = named.text.strip()
-            if name not in known and name != "__default__":
-                hint = did_you_mean(name, known)
-                message = f"{sensor.who}: link '{link}' has no collision '{name}'{hint}"
-                yield Finding(named, message, fix=_fix(named, name, known))
+            if name in known or name == "__default__":
+                continue
+            renamed = [new for new, at in known.items() if name in _called(at)]
+            meant = renamed[0] if len(renamed) == 1 else Speller(known).meant(name)
+            hint = f"; Gazebo calls it '{meant}'" if renamed else f"; did you mean '{meant}'?"
+            yield Finding(
+                named,
+                f"{sensor.who}: link '{link}' has no collision '{name}'{hint if meant else ''}",
+                fix=_fix(named, meant),
+            )
 
 
-def _fix(named: Element, name: str, known: list[str]) -> Fix | None:
-    meant = Speller(known).meant(name)
+def _called(collision: Element) -> tuple[str, ...]:
+    """What one may take for the name of a collision that Gazebo merges into another link."""
+    own = collision.get("name") or ""
+    link = collision.parent.get("name") if collision.parent else ""
+    return (own, f"{own}_collision", f"{link}_collision")
+
+
+def _fix(named: Element, meant: str) -> Fix | None:
     edits = replace_text(named, meant) if meant else None
     return Fix(f"write {meant}", edits) if edits else None
