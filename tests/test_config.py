@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.config import Config, ConfigError, Robot, load, matches, nearest
+from urdfkit.config import Config, ConfigError, Robot, load, matches
 from urdfkit.diagnostic import Severity
 
 ROBOT = """<robot name="r">
@@ -102,17 +102,6 @@ def test_a_slip_is_an_error_that_names_file_setting_and_remedy(tmp_path, text, w
         load(path)
     for word in [path, *words]:
         assert word in str(error.value)
-
-
-def test_the_nearest_one_upwards_is_found(tmp_path):
-    inner = tmp_path / "a" / "b"
-    inner.mkdir(parents=True)
-    write(tmp_path, "[tool.urdfkit]\nignore = ['TRE']", "pyproject.toml")
-    assert nearest(str(inner)) == str(tmp_path / "pyproject.toml")
-    write(tmp_path / "a", "[project]\nname = 'x'", "pyproject.toml")  # says nothing of urdfkit
-    assert nearest(str(inner)) == str(tmp_path / "pyproject.toml")
-    write(inner, "")
-    assert nearest(str(inner)) == str(inner / "urdfkit.toml")
 
 
 def test_severities_and_file_ignores_reach_the_report(tmp_path):

@@ -17,8 +17,6 @@ from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.static import Any
 
-FILES = ("urdfkit.toml", "pyproject.toml")
-
 
 class ConfigError(UrdfkitError):
     """The configuration cannot be understood; the message names file, setting and remedy."""
@@ -111,27 +109,6 @@ def matches(path: str, patterns: tuple[str, ...]) -> bool:
         fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")
         for pattern in patterns
     )
-
-
-def nearest(start: str) -> str | None:
-    """Path of the nearest configuration upwards of a file or folder, or None."""
-    folder = os.path.abspath(start)
-    while True:
-        for name in FILES:
-            path = os.path.join(folder, name)
-            if os.path.isfile(path) and (name != "pyproject.toml" or _mentions_us(path)):
-                return path
-        folder, below = os.path.dirname(folder), folder
-        if folder == below:
-            return None
-
-
-def _mentions_us(path: str) -> bool:
-    try:
-        with open(path, "rb") as file:
-            return b"[tool.urdfkit" in file.read()
-    except OSError:
-        return False
 
 
 def load(path: str, *, trusted: bool = True) -> Config:

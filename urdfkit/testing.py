@@ -14,7 +14,7 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from urdfkit.config import Config, load, nearest
+from urdfkit.config import Config, load
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.differences import Tolerances, differences
 from urdfkit.engine import check
@@ -25,6 +25,7 @@ from urdfkit.rules import matching
 from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.settings import nearest
 from urdfkit.workspace.states import as_it_was
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.assets import files as module
 from urdfkit.assets.files import Files, Suggestion, is_slip
 from urdfkit.examples import whole_robot
+from urdfkit.meshes import sniff
 from urdfkit.meshes.facts import Kind, MeshFacts
-from urdfkit.meshes.sniff import sniff_file
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -76,12 +76,13 @@ def test_every_reference_of_the_robot(package: Path) -> None:
 def test_every_file_is_read_once(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     add_file(package / "meshes" / "a.stl", made.binary_stl())
     read: list[str] = []
+    original = sniff.sniff_file
 
     def recording(path: str) -> MeshFacts:
         read.append(path)
-        return sniff_file(path)
+        return original(path)
 
-    monkeypatch.setattr(module, "sniff_file", recording)
+    monkeypatch.setattr(sniff, "sniff_file", recording)
     found = files(package, mesh_link(*["package://arm/meshes/a.stl"] * 50, "../meshes/a.stl"))
     assert len(found.meshes) == 51
     assert read == [str(package / "meshes" / "a.stl")]

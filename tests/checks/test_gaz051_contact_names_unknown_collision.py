@@ -32,4 +32,5 @@ def test_what_gazebo_calls_it_is_told(name):
     inner = f"<contact><collision>{name}</collision></contact>"
     (finding,) = findings("GAZ051", "contact", inner, reference="tip")
     assert finding.message.endswith("Gazebo calls it 'base_fixed_joint_lump__end_collision_1'")
-    assert finding.fix and finding.fix.title == "write base_fixed_joint_lump__end_collision_1"
+    assert finding.fix
+    assert finding.fix.title == "write base_fixed_joint_lump__end_collision_1"

@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from urdfkit.document import Attribute, Tag
-from urdfkit.meshes.facts import BY_SUFFIX, GLB, GLTF, Kind, MeshFacts, has_other_unit
-from urdfkit.meshes.sniff import MAX_BYTES, sniff_file
+from urdfkit.meshes.facts import BY_SUFFIX, GLB, GLTF, MAX_BYTES, Kind, MeshFacts, has_other_unit
 from urdfkit.model import Body, Placed, RobotModel, Shape
 from urdfkit.nearest import nearest
 from urdfkit.record import Record
@@ -118,6 +117,8 @@ class Files:
     def facts(self, path: str) -> MeshFacts:
         """What the bytes of a file say."""
         if path not in self._facts:
+            from urdfkit.meshes.sniff import sniff_file
+
             self._facts[path] = sniff_file(path)
         return self._facts[path]
 

@@ -8,9 +8,8 @@ from functools import cached_property
 from urdfkit.document import Attribute
 from urdfkit.mechanics.inertia import MassProperties, rotated
 from urdfkit.mechanics.shapes import Box, Lump
-from urdfkit.meshes.facts import READ
+from urdfkit.meshes.facts import MAX_BYTES, READ
 from urdfkit.meshes.measures import Measures
-from urdfkit.meshes.sniff import MAX_BYTES
 from urdfkit.model import Body, Link, Placed, Shape
 from urdfkit.record import Record
 from urdfkit.spatial import Vector

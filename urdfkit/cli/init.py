@@ -9,7 +9,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import output
-from urdfkit.config import Config, nearest
+from urdfkit.config import Config
 from urdfkit.discovery import Found, discover
 from urdfkit.engine import missing_arguments
 from urdfkit.errors import UnwritableFile
@@ -17,6 +17,7 @@ from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import TARGETS
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.settings import nearest
 
 _FILE = "urdfkit.toml"
 

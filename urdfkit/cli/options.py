@@ -14,6 +14,7 @@ from urdfkit import formats
 from urdfkit.errors import UrdfkitError
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING, Any
+from urdfkit.workspace.settings import nearest
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -144,12 +145,12 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
     """
     if values["isolated"]:
         return None
-    from urdfkit.config import load, nearest
+    path = values["config"] or nearest(os.curdir if near == "-" else near)
+    if path is None:
+        return None
+    from urdfkit.config import load
 
-    if values["config"]:
-        return load(values["config"])
-    path = nearest(os.curdir if near == "-" else near)
-    return None if path is None else load(path, trusted=values["trust"])
+    return load(path, trusted=bool(values["config"]) or values["trust"])
 
 
 def add_rules(values: Mapping[str, Any]) -> list[str]:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache, cached_property
 
 from urdfkit import rules
-from urdfkit.config import Config, load, nearest
+from urdfkit.config import Config, load
 from urdfkit.config import Robot as EntryPoint
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.discovery import affected
@@ -29,6 +29,7 @@ from urdfkit.rules import Need
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.settings import nearest
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8

@@ -14,6 +14,9 @@ PLY = "PLY"
 GLB = "GLB"
 GLTF = "glTF"
 
+#: Larger files are recognised by their beginning, and not judged further.
+MAX_BYTES = 128 * 1024 * 1024
+
 #: The formats whose triangles are read.
 READ = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
 

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.meshes import beside
+from urdfkit.meshes.facts import MAX_BYTES
 from urdfkit.meshes.geometry import Floats, Integers, NoTriangles
 from urdfkit.meshes.gltf_tree import Node
-from urdfkit.meshes.sniff import MAX_BYTES
 
 #: Rows of a list of zeros that a sparse one changes: no byte of it need be in the file.
 MAX_ZEROS = 1_000_000

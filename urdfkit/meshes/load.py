@@ -10,9 +10,9 @@ import os
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.meshes import facts
-from urdfkit.meshes.facts import MeshFacts
+from urdfkit.meshes.facts import MAX_BYTES, MeshFacts
 from urdfkit.meshes.geometry import Mesh, NoTriangles
-from urdfkit.meshes.sniff import MAX_BYTES, sniff
+from urdfkit.meshes.sniff import sniff
 
 
 class UnloadableMesh(UrdfkitError):

@@ -13,10 +13,8 @@ from importlib import import_module
 from stat import S_ISREG
 
 from urdfkit.meshes import binary_stl, facts
-from urdfkit.meshes.facts import Defect, MeshFacts, empty, not_a_mesh, unreadable
+from urdfkit.meshes.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
 
-#: Larger files are recognised by their beginning, and not judged further.
-MAX_BYTES = 128 * 1024 * 1024
 #: No mesh of a robot is larger.
 _LARGEST = 1024**3
 _HEAD = 4096

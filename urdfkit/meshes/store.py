@@ -12,8 +12,8 @@ import re
 from functools import lru_cache
 
 from urdfkit.meshes import facts
+from urdfkit.meshes.facts import MAX_BYTES
 from urdfkit.meshes.measures import Measures, from_json, to_json
-from urdfkit.meshes.sniff import MAX_BYTES
 
 #: Goes up when measures change, or what they are made from.
 VERSION = 5

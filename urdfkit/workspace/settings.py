@@ -1,0 +1,28 @@
+"""The configuration file that holds for a file; most robots have none, and nothing more is read."""
+
+from __future__ import annotations
+
+import os
+
+FILES = ("urdfkit.toml", "pyproject.toml")
+
+
+def nearest(start: str) -> str | None:
+    """Path of the nearest configuration upwards of a file or folder, or None."""
+    folder = os.path.abspath(start)
+    while True:
+        for name in FILES:
+            path = os.path.join(folder, name)
+            if os.path.isfile(path) and (name != "pyproject.toml" or _mentions_us(path)):
+                return path
+        folder, below = os.path.dirname(folder), folder
+        if folder == below:
+            return None
+
+
+def _mentions_us(path: str) -> bool:
+    try:
+        with open(path, "rb") as file:
+            return b"[tool.urdfkit" in file.read()
+    except OSError:
+        return False
