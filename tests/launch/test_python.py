@@ -115,3 +115,50 @@ def test_what_is_no_program_is_told_at_its_place(data):
     (problem,) = launch.problems
     assert problem.code == "LAU001"
     assert problem.span.line == 1
+
+
+def test_what_it_starts(package):
+    launch = read(
+        package,
+        """
+names = ['a', 'b']
+Node(package='p', executable='e', arguments=names + ['-x', unknown(), *more],
+     parameters=[{'rate': 1}])
+Node(package='p', executable='f', parameters=[config])
+ExecuteProcess(cmd=['ros2', 'run'])
+""",
+    )
+    given, unknown, program = launch.started
+    assert (given.package, given.executable) == ("p", "e")
+    assert given.parameters == frozenset(("rate",))
+    assert [word.text for word in given.words] == ["a", "b", "-x", None, None]
+    assert unknown.parameters is None
+    assert [word.text for word in program.words] == ["ros2", "run"]
+
+
+@pytest.mark.parametrize(
+    ("body", "found"),
+    [
+        ("if x:\n    f = 'a'\nelse:\n    f = 'b'\nCommand(['xacro ', f])", 0),
+        ("for f in ['a']:\n    Command(['xacro ', f])", 0),
+        ("with open('a') as f:\n    Command(['xacro ', f])", 0),
+        ("def g(f):\n    Command(['xacro ', f])\nf = 'a'", 0),
+        ("f = 'a'\ndef g():\n    Command(['xacro ', f])", 1),
+        ("f = 'a'\ndef g():\n    f = 'b'", 0),
+        ("f = 'a'\nf = 'a'\nCommand(['xacro ', f])", 1),
+    ],
+)
+def test_a_name_with_one_meaning_is_followed(package, body, found):
+    assert len(read(package, body).files) == found
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "doc = xacro.parse(open(FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'))",
+        "xacro.process_file(FindPackageShare(package='arm').find('arm') + '/urdf/arm.xacro')",
+    ],
+)
+def test_other_ways_to_the_robot(package, body):
+    (description,) = read(package, body).descriptions
+    assert Path(description.path) == package / "urdf" / "arm.xacro"

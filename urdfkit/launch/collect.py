@@ -7,7 +7,7 @@ import shlex
 
 from urdfkit.document import Frame, Tag
 from urdfkit.errors import PackageNotFound
-from urdfkit.launch.found import Description, FileUse, Launch, PackageUse
+from urdfkit.launch.found import Description, FileUse, Launch, PackageUse, Started
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -27,6 +27,9 @@ class Collector:
         self.files: list[FileUse] = []
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
+        self.started: list[Started] = []
+        self.is_whole = True
+        self.included = 0
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The folder of a package; notes that it is needed."""
@@ -76,6 +79,8 @@ class Collector:
             tuple(self.files),
             tuple(self.packages.values()),
             tuple(self.problems),
+            tuple(self.started),
+            self.is_whole,
         )
 
 

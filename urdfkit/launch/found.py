@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from urdfkit.document import Frame
 from urdfkit.reading import Problem
 from urdfkit.record import Record
@@ -12,6 +14,8 @@ PARAMETERS = "the parameter file"
 
 #: Launch files that include one another.
 MAX_DEPTH = 8
+#: Includes that are followed from one launch file.
+MAX_INCLUDED = 200
 
 
 class Description(Record):
@@ -54,21 +58,56 @@ class PackageUse(Record):
     searched: tuple[str, ...] | None
 
 
+class Word(Record):
+    """A word of a command line; its text is None where only running the launch file would tell."""
+
+    text: str | None
+    span: Span
+
+
+class Started(Record):
+    """A program that a launch file starts.
+
+    Attributes:
+        package: empty for a program that is no node.
+        executable: in the package; empty if it is not known, or for a program.
+        words: of its command line; those of a program begin with its name.
+        parameters: names of the parameters that it is given; None if not all are known.
+        span: where it is started.
+        frame: the launch files that led there.
+    """
+
+    package: str
+    executable: str
+    words: tuple[Word, ...]
+    parameters: frozenset[str] | None
+    span: Span
+    frame: Frame | None
+
+
 class Launch(Record):
     """What a launch file needs.
 
     Attributes:
         descriptions: the robots it describes.
         files, packages: that it names, found or not.
-        problems: why it cannot be read.
+        problems: what is wrong with its text, under the codes of the rules that explain it.
+        started: the programs that it starts.
+        is_whole: False if it includes what was not read.
     """
 
     descriptions: tuple[Description, ...]
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
     problems: tuple[Problem, ...]
+    started: tuple[Started, ...]
+    is_whole: bool
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:
         """The files of parameters that it loads."""
         return tuple(file for file in self.files if file.purpose == PARAMETERS)
+
+    def told(self, code: str) -> Iterator[Problem]:
+        """What is wrong with its text that one rule explains."""
+        return (problem for problem in self.problems if problem.code == code)

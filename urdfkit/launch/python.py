@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import ast
-import os
-from collections.abc import Iterator
+from itertools import pairwise
 
-from urdfkit.document import Tag
-from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
-from urdfkit.launch.found import PARAMETERS, Launch
+from urdfkit.document import Frame, Tag
+from urdfkit.launch.collect import Collector, frame_at
+from urdfkit.launch.commands import run_together
+from urdfkit.launch.configurations import Configurations
+from urdfkit.launch.found import PARAMETERS, Launch, Started
+from urdfkit.launch.signature import of_python
+from urdfkit.launch.values import Values, argument, called
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-#: Expressions inside one another that are followed.
-MAX_DEPTH = 40
-
-_PACKAGE_FOLDER = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
-_JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PARAMETER_FILES = (".yaml", ".yml")
-_PASSED_ON = (
-    "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
-    "XMLLaunchDescriptionSource", "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
-)  # fmt: skip
+_ROBOT_FILES = (".urdf", ".xacro")
 
 
 def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launch:
@@ -42,171 +37,143 @@ def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launc
 
 
 class _Reader:
-    """Follows constants through one launch file."""
+    """Reads the calls of one launch file that make actions."""
 
     def __init__(
         self, collector: Collector, source: Source, tree: ast.Module, arguments: dict[str, str]
     ) -> None:
         self.collector = collector
         self.source = source
-        self.nodes = list(ast.walk(tree))
-        self.values: dict[str, ast.expr] = {}
-        self.arguments: dict[str, ast.expr | str] = dict(arguments)
+        self.values = Values(collector, source, tree, arguments)
+        self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        self.configurations = Configurations(self.values, of_python(tree), self.calls)
 
     def read(self) -> None:
-        for node in self.nodes:
-            if isinstance(node, ast.Assign) and len(node.targets) == 1:
-                target = node.targets[0]
-                if isinstance(target, ast.Name):
-                    self.values[target.id] = node.value
-        calls = [node for node in self.nodes if isinstance(node, ast.Call)]
-        for call in calls:
-            if _name(call) == "DeclareLaunchArgument":
+        for call in self.calls:
+            if called(call) == "DeclareLaunchArgument":
                 self._declare(call)
-        for call in calls:
-            handle = getattr(self, f"_{_name(call)}", None)
-            if handle is not None:
+        handles = {
+            "Command": self._command,
+            "ExecuteProcess": self._process,
+            "IncludeLaunchDescription": self._include,
+            "Node": self._node,
+            "open": self._open,
+            "parse": self._parse,
+            "process_file": self._process_file,
+        }
+        for call in self.calls:
+            if handle := handles.get(called(call)):
                 handle(call)
+        self.collector.problems += self.configurations.undeclared()
 
     def _declare(self, call: ast.Call) -> None:
-        name = self.text(_argument(call, 0, "name"))
-        default = _argument(call, None, "default_value")
+        name = self.values.text(argument(call, 0, "name"))
+        default = argument(call, 1, "default_value")
         if name and default is not None:
-            self.arguments.setdefault(name, default)
+            self.values.arguments.setdefault(name, default)
 
     # ---------------------------------------------------------------- calls
 
-    def _Node(self, call: ast.Call) -> None:  # noqa: N802 - the names of launch_ros
-        package = _argument(call, None, "package")
-        name = self.text(package)
+    def _node(self, call: ast.Call) -> None:
+        package = argument(call, None, "package")
+        name = self.values.text(package)
         if name and package is not None:
-            self.collector.package(name, self.source, self._span(package))
-        words = _argument(call, None, "arguments")
-        if isinstance(words, (ast.List, ast.Tuple)):
-            for flag, value in zip(words.elts, words.elts[1:], strict=False):
-                if self.text(flag) in ("-d", "--display-config"):
-                    self._file(value, "the RViz configuration")
-
-        parameters = _argument(call, None, "parameters")
-        for value in parameters.elts if isinstance(parameters, ast.List) else ():
-            if (self.text(value) or "").endswith(_PARAMETER_FILES):
+            self.collector.package(name, self.source, self.values.span(package))
+        words = argument(call, None, "arguments")
+        listed = self.values.items(words) if words else []
+        for flag, value in pairwise(listed):
+            if value and self.values.text(flag) in ("-d", "--display-config"):
+                self._file(value, "the RViz configuration")
+        parameters = argument(call, None, "parameters")
+        for value in self.values.items(parameters) if parameters else ():
+            if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
+        executable = argument(call, None, "executable") or argument(call, None, "node_executable")
+        started = Started(
+            name or "",
+            self.values.text(executable) or "",
+            self.values.words(words),
+            self._parameters(parameters),
+            self.values.span(call),
+            None,
+        )
+        self.collector.started.append(started)
 
-    def _IncludeLaunchDescription(self, call: ast.Call) -> None:  # noqa: N802
-        if call.args:
-            self._file(call.args[0], "the included launch file")
+    def _parameters(self, node: ast.expr | None) -> frozenset[str] | None:
+        """The names of the parameters in a list of dictionaries; None if it holds others."""
+        names: set[str] = set()
+        for item in self.values.items(node) if node else ():
+            given = self.values.meant(item)
+            if not isinstance(given, ast.Dict):
+                return None
+            for key in given.keys:
+                name = self.values.text(key)
+                if name is None:
+                    return None
+                names.add(name)
+        return frozenset(names)
 
-    def _Command(self, call: ast.Call) -> None:  # noqa: N802
-        text = self.text(_argument(call, 0, "command"))
+    def _process(self, call: ast.Call) -> None:
+        words = self.values.words(argument(call, 0, "cmd"))
+        span = self.values.span(call)
+        self.collector.started.append(Started("", "", words, frozenset(), span, None))
+
+    def _include(self, call: ast.Call) -> None:
+        node = argument(call, 0, "launch_description_source")
+        path = self.values.text(node)
+        path = "" if path is None else self.values.path(path)
+        is_there = False
+        if node is not None and path:
+            is_there = self.collector.file(path, self.values.span(node), "the included launch file")
+        self.collector.is_whole = self.collector.is_whole and is_there
+        self.collector.problems += self.configurations.include(call, path)
+
+    def _command(self, call: ast.Call) -> None:
+        command = argument(call, 0, "command")
+        if slip := run_together(self.values, command):
+            self.collector.problems.append(slip)
+            return
+        text = self.values.text(command)
         if text is not None:
-            span = self._span(call)
-            tag = Tag(self.source, span.start, span.start)
-            self.collector.command(text, span, frame_at(self.source, tag, None))
+            self.collector.command(text, self.values.span(call), self._frame(call))
 
     def _process_file(self, call: ast.Call) -> None:
-        path = self.text(_argument(call, 0, "input_file_name"))
+        """Of the module xacro."""
+        self._describe(call, argument(call, 0, "input_file_name"))
+
+    def _parse(self, call: ast.Call) -> None:
+        """``xacro.parse(open(path))``, which ``xacro.process_doc`` expands."""
+        file = argument(call, 0, "inp")
+        if isinstance(call.func, ast.Attribute) and isinstance(file, ast.Call):
+            module = call.func.value
+            if isinstance(module, ast.Name) and module.id == "xacro" and called(file) == "open":
+                self._describe(call, argument(file, 0, "file"))
+
+    def _open(self, call: ast.Call) -> None:
+        """A plain URDF, whose text becomes a parameter."""
+        file = argument(call, 0, "file")
+        if (self.values.text(file) or "").endswith(".urdf"):
+            self._describe(call, file)
+
+    def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
+        path = self.values.text(file)
         if path is None:
             return
-        mappings = _argument(call, None, "mappings")
+        mappings = self.values.meant(argument(call, None, "mappings"))
         arguments: dict[str, str] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):
-                name, text = self.text(key), self.text(value)
+                name, text = self.values.text(key), self.values.text(value)
                 if name and text is not None:
                     arguments[name] = text
-        span = self._span(call)
-        tag = Tag(self.source, span.start, span.start)
-        frame = frame_at(self.source, tag, None)
-        self.collector.description(self._path(path), arguments, span, frame)
+        span = self.values.span(call)
+        self.collector.description(self.values.path(path), arguments, span, self._frame(call))
+
+    def _frame(self, call: ast.Call) -> Frame:
+        start = self.values.span(call).start
+        return frame_at(self.source, Tag(self.source, start, start), None)
 
     def _file(self, node: ast.expr, purpose: str) -> None:
-        path = self.text(node)
+        path = self.values.text(node)
         if path is not None:
-            self.collector.file(self._path(path), self._span(node), purpose)
-
-    def _path(self, text: str) -> str:
-        folder = os.path.dirname(os.path.abspath(self.source.path))
-        return os.path.normpath(os.path.join(folder, text))
-
-    # --------------------------------------------------------------- values
-
-    def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
-        """The text that an expression gives; None where only running it would tell."""
-        if node is None or depth > MAX_DEPTH:
-            return None
-        if isinstance(node, ast.Constant):
-            return str(node.value) if isinstance(node.value, (str, int, float)) else None
-        if isinstance(node, ast.Name):
-            return self._of_name(node.id, depth)
-        if isinstance(node, (ast.List, ast.Tuple)):
-            return _joined(self.text(item, depth + 1) for item in node.elts)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
-            between = os.sep if isinstance(node.op, ast.Div) else ""
-            return _joined((self.text(n, depth + 1) for n in (node.left, node.right)), between)
-        if isinstance(node, ast.JoinedStr):
-            return _joined(self.text(part, depth + 1) for part in node.values)
-        if isinstance(node, ast.FormattedValue):
-            return self.text(node.value, depth + 1)
-        return self._of_call(node, depth) if isinstance(node, ast.Call) else None
-
-    def _of_name(self, name: str, depth: int) -> str | None:
-        value = self.values.get(name)
-        return None if value is None else self.text(value, depth + 1)
-
-    def _of_call(self, call: ast.Call, depth: int) -> str | None:
-        name = _name(call)
-        if name in _PACKAGE_FOLDER:
-            package = self.text(_argument(call, 0, "package"), depth + 1)
-            if package is None:
-                return None
-            folder = self.collector.package(package, self.source, self._span(call))
-            return f"{UNKNOWN}/{package}" if folder is None else folder
-        if name in _JOINED:
-            parts = list(call.args)
-            if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
-                parts = list(parts[0].elts)
-            return _joined((self.text(part, depth + 1) for part in parts), os.sep)
-        if name == "LaunchConfiguration":
-            return self._of_configuration(call, depth)
-        if name == "FindExecutable":
-            return self.text(_argument(call, 0, "name"), depth + 1)
-        if name in _PASSED_ON and call.args:
-            return self.text(call.args[0], depth + 1)
-        return None
-
-    def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
-        name = self.text(_argument(call, 0, "variable_name"), depth + 1)
-        value = self.arguments.get(name or "")
-        return value if isinstance(value, str) else self.text(value, depth + 1)
-
-    def _span(self, node: ast.expr) -> Span:
-        """The place of a node; ast counts columns in bytes of UTF-8."""
-        starts = self.source.offset(node.lineno, 1) + node.col_offset
-        end_line, end_column = node.end_lineno or node.lineno, node.end_col_offset or 0
-        return Span(self.source, starts, self.source.offset(end_line, 1) + end_column)
-
-
-def _name(call: ast.Call) -> str:
-    """The last part of what is called."""
-    function = call.func
-    if isinstance(function, ast.Attribute):
-        return function.attr
-    return function.id if isinstance(function, ast.Name) else ""
-
-
-def _argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None:
-    for keyword in call.keywords:
-        if keyword.arg == name:
-            return keyword.value
-    if position is not None and position < len(call.args):
-        return call.args[position]
-    return None
-
-
-def _joined(parts: Iterator[str | None], between: str = "") -> str | None:
-    texts: list[str] = []
-    for part in parts:
-        if part is None:
-            return None
-        texts.append(part)
-    return between.join(texts)
+            self.collector.file(self.values.path(path), self.values.span(node), purpose)

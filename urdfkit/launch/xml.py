@@ -4,26 +4,39 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
-from urdfkit.launch.found import MAX_DEPTH, PARAMETERS, Launch
+from urdfkit.launch.found import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Launch, Started, Word
+from urdfkit.launch.passing import (
+    declares_others,
+    is_included,
+    is_slip,
+    not_given,
+    not_taken,
+    undeclared,
+)
+from urdfkit.launch.signature import USE, Signature, arguments_in, signature
+from urdfkit.launch.tags import dialect, slips
 from urdfkit.reading import Problem, read_xml
 from urdfkit.source import Source, Span
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
 #: What launch refuses to read.
 _BROKEN = ("XML001", "XML002", "XML006", "XAC013")
+#: Stands in a word for what only running the launch file would tell.
+_UNKNOWN_WORD = "\0"
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
 def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launch:
     """What a launch file in XML needs; files that it includes are followed."""
     collector = Collector(resolver)
-    _File(collector, source, arguments, None, 0).read()
+    _File(collector, source, arguments).read()
     return collector.launch()
 
 
@@ -35,15 +48,21 @@ class _File:
         collector: Collector,
         source: Source,
         arguments: dict[str, str],
-        frame: Frame | None,
-        depth: int,
+        lent: Iterable[str] = (),
+        frame: Frame | None = None,
+        outer: tuple[str, ...] = (),
     ) -> None:
         self.collector = collector
         self.source = source
         self.given = dict(arguments)
         self.values: dict[str, str] = dict(arguments)
         self.frame = frame
-        self.depth = depth
+        self.outer = outer
+        self._ros: int | None = None
+        #: Names of arguments, those that the including file lends among them.
+        self._declared: set[str] = {*lent}
+        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+        self._is_whole = True
 
     def read(self) -> None:
         document, problems = read_xml(self.source)
@@ -54,7 +73,9 @@ class _File:
         elif not is_launch:
             self._unreadable(Span(self.source, 0, 0), "the root element is not <launch>")
         if document is not None and is_launch:
+            self._ros = dialect(document.root) or self._ros_of_package()
             self._children(document.root)
+            self._tell_undeclared()
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
@@ -62,8 +83,12 @@ class _File:
 
     def _children(self, parent: Element) -> None:
         for element in parent.children:
+            self._references(element, ("if", "unless"))
             if self._is_off(element):
+                # Other values of the arguments may turn it on.
+                self._declared |= {e.get("name") or "" for e in arguments_in(element)}
                 continue
+            self._look_at(element)
             handle = getattr(self, f"_{element.tag.replace('-', '_')}", None)
             if handle is not None:
                 handle(element)
@@ -76,6 +101,48 @@ class _File:
                 return True
         return False
 
+    def _ros_of_package(self) -> int | None:
+        manifest = manifest_of(self.collector.resolver, self.source.path)
+        return manifest.ros if manifest else None
+
+    # -------------------------------------------------------- what is wrong
+
+    def _look_at(self, element: Element) -> None:
+        if self._ros is not None:
+            self.collector.problems += slips(element, self._ros, self.frame)
+        self._references(element, element.attributes)
+
+    def _references(self, element: Element, names: Iterable[str]) -> None:
+        """Note the arguments that are used and not declared so far."""
+        for name in names:
+            attribute = element.attributes.get(name)
+            for used in USE.findall(attribute.value) if attribute else ():
+                if attribute and used not in self._declared:
+                    self._undeclared.setdefault(used, (attribute.span, frozenset(self._declared)))
+
+    def _tell_undeclared(self) -> None:
+        missing = self._undeclared
+        if self._ros == 2:  # where what an include declares, holds behind it
+            missing = {n: use for n, use in missing.items() if n not in self._declared}
+        if missing and not self._is_sure():
+            missing = {n: use for n, use in missing.items() if is_slip(n, use[1])}
+        is_lost = self._ros == 1 and bool(self.outer)
+        for name, (span, declared) in missing.items():
+            if name in self._declared:
+                message = f"argument '{name}' is used before it is declared"
+                problem = Problem("LAU006", span, message, frame=self.frame)
+            else:
+                problem = undeclared(name, declared, span, self.frame, is_lost=is_lost)
+            self.collector.problems.append(problem)
+
+    def _is_sure(self) -> bool:
+        """True if no other file can declare what this one uses."""
+        return (self._ros == 1 or self._is_whole) and not self._may_be_lent()
+
+    def _may_be_lent(self) -> bool:
+        """True if files that include this one may give it more arguments than are known."""
+        return not self.outer and is_included(self.source.path, self.collector.resolver)
+
     # ------------------------------------------------------------- elements
 
     def _group(self, element: Element) -> None:
@@ -83,6 +150,7 @@ class _File:
 
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
+        self._declared.add(name)
         attribute = element.attributes.get("value") or element.attributes.get("default")
         if attribute and name not in self.given:
             value = self.text(attribute)
@@ -92,21 +160,56 @@ class _File:
     _let = _arg
 
     def _include(self, element: Element) -> None:
+        for child in element.children:
+            self._look_at(child)
         attribute = element.attributes.get("file")
         path = self.text(attribute) if attribute else None
-        if attribute is None or path is None:
-            return
-        path = self._path(path)
-        if not self.collector.file(path, attribute.span, "the included launch file"):
-            return
-        if self.depth < MAX_DEPTH and not path.endswith(".py"):
-            arguments = self._passed(element)
-            frame = frame_at(self.source, element.tag_at, self.frame)
-            try:
-                source = self.collector.resolver.read(path)
-            except UnreadableFile:
+        if attribute and path is not None:
+            path = self._path(path)
+            if self.collector.file(path, attribute.span, "the included launch file"):
+                self._included(element, path)
                 return
-            _File(self.collector, source, arguments, frame, self.depth + 1).read()
+        self.collector.is_whole = False
+        self._is_whole = self._is_whole and not declares_others(path or "")
+
+    def _included(self, element: Element, path: str) -> None:
+        try:
+            source = self.collector.resolver.read(path)
+        except UnreadableFile:
+            return
+        taken = signature(source)
+        self._is_whole = self._is_whole and taken.is_whole
+        self._compare(element, taken, source)
+        if self._ros == 2:
+            self._declared |= taken.names  # which an include leaves behind
+        here = (*self.outer, self.source.path)
+        is_followed = path not in here and len(here) <= MAX_DEPTH and not path.endswith(".py")
+        self.collector.included += 1
+        if not is_followed or self.collector.included > MAX_INCLUDED:
+            self.collector.is_whole = False
+            return
+        frame = frame_at(self.source, element.tag_at, self.frame)
+        lent = {child.get("name") or "" for child in element.children}
+        if self._ros == 2 or element.get("pass_all_args"):
+            lent |= self._declared
+        _File(self.collector, source, self._passed(element), lent, frame, here).read()
+
+    def _compare(self, element: Element, taken: Signature, source: Source) -> None:
+        """Tell how the arguments of an include differ from those of the file."""
+        passed = [
+            (name.value, name.span)
+            for child in element.children
+            if (name := child.attributes.get("name")) and child.tag == "arg"
+        ]
+        if element.get("pass_all_args"):
+            return  # what was given on the command line, too
+        known = {name for name, _ in passed}
+        if self._ros == 2:
+            known |= self._declared
+        problems = self.collector.problems
+        problems += not_taken(passed, taken, source, self.frame, ros=self._ros or 2)
+        if self._ros == 1 or not self._may_be_lent():
+            problems += not_given(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str]:
         passed: dict[str, str] = {}
@@ -157,7 +260,43 @@ class _File:
             if found:
                 path = self._path(found.group(1))
                 self.collector.file(path, arguments.span, "the RViz configuration")
+        executable = element.attributes.get("exec") or element.attributes.get("type")
+        started = Started(
+            name or "",
+            (self.text(executable) if executable else None) or "",
+            self._words(arguments),
+            self._parameters(element),
+            element.span,
+            self.frame,
+        )
+        self.collector.started.append(started)
         self._children(element)
+
+    _test = _node
+
+    def _executable(self, element: Element) -> None:
+        words = self._words(element.attributes.get("cmd"))
+        started = Started("", "", words, frozenset(), element.span, self.frame)
+        self.collector.started.append(started)
+
+    def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:
+        """The words of a command line; the places of plain ones."""
+        if attribute is None:
+            return ()
+        written: list[str] = []
+        for is_command, part in _pieces(attribute.value):
+            value = self._command(part, attribute.span) if is_command else part
+            written.append(_UNKNOWN_WORD if value is None else value)
+        return tuple(
+            Word(None if _UNKNOWN_WORD in word else word, attribute.span)
+            for word in "".join(written).split()
+        )
+
+    def _parameters(self, element: Element) -> frozenset[str] | None:
+        """The names of the parameters that a node is given; None if files give some."""
+        if element.child("rosparam") or any(child.get("from") for child in element.children):
+            return None
+        return frozenset(child.get("name") or "" for child in element.all("param"))
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")

@@ -4,9 +4,10 @@ import os
 
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
-from launch.actions import IncludeLaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.conditions import IfCondition
 from launch.launch_description_sources import PythonLaunchDescriptionSource
-from launch.substitutions import Command
+from launch.substitutions import Command, LaunchConfiguration
 from launch_ros.actions import Node
 
 
@@ -16,6 +17,7 @@ def generate_launch_description():
     description = Command(["xacro ", xacro, " sim:=true"])
     return LaunchDescription(
         [
+            DeclareLaunchArgument("rviz", default_value="true"),
             Node(
                 package="robot_state_publisher",
                 executable="robot_state_publisher",
@@ -25,6 +27,7 @@ def generate_launch_description():
                 package="rviz2",
                 executable="rviz2",
                 arguments=["-d", os.path.join(share, "rviz", "rover.rviz")],
+                condition=IfCondition(LaunchConfiguration("rviz")),
             ),
             IncludeLaunchDescription(
                 PythonLaunchDescriptionSource(

@@ -1,0 +1,54 @@
+"""LAU008: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import launch, told
+
+NEEDS = launch('<arg name="world"/><param name="w" value="$(arg world)"/>')
+XML = '<include file="$(find arm)/launch/b.launch"{}>{}</include>'
+PYTHON = 'IncludeLaunchDescription("b.launch.py"{})\n'
+
+
+def test_an_argument_without_a_default(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, "LAU008", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS})
+    assert found.message == "'b.launch' needs the argument 'world'"
+    assert found.span.line == 2
+
+
+@pytest.mark.parametrize(
+    ("attribute", "content", "needs"),
+    [
+        ("", '<arg name="world" value="empty"/>', NEEDS),
+        (' pass_all_args="true"', "", NEEDS),
+        ("", "", NEEDS.replace("/>", ' default="empty"/>', 1)),
+        ("", "", launch('<arg name="world"/>')),
+        ("", "", NEEDS.replace("<param", '<param if="$(env W)"')),
+    ],
+)
+def test_given_or_not_needed_is_calm(
+    tmp_path: Path, attribute: str, content: str, needs: str
+) -> None:
+    text = XML.format(attribute, content)
+    assert told(tmp_path, "LAU008", "a.launch", text, {"launch/b.launch": needs}) == []
+
+
+def test_in_python(tmp_path: Path) -> None:
+    files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
+    (found,) = told(tmp_path, "LAU008", "a.launch.py", PYTHON.format(""), files)
+    assert found.message == "'b.launch.py' needs the argument 'world'"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PYTHON.format(", launch_arguments={'world': 'empty'}.items()"),
+        PYTHON.format(", launch_arguments=[('world', 'empty')]"),
+        PYTHON.format(", launch_arguments=anything"),
+        PYTHON.format("") + "DeclareLaunchArgument('world')",
+    ],
+)
+def test_given_in_python_is_calm(tmp_path: Path, text: str) -> None:
+    files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
+    assert told(tmp_path, "LAU008", "a.launch.py", text, files) == []

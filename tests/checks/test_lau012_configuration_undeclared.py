@@ -1,0 +1,47 @@
+"""LAU012: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import launch, told
+
+USE = "LaunchConfiguration('model')\n"
+
+
+def test_in_python(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, "LAU012", "a.launch.py", USE)
+    assert found.message == "no argument 'model' is declared"
+    assert found.span.text == "LaunchConfiguration('model')"
+
+
+def test_in_xml(tmp_path: Path) -> None:
+    text = '<let name="x" value="1"/><log message="$(var model)"/>'
+    (found,) = told(tmp_path, "LAU012", "a.launch", text)
+    assert (found.message, found.span.line) == ("no argument 'model' is declared", 2)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "DeclareLaunchArgument('model')\n",
+        "SetLaunchConfiguration('model', 'x')\n",
+        "from arm_bringup.helpers import declare\n",
+        "for n in names: DeclareLaunchArgument(n)\n",
+        "IncludeLaunchDescription(somewhere())\n",
+        "DeclareLaunchArgument('modell')\n",  # which LAU006 tells
+    ],
+)
+def test_what_may_be_declared_is_calm(tmp_path: Path, head: str) -> None:
+    assert told(tmp_path, "LAU012", "a.launch.py", head + USE) == []
+
+
+def test_launch_files_that_come_with_ros_declare_nothing(tmp_path: Path) -> None:
+    head = "IncludeLaunchDescription([FindPackageShare('{}'), '/launch/x.launch.py'])\n"
+    assert len(told(tmp_path, "LAU012", "a.launch.py", head.format("ros_gz_sim") + USE)) == 1
+    assert told(tmp_path, "LAU012", "a.launch.py", head.format("some_arm") + USE) == []
+
+
+def test_a_file_that_others_include_may_get_it_there(tmp_path: Path) -> None:
+    outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
+    assert told(tmp_path, "LAU012", "a.launch.py", USE, outer) == []

@@ -1,0 +1,47 @@
+"""Launch files of ROS 1 and ROS 2 in a package of their own, for the tests of the rules LAU."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from urdfkit import Diagnostic, check
+
+MANIFEST = """<?xml version="1.0"?>
+<package format="3">
+  <name>arm</name>
+  <version>1.0.0</version>
+  <description>An arm.</description>
+  <maintainer email="arm@example.org">Arm</maintainer>
+  <license>Apache-2.0</license>
+</package>
+"""
+
+
+def told(
+    folder: Path, code: str, name: str, text: str, files: Mapping[str, str] | None = None
+) -> list[Diagnostic]:
+    """What a rule says of ``launch/<name>``.
+
+    Args:
+        folder: becomes the package ``arm``.
+        code: of the rule.
+        name: of the launch file.
+        text: of it; what stands in ``<launch>``, or the program.
+        files: further ones, by path.
+    """
+    (folder / "package.xml").write_text(MANIFEST)
+    (folder / "launch").mkdir(exist_ok=True)
+    for path, content in (files or {}).items():
+        file = folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(content)
+    (folder / "launch" / name).write_text(text if name.endswith(".py") else launch(text))
+    report = check(folder / "launch" / name, select=[code])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+def launch(text: str) -> str:
+    """A launch file in XML; its content begins on the second line."""
+    return f"<launch>\n{text}\n</launch>\n"

@@ -1,0 +1,42 @@
+"""A launch file uses an argument that nothing declares.
+
+`roslaunch` stops with "requires the 'x' arg to be set", `ros2 launch` with "launch configuration
+'x' does not exist". Its name differs from the declared one, or the declaration is missing or comes
+too late. Told are slips of declared names, and what an including file does not pass.
+
+Sources:
+    roslaunch, XML: http://wiki.ros.org/roslaunch/XML/arg
+    launch, launch_configuration.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/launch_configuration.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = """\
+<launch>
+  <arg name="use_gui" default="true"/>
+  <node name="rviz" pkg="rviz" type="rviz" if="$(arg use_giu)"/>
+</launch>
+"""
+GOOD = BAD.replace("use_giu", "use_gui")
+
+
+@rule(
+    "LAU006",
+    "undeclared-argument",
+    Severity.ERROR,
+    needs=(Need.LAUNCH,),
+    help="declare it, or mend the name",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for slip in subject.launch.told("LAU006"):
+        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)

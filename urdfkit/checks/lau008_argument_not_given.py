@@ -1,0 +1,37 @@
+"""A launch file includes another one and leaves out an argument that has no default.
+
+`roslaunch` stops with "requires the 'x' arg to be set", `ros2 launch` with "missing required
+argument".
+
+Sources:
+    roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
+    launch, include_launch_description.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/include_launch_description.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = """\
+<launch>
+  <include file="$(dirname)/world.launch"/>
+</launch>
+"""
+GOOD = BAD.replace("/>", '><arg name="world" value="empty"/></include>')
+FILES = {
+    "world.launch": b'<launch><arg name="world"/><param name="w" value="$(arg world)"/></launch>'
+}
+
+
+@rule("LAU008", "argument-not-given", Severity.ERROR, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Iterator[Finding]:
+    for slip in subject.launch.told("LAU008"):
+        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)

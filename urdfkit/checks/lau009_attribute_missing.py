@@ -1,0 +1,30 @@
+"""A tag of a launch file lacks an attribute without which it means nothing.
+
+`roslaunch` stops: "<node> tag is missing required attribute". `ros2 launch` stops, too: "Attribute
+'exec' not found".
+
+Sources:
+    roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py
+    launch, entity.py: https://github.com/ros2/launch/blob/rolling/launch_xml/launch_xml/entity.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = '<launch><node name="rviz" pkg="rviz" args="-d $(find rviz)/default.rviz"/></launch>'
+GOOD = BAD.replace('pkg="rviz"', 'pkg="rviz" type="rviz"')
+
+
+@rule("LAU009", "attribute-missing", Severity.ERROR, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Iterator[Finding]:
+    for slip in subject.launch.told("LAU009"):
+        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)
