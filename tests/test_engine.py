@@ -118,7 +118,7 @@ def test_a_source_needs_no_file() -> None:
 def test_what_cannot_be_done_is_an_exception(tmp_path: Path) -> None:
     good = write(tmp_path, "r.urdf", '<link name="a"/>')
     with pytest.raises(UnreadableFile, match=r"no such file; did you mean 'r\.urdf'"):
-        check(tmp_path / "s.urdf")
+        check(tmp_path / "r.xacro")
     (tmp_path / "empty").mkdir()
     with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro"):
         check(tmp_path / "empty")

@@ -227,10 +227,17 @@ def _each(
 
 
 def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[Verdict]:
+    import signal
     from concurrent.futures import ProcessPoolExecutor
 
-    with ProcessPoolExecutor(min(processes, len(jobs))) as pool:
-        yield from pool.map(_run_alone, jobs, [settings] * len(jobs), chunksize=4)
+    # Ctrl-C reaches every process of the terminal; only the first one has something to say.
+    silent = (signal.SIGINT, signal.SIG_DFL)
+    count = min(processes, len(jobs))
+    with ProcessPoolExecutor(count, initializer=signal.signal, initargs=silent) as pool:
+        # Not `map`, which cancels what is left and trips over it when the processes are gone.
+        futures = [pool.submit(_run_alone, job, settings) for job in jobs]
+        for future in futures:
+            yield future.result()
 
 
 def _run_alone(job: Job, settings: Settings) -> Verdict:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 
 import urdfkit
 from tests.conftest import MODELS, ROOT
-from urdfkit.cli import checking, main
+from urdfkit.cli import checking, main, output
 
 GOOD = str(MODELS / "good" / "gripper.urdf")
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
@@ -184,6 +187,31 @@ def test_ctrl_c_exits_with_130(
     assert (captured.out, captured.err.strip()) == ("", "")
 
 
+def busy(children: Path) -> list[str]:
+    """The processes in a file of Linux that have been working for a while."""
+    stats = {pid: Path(f"/proc/{pid}/stat").read_text() for pid in children.read_text().split()}
+    return [pid for pid, stat in stats.items() if int(stat.rpartition(")")[2].split()[11]) >= 5]
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs Linux's /proc")
+def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
+    robot = (MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro").read_bytes()
+    for number in range(300):
+        (tmp_path / f"{number}.xacro").write_bytes(robot)
+    command = [sys.executable, "-m", "urdfkit", "check", str(tmp_path), "--jobs", "2"]
+    with subprocess.Popen(
+        command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+    ) as process:
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        while len(busy(children)) < 2:
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        assert process.communicate(timeout=60) == (b"", b"")
+    assert process.returncode == 130
+    with pytest.raises(ProcessLookupError):
+        os.killpg(process.pid, 0)
+
+
 @UNIX
 @pytest.mark.parametrize("words", [["rules"], ["check", "-"], ["check", "-", "--format", "json"]])
 def test_a_reader_that_goes_away_is_no_error(words: list[str]) -> None:
@@ -265,3 +293,43 @@ def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (1, b"")
     assert b"\\udcff.urdf" in done.stdout
     assert run("check", os.fsdecode(name)).returncode == 1
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), "error: No space left on device\n"),
+        (MemoryError(), "error: there is not enough memory\n"),
+    ],
+    ids=["disk", "memory"],
+)
+def test_a_machine_that_is_full_is_no_bug(
+    error: Exception,
+    message: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr(checking, "check", fail)
+    assert main(["check", GOOD]) == 2
+    assert capsys.readouterr().err == message
+
+
+def test_expand_makes_the_folder_of_its_output_unless_a_file_is_in_the_way(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["expand", GOOD, "-o", str(tmp_path / "new" / "r.urdf")]) == 0
+    assert (tmp_path / "new" / "r.urdf").exists()
+    (tmp_path / "file").touch()
+    assert main(["expand", GOOD, "-o", str(tmp_path / "file" / "r.urdf")]) == 2
+    assert f"{tmp_path / 'file'}: cannot be made a folder: File exists" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("columns", "expected"), [("40", 40), ("200", 200), ("0", 80), ("x", 80)])
+def test_the_width_is_that_of_the_variable(
+    columns: str, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    assert output.width() == expected

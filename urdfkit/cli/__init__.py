@@ -18,6 +18,7 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from errno import ENOSPC
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.static import TYPE_CHECKING
@@ -60,6 +61,8 @@ def _guarded(words: list[str]) -> int:
     except KeyboardInterrupt:
         return 130
     except Exception as error:
+        if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
+            return _fail(2, getattr(error, "strerror", "") or "there is not enough memory")
         if os.environ.get("URDFKIT_DEBUG") == "1":
             import traceback
 

@@ -138,5 +138,5 @@ def _write(text: str, target: str | None) -> None:
         return
     folder = os.path.dirname(target)
     if folder:
-        os.makedirs(folder, exist_ok=True)  # as xacro does
+        atomic.make_folder(folder)  # as xacro does
     atomic.write(target, output.encode(text))

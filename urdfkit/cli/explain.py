@@ -56,7 +56,7 @@ def render(rule: Rule) -> str:
         f"Needs: {needs or 'the text of the file'}",
     ]
     if rule.help:
-        parts.append(f"Help: {rule.help}")
+        parts.append(_fill(f"Help: {rule.help}"))
     for title, which in (("Bad", "BAD"), ("Good", "GOOD"), ("Fixed", "FIXED")):
         if example := rule.example(which):
             parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
@@ -68,8 +68,8 @@ def render(rule: Rule) -> str:
 
 
 def _fill(paragraph: str) -> str:
-    """A paragraph at 80 columns; a list or an example stays as it is."""
+    """A paragraph at 80 columns, or fewer; a list or an example stays as it is."""
     lines = paragraph.splitlines()
     if any(line.startswith((" ", "-", "*", "|")) for line in lines):
         return paragraph
-    return fill(paragraph, 80, break_long_words=False, break_on_hyphens=False)
+    return fill(paragraph, min(output.width(), 80), break_long_words=False, break_on_hyphens=False)

@@ -25,7 +25,10 @@ def has_color(when: str) -> bool:
 
 
 def width() -> int:
-    """Columns of the terminal; 80 where there is none."""
+    """Columns of the terminal, or as many as COLUMNS says; 80 where there is none."""
+    given = os.environ.get("COLUMNS", "")
+    if given.isdecimal() and int(given) > 0:
+        return int(given)
     if not _is_terminal():
         return 80
     try:

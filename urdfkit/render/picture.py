@@ -138,7 +138,8 @@ def save(image: Image.Image, path: str | os.PathLike[str]) -> None:
     suffix = os.path.splitext(os.fspath(path))[1].lower()
     form = Image.registered_extensions().get(suffix)
     if form is None or form not in Image.SAVE:
-        raise PictureError(f"{os.fspath(path)}: no picture is called '{suffix}'; write .png")
+        what = f"'{suffix}' is the suffix of no picture" if suffix else "it has no suffix"
+        raise PictureError(f"{os.fspath(path)}: {what}; write .png, .webp or .jpg")
     if form == "JPEG":
         image = opaque(image)
     buffer = io.BytesIO()
