@@ -9,7 +9,7 @@ from errno import ELOOP
 from itertools import accumulate
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.nearest import nearest
 from urdfkit.record import Record
 
 #: Text files over this size are refused: no robot needs it, and a hostile one would.
@@ -166,7 +166,8 @@ def _why_unreadable(path: str, error: OSError) -> str:
         return f"there is no folder '{folder}'"
     # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
     alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
-    return "there is no such file" + did_you_mean(name, alike)
+    meant = nearest(name, alike, likeness=0)
+    return "there is no such file" + (f"; did you mean '{meant}'?" if meant else "")
 
 
 def _stem(name: str) -> str:
