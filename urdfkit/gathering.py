@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 from urdfkit.diagnostic import Diagnostic, Fix, Related
 
-#: Findings that are alike and still told one by one: a car has four wheels.
-MAX_SINGLE = 4
+#: Findings that are alike and still told one by one.
+MAX_SINGLE = 2
 #: Of the others, those whose places are told.
 MAX_NOTES = 20
 

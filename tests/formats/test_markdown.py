@@ -12,6 +12,7 @@ from tests.conftest import MODELS
 from tests.formats.made import diagnostic, report, span
 from urdfkit.diagnostic import Call, Crashed, Report, Severity
 from urdfkit.formats.markdown import MAX_ROWS, MAX_TEXT, render
+from urdfkit.gathering import gathered
 from urdfkit.source import Source
 
 markdown_it = pytest.importorskip("markdown_it")
@@ -147,7 +148,6 @@ def test_it_fits_a_summary() -> None:
 def test_reports_of_the_models(model: Path) -> None:
     checked = urdfkit.check(model)
     told = rows(checked)
-    assert len(told) == len(checked.diagnostics)
     assert sorted(row[0] for row in told) == sorted(
-        f"{d.severity.value} {d.code}" for d in checked.diagnostics
+        f"{d.severity.value} {d.code}" for d in gathered(checked.diagnostics)
     )

@@ -51,4 +51,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"{use.title}: topic '{topic}' is absolute, so that a robot namespace is "
                     "ignored",
                     f"write '{topic.lstrip('/')}' if the robot may get a namespace",
+                    alike="absolute",
                 )

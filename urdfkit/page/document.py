@@ -158,7 +158,8 @@ def _document(subject: Subject, report: Report) -> Document:
             for key in ("error", "warning", "info", "suppressed", "codes", "rules")
         },
         "targets": _targets(report),
-        "findings": findings(shown, listed, places),
+        "findings": findings(report.diagnostics, written["diagnostics"], places),
+        "gathered": findings(shown, listed, places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),

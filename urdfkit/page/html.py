@@ -108,7 +108,7 @@ def render_content(document: Document, words: Words, drawings: Mapping[str, str]
 def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> dict[str, Any]:
     robot = document["robot"]
     name = robot["name"] if robot else ""
-    found = sorted(document["findings"], key=lambda one: _SEVERITIES.index(one["severity"]))
+    found = sorted(document["gathered"], key=lambda one: _SEVERITIES.index(one["severity"]))
     return {
         "document": document,
         "drawings": drawings,

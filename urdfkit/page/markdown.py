@@ -38,7 +38,7 @@ def _sections(document: Document, _: Words) -> Iterator[str]:
         yield table(header, (_target(one, _) for one in document["targets"]))
     if document["findings"]:
         header = ["", _("Where"), _("What")]
-        yield f"### {_('Findings')}\n\n" + table(header, _findings(document["findings"], _))
+        yield f"### {_('Findings')}\n\n" + table(header, _findings(document["gathered"], _))
     if document["links"]:
         header = [_("Link"), f"{_('Mass')} / kg", _("Principal moments") + " / kg m²"]
         yield f"### {_('Masses')}\n\n" + table(header, map(_link, document["links"]))
