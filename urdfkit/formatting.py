@@ -14,7 +14,7 @@ from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
-from urdfkit.workspace.ownership import Ownership
+from urdfkit.workspace.ownership import READ_ONLY, Ownership
 from urdfkit.workspace.resolve import Resolver
 
 
@@ -50,6 +50,7 @@ def format_files(
     *files: str | os.PathLike[str],
     width: int = 0,
     force: bool = False,
+    check: bool = False,
     config: Config | None = None,
 ) -> Formatted:
     """Lay out URDF and xacro files; what they say stays the same.
@@ -60,7 +61,8 @@ def format_files(
     Args:
         files: descriptions, or folders, of which all descriptions are laid out.
         width: columns of a line; as the configuration says, or 100, if it is 0.
-        force: lay out files as well that are generated or that git ignores.
+        force: lay out files as well that are generated, read-only or that git ignores.
+        check: nothing will be written, so that read-only files count as well.
         config: of the project; it may exclude files.
 
     Raises:
@@ -75,7 +77,7 @@ def format_files(
     for path, is_named in _files(files, config):
         source = Source.read(path)
         reason = "" if force else Ownership([path], Resolver()).refusal(source)
-        if reason:
+        if reason and not (check and reason == READ_ONLY):
             skipped.append((path, reason))
             continue
         try:

@@ -57,6 +57,27 @@ def test_standard_input(
     assert capsys.readouterr().out == NEAT
 
 
+@pytest.mark.parametrize(("text", "code"), [(UGLY, 1), (NEAT, 0)])
+@pytest.mark.parametrize("option", ["--check", "--diff"])
+def test_standard_input_is_checked(
+    text: str,
+    code: int,
+    option: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text.encode())))
+    assert main(["format", "-", option]) == code
+    assert bool(capsys.readouterr().out) is (code == 1 and option == "--diff")
+
+
+def test_a_read_only_file_is_checked_and_not_written(robot: Path) -> None:
+    robot.chmod(0o444)
+    assert main(["format", str(robot)]) == 0
+    assert robot.read_text() == UGLY
+    assert main(["format", str(robot), "--check"]) == 1
+
+
 def test_a_missing_file_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["format", "no.urdf"]) == 2
     assert "no.urdf" in capsys.readouterr().err

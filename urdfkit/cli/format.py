@@ -9,6 +9,7 @@ import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.editing.formatter import WIDTH, formatted
+from urdfkit.editing.rewriting import Rewrite
 from urdfkit.formats._layout import printable
 from urdfkit.formatting import Formatted, format_files
 
@@ -23,7 +24,7 @@ from urdfkit.formatting import Formatted, format_files
     metavar="COLUMNS",
     help=f"Columns of a line. [default: {WIDTH}]",
 )
-@click.option("--force", is_flag=True, help="Also files that are generated or ignored by git.")
+@click.option("--force", is_flag=True, help="Also files generated, read-only or ignored by git.")
 @click.option("--config", metavar="FILE", help="The configuration. [default: the nearest one]")
 @click.option("--isolated", is_flag=True, help="Take no configuration.")
 def command(
@@ -47,9 +48,8 @@ def command(
     settings = options.config(values, os.curdir if is_stdin else files[0])
     width = width or (settings.width if settings else 0)
     if is_stdin:
-        output.write(formatted(stdin.read("<stdin>"), width or WIDTH).decode())
-        return 0
-    result = format_files(*files, width=width, force=force, config=settings)
+        return _standard_input(width or WIDTH, check=check, diff=diff)
+    result = format_files(*files, width=width, force=force, check=check or diff, config=settings)
     if diff:
         output.write(result.diff())
     elif not check:
@@ -58,6 +58,16 @@ def command(
     if result.failed:
         return 2
     return int(bool(result.files) and (check or diff))
+
+
+def _standard_input(width: int, *, check: bool, diff: bool) -> int:
+    source = stdin.read("<stdin>")
+    rewrite = Rewrite(source.path, source.data, formatted(source, width))
+    if diff:
+        output.write(rewrite.diff())
+    elif not check:
+        output.write(rewrite.after.decode())
+    return int((check or diff) and rewrite.after != rewrite.before)
 
 
 def _tell(result: Formatted, done: str) -> None:

@@ -11,6 +11,7 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import is_ignored
 
 OUTSIDE = "the file is outside the workspace"
+READ_ONLY = "the file is read-only"
 
 #: Where a program says that it wrote a file: in the comments around the root's start tag.
 _HEAD_BYTES = 4096
@@ -72,7 +73,7 @@ class Ownership:
         if is_ignored(path):
             return "git ignores the file, as it does what programs make"
         if not _may_be_written(path):
-            return "the file is read-only"
+            return READ_ONLY
         return ""
 
 
