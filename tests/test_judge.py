@@ -245,3 +245,24 @@ def test_a_message_is_bounded_whatever_names_are_in_it() -> None:
     robot = f'<robot name="r"><link name="a"/><joint name="{"j" * 5000}" type="fixed"/></robot>'
     found = check(Source("r.urdf", robot.encode())).diagnostics
     assert max(len(one.message) for one in found) == judge.MAX_MESSAGE + len("...")
+
+
+@pytest.mark.parametrize(
+    "mesh", ["package://no_such_package/a.stl", "$(find no_such_package)/a.stl"]
+)
+def test_packages_may_be_named_in_either_way(mesh: str) -> None:
+    """Rules about packages are not passed over where only one of the two is written."""
+    text = (
+        f"""<link name="a"><visual><geometry><mesh filename="{mesh}"/></geometry></visual></link>"""
+    )
+    one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
+    none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
+    assert judge._silent_about_packages(none, (none.source,)) == {
+        "PKG001",
+        "PKG002",
+        "PKG003",
+        "PKG004",
+    }
+    assert judge._silent_about_packages(one, (one.source,)) != judge._silent_about_packages(
+        none, (none.source,)
+    )

@@ -170,6 +170,11 @@ def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
     return Srdf(path, document.root, tree)
 
 
+def is_srdf(root: Element) -> bool:
+    """True for the root of an SRDF; a URDF, too, is a ``<robot>``, but has links."""
+    return root.tag == "robot" and root.child("link") is None
+
+
 def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
     """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
 

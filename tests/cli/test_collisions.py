@@ -114,3 +114,14 @@ def test_without_coal_it_says_what_is_missing(
     monkeypatch.setitem(sys.modules, "coal", None)
     assert main(["collisions", ARM]) == 2
     assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err
+
+
+def test_a_urdf_is_no_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Who names the model itself keeps it as it is."""
+    path = tmp_path / "gripper.urdf"
+    text = (MODELS / "good" / "gripper.urdf").read_bytes()
+    path.write_bytes(text)
+    for option in ("--srdf", "--compare"):
+        assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2
+        assert "is no SRDF" in capsys.readouterr().err
+    assert path.read_bytes() == text

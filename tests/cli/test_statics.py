@@ -82,6 +82,7 @@ def test_without_pinocchio_it_says_what_is_missing(
         (["--payload", "x@forearm"], "--payload x@forearm: write a mass in kg, '@' and a link"),
         (["--payload", "5@foream"], "there is no link 'foream'; did you mean 'forearm'?"),
         (["--payload", "1e300@forearm"], "no robot carries 1e+300 kg"),
+        (["--payload=-1@forearm"], "--payload -1@forearm: write a mass in kg, '@' and a link"),
         (["--contact", "bse"], "there is no link 'bse'; did you mean 'base'?"),
         (["--samples", "-1"], "-1 is not in the range"),
     ],

@@ -15,9 +15,10 @@ import itertools
 from tests.collision.robots import joint, link, revolute, robot
 from tests.conftest import MODELS, manifest, model_id
 from tests.update_corpus_findings import arguments_of
-from urdfkit.collision.chain import REACH, chain, matrix
+from urdfkit.collision.chain import chain, matrix
 from urdfkit.loading import read
 from urdfkit.mechanics import kinematics
+from urdfkit.mechanics.joints import FAR
 from urdfkit.subject import Subject
 
 MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'
@@ -91,7 +92,7 @@ def test_limits_are_kept_and_joints_without_turn_once_around() -> None:
     assert ranges("revolute", revolute(-1e16, 1e16)) == (-pi, pi)
     assert ranges("revolute", revolute(1, -1)) == (-pi, pi)  # "free", to Bullet
     assert ranges("revolute", "") == (-pi, pi)
-    assert ranges("prismatic", revolute(-1e9, 1e9)) == (-REACH, REACH)
+    assert ranges("prismatic", revolute(-1e9, 1e9)) == (-FAR, FAR)
     assert ranges("prismatic", revolute(1, -1)) == (0, 0)
 
 

@@ -147,3 +147,17 @@ def test_no_sample_of_a_real_arm_is_worse() -> None:
         at_worst = arm.gravity(found[name].pose)[arm.columns.index(name)]
         assert abs(at_worst) == pytest.approx(found[name].worst, rel=1e-9, abs=1e-9)
     assert 0.3 < found["shoulder_lift_joint"].used < 0.6  # type: ignore[operator]
+
+
+def test_limits_that_are_beyond_all_robots_are_no_trouble() -> None:
+    """A slide of 1e308 m, and a follower by a factor of 1e308: neither warns nor fails."""
+    ball = inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    text = link("base") + link("a", ball) + link("b", ball) + link("c", ball)
+    slide = moving("base", "a", "prismatic", "0 0 1")
+    text += slide.replace('"-3"', '"-1e308"').replace('"3"', '"1e308"')
+    text += moving("a", "b", "revolute", "0 1 0")
+    text += moving("b", "c", "revolute", "0 1 0", more=mimic("b_joint", 'multiplier="1e308"'))
+    assert "1e308" in text.partition("multiplier")[0]
+    loads = {load.joint: load.worst for load in statics(dynamics(text), samples=100).loads}
+    assert loads["a_joint"] == pytest.approx(6 * G)
+    assert loads["b_joint"] == pytest.approx(2 * G * (0.5 + 0.5))  # c stands still at its place

@@ -1,7 +1,11 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from tests.xacros import xacro
+from urdfkit import loading
 from urdfkit.diagnostic import Edit
 from urdfkit.document import Element
 from urdfkit.editing import edits
@@ -99,3 +103,20 @@ def test_move_after() -> None:
     assert after(root, edits.move_after(inner, root.children[0])) == (
         "<a>\n  <b>\n  </b>\n  <c>\n    <d/>\n  </c>\n</a>"
     )
+
+
+def test_what_a_macro_wrote_through_an_include_is_from_a_macro(tmp_path: Path) -> None:
+    (tmp_path / "part.xacro").write_text(xacro('<link name="included"/>'))
+    body = """<xacro:include filename="part.xacro"/>
+<xacro:macro name="m"><link name="called"/><xacro:include filename="more.xacro"/></xacro:macro>
+<xacro:m/>
+<link name="plain"/>"""
+    (tmp_path / "more.xacro").write_text(xacro('<link name="within"/>'))
+    (tmp_path / "r.xacro").write_text(xacro(body))
+    links = loading.read(tmp_path / "r.xacro").model.links
+    assert {link.name: edits.from_macro(link.at) for link in links} == {
+        "included": False,
+        "called": True,
+        "within": True,
+        "plain": False,
+    }

@@ -53,6 +53,32 @@ def test_no_rule_is_overlooked_that_would_speak_of_a_real_robot(
     )
 
 
+@pytest.mark.parametrize(("mass", "is_told"), [(-1, True), (0, True), (1e-9, False)])
+def test_a_mass_that_is_none_calls_its_rules(mass: float, is_told: bool) -> None:
+    robot = part("base", 1, BALANCED, BALL) + part("arm", mass, BALANCED, BALL)
+    told = masses(robot + joint("base", "arm", "revolute")).told
+    assert told.issuperset(("INE001", "INE016")) == is_told
+    assert told.isdisjoint(("INE001", "INE016")) != is_told
+
+
+@pytest.mark.parametrize(
+    ("moments", "found"),
+    [
+        ((0, 1, 1), True),
+        ((1e-9, 1, 1), True),
+        ((1.1e-9, 1, 1), False),
+        ((0, 1e-15, 1e-15), False),  # INE005 tells that there is none at all
+        ((0, 1.1e-15, 1.1e-15), True),
+    ],
+)
+def test_a_body_is_singular_if_it_has_no_moment_about_one_axis(
+    moments: tuple[float, float, float], found: bool
+) -> None:
+    robot = link("base", inertial(1, (1, 1, 1))) + link("rod", inertial(1, moments))
+    assert bool(masses(robot + joint("base", "rod", "revolute")).singular) == found
+    assert not masses(robot + joint("base", "rod")).singular
+
+
 def test_a_good_robot_calls_no_rule() -> None:
     robot = (
         part("base", 1, BALANCED, BALL)

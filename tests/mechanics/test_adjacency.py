@@ -55,3 +55,10 @@ def test_fixed_joints_make_links_one_body() -> None:
 def test_a_ring_of_links_is_no_obstacle() -> None:
     found = adjacent(link("a"), link("b", BODY), joint("a", "b"), joint("b", "a"))
     assert found == {("a", "b")}
+
+
+def test_a_link_without_collision_is_a_neighbour_across_others() -> None:
+    """Nothing but the second bare link lies between the first and the body."""
+    links = (link("x"), link("y"), link("a", BODY), link("b", BODY))
+    found = adjacent(*links, joint("x", "y"), joint("y", "a"), joint("a", "b"))
+    assert found == {("x", "y"), ("x", "a"), ("y", "a"), ("a", "b")}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
@@ -136,3 +138,35 @@ def test_a_joint_that_nothing_drives_is_passive_where_others_are_driven(
     text = robot(joint("a", "revolute", zero(of, "0")), joint("b", "revolute", zero(of, "5")))
     assert limited(of, text + drive.format("b")) == []
     assert limited(of, text + drive.format("a")) == ["a"]
+
+
+def test_where_a_joint_moves() -> None:
+    """Limits, or all there is where they mean nothing; no more than a turn, with 0 if it may."""
+
+    def ends(kind: str, lower: str = "", upper: str = "") -> tuple[float, float]:
+        return joints.span(one(kind, limit(lower, upper) if lower else ""))
+
+    assert ends("revolute", "-1", "2") == (-1, 2)
+    assert ends("revolute", "0.5", "0.5") == (0.5, 0.5)
+    for free in (("revolute",), ("revolute", "1", "-1"), ("continuous",), ("continuous", "0", "1")):
+        assert ends(*free) == (-pi, pi)
+    assert ends("revolute", "-1e308", "1e308") == (-pi, pi)
+    assert ends("revolute", "-1", "9") == (-1, 2 * pi - 1)
+    assert ends("revolute", "-9", "1") == (1 - 2 * pi, 1)
+    assert ends("revolute", "0", "7") == (0, 2 * pi)
+    assert ends("revolute", "100", "110") == (100, 100 + 2 * pi)
+    assert ends("prismatic", "-0.1", "0.2") == (-0.1, 0.2)
+    assert ends("prismatic", "-1e308", "1e308") == (-joints.FAR, joints.FAR)
+    assert ends("prismatic", "2000", "3000") == (joints.FAR, joints.FAR)
+    for still in (("prismatic",), ("prismatic", "1", "-1"), ("fixed", "1", "2"), ("planar",)):
+        assert ends(*still) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "start"),
+    [("-1", "2", 0), ("0", "2", 0), ("-2", "0", 0), ("1", "2", 1.5), ("-2", "-1", -1.5)],
+)
+def test_where_a_joint_begins(lower: str, upper: str, start: float) -> None:
+    for kind in ("revolute", "prismatic"):
+        assert joints.start_of(one(kind, limit(lower, upper))) == start
+    assert joints.start_of(one("revolute", limit("7", "20"))) == pytest.approx(7 + pi)

@@ -7,10 +7,10 @@ import time
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
-from tests.massive import inertial, link
+from tests.massive import BALL, inertial, link, shape
 from tests.mechanics.test_kinematics import tree
 from urdfkit.loading import read
-from urdfkit.mechanics.loads import effort, largest, overloadable
+from urdfkit.mechanics.loads import effort, idle, largest, light, overloadable
 
 
 def swinging(name: str, parent: str, effort: str, xyz: str = "0 0 0") -> str:
@@ -42,6 +42,52 @@ def test_an_effort_of_zero_says_nothing() -> None:
 
 def test_what_is_no_tree_has_no_loads() -> None:
     assert overloadable(tree(link("a") + link("b"))) == []
+
+
+@pytest.mark.parametrize(
+    "content",
+    [inertial(1, (1, 1, 1)), shape("visual", BALL), shape("collision", BALL)],
+    ids=["mass", "visual", "collision"],
+)
+def test_a_joint_is_idle_if_nothing_below_it_is_anything(content: str) -> None:
+    """Whatever it is that a link has, the joints above it move something."""
+    text = link("base") + link("a") + link("b", content) + link("c")
+    text += swinging("a", "base", "1") + swinging("b", "a", "1") + swinging("c", "b", "1")
+    assert [joint.name for joint in idle(tree(text))] == ["c_joint"]
+
+
+def test_what_follows_or_is_fixed_is_not_idle() -> None:
+    text = link("base") + link("a") + link("b")
+    text += swinging("a", "base", "1") + swinging("b", "a", "1").replace(
+        "</joint>", '<mimic joint="a_joint"/></joint>'
+    )
+    assert [joint.name for joint in idle(tree(text))] == ["a_joint"]
+    assert idle(tree(text.replace("revolute", "fixed"))) == []
+    assert idle(tree(link("a") + link("b"))) == []
+
+
+def test_a_body_is_light_beside_what_it_carries() -> None:
+    """At a ten-thousandth of it; what weighs as much as all below it, or nothing below, is not."""
+
+    def arm(middle: float, tip: float) -> list[str]:
+        text = link("base") + link("m", inertial(middle, (1, 1, 1)))
+        text += link("t", inertial(tip, (1, 1, 1)))
+        text += swinging("m", "base", "1") + swinging("t", "m", "1")
+        return [joint.name for joint in light(tree(text))]
+
+    assert arm(0.00009, 1) == ["m_joint"]
+    assert arm(0.00011, 1) == []
+    assert arm(0, 1) == ["m_joint"]
+    assert arm(0, 0) == []
+
+
+def test_a_slide_lengthens_the_lever_by_its_travel() -> None:
+    text = link("base") + link("a") + link("b", inertial(2, (1, 1, 1)))
+    slide = swinging("b", "a", "1", "0.5 0 0").replace("revolute", "prismatic")
+    text += swinging("a", "base", "1")
+    assert largest(tree(text + slide))["a_joint"] == pytest.approx(2 * 9.81 * 3.5)
+    free = slide.replace('<limit lower="-3" upper="3" effort="1" velocity="1"/>', "")
+    assert largest(tree(text + free))["a_joint"] == pytest.approx(2 * 9.81 * 0.5)
 
 
 def test_it_takes_linear_time() -> None:

@@ -59,7 +59,8 @@ def run(words: Sequence[str]) -> int:
         raise KeyboardInterrupt from error
     except click.UsageError as error:
         message = " ".join(error.format_message().split())
-        command = error.ctx.command_path if error.ctx else "urdfkit"
+        # Where click leaves the context out, an option of the command is at fault.
+        command = error.ctx.command_path if error.ctx else f"urdfkit {words[0]}"
         raise UsageError(f"{message} (see '{command} --help')") from error
     assert isinstance(code, int)
     return code

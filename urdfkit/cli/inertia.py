@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import inf
 from typing import Any
 
 import click
@@ -55,8 +56,8 @@ def command(
     """
     if sum(value is not None for value in (mass, density, material)) > 1:
         raise options.UsageError("--mass, --density and --material exclude one another")
-    if any(value is not None and not value > 0 for value in (mass, density)):
-        raise options.UsageError("--mass and --density must be more than 0")
+    if any(value is not None and not 0 < value < inf for value in (mass, density)):
+        raise options.UsageError("--mass and --density must be more than 0, and finite")
     if material is not None:
         density = DENSITIES[material]
     with progress.shown("mesh files") as bar:
@@ -113,7 +114,7 @@ def _row(name: str, width: int, what: str, values: MassProperties | None) -> str
         return f"{start}{'-':>10}"
     tensor = values.tensor
     numbers = (values.mass, tensor.ixx, tensor.iyy, tensor.izz)
-    return start + "".join(f"{number:>10.4g}" for number in numbers)
+    return f"{start} {output.aligned(numbers)}"
 
 
 def proposed(chosen: Sequence[Proposal]) -> Iterator[str]:

@@ -92,9 +92,12 @@ def _structure(found: Structure) -> Iterator[str]:
     yield from _entry("joints", f"{sum(found.joints.values())}{': ' if kinds else ''}{kinds}")
     free = f": {_list(found.free)}" if found.free else ""
     yield from _entry("freedom", f"{found.nv}{free} (nq {found.nq}, nv {found.nv})")
-    follows = [f"{one} follows {leader}" for one, leader in found.followers.items()]
-    if follows:
-        yield from _entry("mimic", _list(follows))
+    followers = _grouped((leader, one) for one, leader in found.followers.items())
+    for leader, names in list(followers.items())[:MOST]:
+        verb = "follows" if len(names) == 1 else "follow"
+        yield from _entry("mimic", f"{_list(names)} {verb} {leader}")
+    if len(followers) > MOST:
+        yield from _entry("", f"and {len(followers) - MOST} more are followed")
     if found.driven:
         yield from _entry("driven", f"{len(found.driven)} by controllers: {_list(found.driven)}")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import degrees, isfinite
+from math import degrees
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -85,7 +85,7 @@ def _payload(subject: Subject, words: tuple[str, ...]) -> dict[str, float]:
     for word in words:
         mass, at, link = word.partition("@")
         value = number(mass.removesuffix("kg"))
-        if not at or value is None or not isfinite(value):
+        if not at or value is None or value < 0:
             raise options.UsageError(f"--payload {word}: write a mass in kg, '@' and a link")
         found[_known(subject, link)] = found.get(link, 0.0) + value
     return found

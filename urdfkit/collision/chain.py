@@ -8,40 +8,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.joints import span, start_of
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, Law, direction, laws
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.meshes.geometry import Floats
 from urdfkit.model import Joint
 from urdfkit.spatial import Frame
 
-#: A sliding joint is sampled within so many metres of its zero, whatever its limits say.
-REACH = 1000.0
-
-
-#: Distances in m, and factors, that are larger stand for nothing; their squares may overflow.
-_MOST = 1e9
+#: In m: larger distances stand for nothing, and their squares may overflow.
+_FARTHEST = 1e9
 
 #: Of a joint without a name.
 _STILL = Law("", 0.0, 0.0)
 
 
 class Axis(NamedTuple):
-    """A joint that moves freely, and the range that is sampled, in rad or m."""
+    """A joint that moves freely: the range that is sampled, and where it begins, in rad or m."""
 
     joint: str
     lower: float
     upper: float
-
-    @property
-    def default(self) -> float:
-        """Where MoveIt lets a joint begin: at 0, or in the middle if 0 is out of range."""
-        return 0.0 if self.lower <= 0 <= self.upper else (self.lower + self.upper) / 2
+    default: float
 
 
 class Step(NamedTuple):
@@ -193,7 +184,9 @@ def chain(tree: KinematicTree) -> Chain:
     names = tuple(tree.model.links_by_name)
     number = {name: index for index, name in enumerate(names)}
     axes = tuple(
-        Axis(j.name, *_range(j)) for j in tree.model.joints_by_name.values() if _is_free(j)
+        Axis(j.name, *span(j), start_of(j))
+        for j in tree.model.joints_by_name.values()
+        if _is_free(j)
     )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
@@ -214,18 +207,9 @@ def _is_free(joint: Joint) -> bool:
     return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
 
 
-def _range(joint: Joint) -> tuple[float, float]:
-    """What to sample of a joint: its limits, or all there is where these mean nothing."""
-    lower, upper = bounds(joint) or (0.0, 0.0)
-    if joint.kind in SLIDING:
-        return (max(lower, -REACH), min(upper, REACH)) if lower < upper else (0.0, 0.0)
-    is_bounded = joint.kind == "revolute" and lower <= upper < lower + 2 * pi
-    return (lower, upper) if is_bounded and joint.limit else (-pi, pi)
-
-
 def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
-    does_move = joint.kind in (*TURNING, *SLIDING) and max(abs(law.factor), abs(law.shift)) < _MOST
-    origin = np.clip(matrix(joint.origin), -_MOST, _MOST)
+    does_move = joint.kind in (*TURNING, *SLIDING)
+    origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
     x, y, z = direction(joint)
     turns = joint.kind in TURNING
     sine = np.zeros((4, 4))

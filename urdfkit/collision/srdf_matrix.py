@@ -15,7 +15,7 @@ from urdfkit.editing.edits import insert_after, insert_last, remove_elements, re
 from urdfkit.editing.fixer import apply_edits
 from urdfkit.reading import is_xacro, read_xml
 from urdfkit.source import Source
-from urdfkit.srdf import Srdf, pair_of
+from urdfkit.srdf import Srdf, is_srdf, pair_of
 
 #: The reasons that the Setup Assistant computes; others were written by hand.
 COMPUTED = frozenset(v.reason.lower() for v in Verdict if v.reason)
@@ -68,7 +68,7 @@ def updated(matrix: Matrix, source: Source) -> bytes:
     if is_xacro(source):
         raise CollisionError(f"{source.path} is a xacro; name the file that it is expanded to")
     document, _ = read_xml(source)
-    if document is None or document.root.tag != "robot":
+    if document is None or not is_srdf(document.root):
         raise CollisionError(f"{source.path} is no SRDF; name another file to write a new one")
     wanted = {frozenset((one.first, one.second)): one for one in matrix.pairs}
     kept: list[Element] = []

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -105,7 +104,7 @@ class Dynamics:
                     found[start + offset, self.columns.index(name)] = 1.0
                 continue
             leader, factor, _ = self._laws[joint.name]
-            if leader in self.columns and _KINDS[joint.kind].nv == 1 and isfinite(factor):
+            if leader in self.columns and _KINDS[joint.kind].nv == 1:
                 found[start, self.columns.index(leader)] = factor
         return found
 
@@ -139,8 +138,6 @@ class Dynamics:
         shifts = np.zeros(len(joints))
         for row, joint in enumerate(joints):
             leader, factor, shift = self._laws[joint.name]
-            if not isfinite(factor) or not isfinite(shift):
-                continue  # of multipliers that overflow; it stands still
             if leader in self.columns:
                 factors[row, self.columns.index(leader)] = factor
             shifts[row] = shift

@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.dynamics.robot import Dynamics, Floats
-from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.joints import span
 from urdfkit.mechanics.kinematics import SLIDING
 from urdfkit.mechanics.loads import effort
-from urdfkit.model import Joint
 from urdfkit.record import Record
 
 #: Sampled poses, the seed of them, and rounds of a climb at most.
@@ -29,6 +28,9 @@ CLIMBS = 8
 #: Torques that all climbs together may compute: a serial arm needs some thousands, and a chain of
 #: a hundred joints is no robot that is worth minutes.
 BUDGET = 200_000
+
+#: Of a coordinate that is not looked at.
+STILL = (0.0, 0.0)
 
 #: A pose is told without what changes its torque by less than this part.
 ASIDE = 1e-4
@@ -153,7 +155,8 @@ class _Search:
         self.budget = budget
         self.computed = 0
         by_name = robot.tree.model.joints_by_name
-        ranges = [span(by_name.get(name)) for name in robot.columns]
+        # A coordinate of a planar or floating joint has no name of its own, and stays at 0.
+        ranges = [span(by_name[name]) if name in by_name else STILL for name in robot.columns]
         self.low = np.array([low for low, _ in ranges])
         self.high = np.array([high for _, high in ranges])
         self.rest = np.clip(np.zeros(robot.nv), self.low, self.high)
@@ -254,13 +257,3 @@ def _on_one_branch(robot: Dynamics) -> NDArray[np.bool_]:
         found[moved_by] |= above[-1]
     found |= found.T
     return found
-
-
-def span(joint: Joint | None) -> tuple[float, float]:
-    """From where to where a coordinate moves; a full turn where nothing bounds an angle."""
-    if joint is None or joint.kind in ("planar", "floating"):
-        return 0.0, 0.0
-    ends = bounds(joint)
-    if ends is None or ends[0] > ends[1]:
-        return (0.0, 0.0) if joint.kind in SLIDING else (-np.pi, np.pi)
-    return ends

@@ -41,7 +41,8 @@ class Matter(Record):
     def weighing(self, mass: float) -> MassProperties:
         """The same with uniform density and a mass in kg."""
         volume, center, tensor = self.properties
-        return MassProperties(mass, center, scaled(tensor, mass / volume))
+        # Squared radii first: the density of a heavy dot may leave the range of floating point.
+        return MassProperties(mass, center, Tensor(*(mass * (each / volume) for each in tensor)))
 
 
 def matter(link: Link, source: str, measures: Measure) -> Matter | str:

@@ -16,6 +16,7 @@ from urdfkit.inertials.matter import Matter, matter
 from urdfkit.mechanics.inertia import ZERO, MassProperties, combined, principal_moments, rotated
 from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.model import Inertial, Link, Tensor
+from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.spatial import IDENTITY, Frame, Vector
 
@@ -138,7 +139,7 @@ def propose(
     known = subject.model.links_by_name
     for name in links:
         if name not in known:
-            raise UnknownLink(f"the robot has no link '{name}'")
+            raise UnknownLink(f"there is no link '{name}'{did_you_mean(name, known)}")
     if lump:
         groups = [body.links for body in rigid_bodies(subject.tree)]
     else:

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from urdfkit.mechanics.joints import bounds
-from urdfkit.mechanics.kinematics import SLIDING, TURNING, frames
+from urdfkit.mechanics.joints import start_of
+from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Body
 from urdfkit.record import Record
@@ -35,14 +35,7 @@ class _Box(Record):
 
 def beginning(tree: KinematicTree) -> dict[str, float]:
     """The positions that joints begin at: 0, or the middle of their limits if 0 is beyond them."""
-    found = {}
-    for joint in tree.model.joints_by_name.values():
-        if joint.kind in (*TURNING, *SLIDING):
-            lower, upper = bounds(joint) or (0.0, 0.0)
-            found[joint.name] = (
-                (lower + upper) / 2 if lower < upper and not lower <= 0 <= upper else 0.0
-            )
-    return found
+    return {name: start_of(joint) for name, joint in tree.model.joints_by_name.items()}
 
 
 def may_overlap(tree: KinematicTree) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import pi
 
 from urdfkit.diagnostic import Related
 from urdfkit.model import Joint, Placed, RobotModel, number
@@ -16,6 +17,9 @@ BOUNDED = ("revolute", "prismatic")
 
 #: The soft limits of a ``<safety_controller>``, the lower one first.
 SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
+
+#: In m: a slide is looked at within so much of its zero, whatever its limits say.
+FAR = 1000.0
 
 #: Places that a finding about many joints lists beside the first.
 _MAX_RELATED = 20
@@ -40,6 +44,33 @@ def bounds(joint: Joint) -> tuple[float, float] | None:
         if placed is None and key in limit.at.attributes:
             return None
     return _value(limit.lower), _value(limit.upper)
+
+
+def span(joint: Joint) -> tuple[float, float]:
+    """From where to where a joint moves, in rad or m: where limits mean nothing, all there is.
+
+    An angle without limits, or with the lower one above the upper one, turns once around; so does
+    one with more room than a turn, as near to zero as its limits let it. A slide stays within
+    `FAR` of its zero, and at it without limits. A joint that not one number moves stays at 0.
+    """
+    if joint.kind not in MOVING:
+        return 0.0, 0.0
+    lower, upper = bounds(joint) or (0.0, -1.0)
+    if joint.kind == "prismatic":
+        lower, upper = (min(max(end, -FAR), FAR) for end in (lower, upper))
+        return (lower, upper) if lower <= upper else (0.0, 0.0)
+    if lower > upper:
+        return -pi, pi
+    if upper - lower < 2 * pi:
+        return lower, upper
+    start = min(max(-pi, lower), upper - 2 * pi)
+    return start, start + 2 * pi
+
+
+def start_of(joint: Joint) -> float:
+    """Where a joint begins, as MoveIt has it, in rad or m: at 0, or amid limits without it."""
+    lower, upper = span(joint)
+    return 0.0 if lower <= 0 <= upper else lower + (upper - lower) / 2
 
 
 def soft_bounds(joint: Joint) -> tuple[float, float] | None:

@@ -29,7 +29,8 @@ class Law(Record):
 
     Attributes:
         leader: a joint that follows none; the joint itself where it follows none; empty for one
-            that stands still, since it follows a joint that is not there, or a ring.
+            that stands still, since it follows a joint that is not there, a ring, or by numbers
+            that no linkage has.
         factor, shift: of all multipliers and offsets on the way to the leader.
     """
 
@@ -37,6 +38,9 @@ class Law(Record):
     factor: float
     shift: float
 
+
+#: In rad or m, and as a factor: no linkage moves a joint by so much.
+_LARGEST = 1e9
 
 #: Of a leader that is not there, and of joints that follow one another in a ring.
 _ABSENT, _STILL = Law("", 0.0, 0.0), Law("", 0.0, 0.0)
@@ -61,11 +65,16 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, Law]:
             name = mimic.joint.value
         law = found.get(name, _ABSENT)
         for follower, mimic in reversed(way):
-            if law is not _STILL:
-                shift = mimic.multiplier * law.shift + mimic.offset
-                law = Law(law.leader, mimic.multiplier * law.factor, shift)
+            law = _followed(law, mimic)
             found[follower] = law
     return found
+
+
+def _followed(law: Law, mimic: Mimic) -> Law:
+    """What a joint follows, from what its leader follows."""
+    factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
+    is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
+    return Law(law.leader, factor, shift) if is_linkage and law is not _STILL else _STILL
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:

@@ -7,9 +7,9 @@ one walk over the tree. Where it is under the effort of a joint, no pose overloa
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import hypot, isfinite
+from math import hypot
 
-from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.joints import span
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, laws
 from urdfkit.mechanics.rigid import mass_of, rigid_bodies
 from urdfkit.mechanics.tree import KinematicTree
@@ -79,15 +79,14 @@ def largest(tree: KinematicTree) -> dict[str, float]:
 def _with_followers(tree: KinematicTree, own: Mapping[str, float]) -> dict[str, float]:
     found = dict.fromkeys(own, 0.0)
     for name, (leader, factor, _) in laws(tree.model.joints_by_name).items():
-        if name in own and leader in found and isfinite(factor):
+        if name in own and leader in found:
             found[leader] += abs(factor) * own[name]
     return found
 
 
 def _travel(joint: Joint) -> float:
     """How far a slide takes its child from its origin at most."""
-    ends = bounds(joint) if joint.kind in SLIDING else None
-    return max(map(abs, ends)) if ends else 0.0
+    return max(map(abs, span(joint))) if joint.kind in SLIDING else 0.0
 
 
 def light(tree: KinematicTree) -> list[Joint]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import atan2, cos, hypot, isfinite, pi, sin
 from random import Random
 
-from urdfkit.mechanics.joints import bounds
+from urdfkit.mechanics.joints import span
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, direction, motion
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint
@@ -84,25 +84,13 @@ def _moves(joint: Joint) -> bool:
 
 def _span(chain: list[Joint]) -> float:
     """What the chain cannot exceed: all its parts in one line."""
-    travel = sum(max(map(abs, _range(joint))) for joint in chain if joint.kind in SLIDING)
+    travel = sum(max(map(abs, span(joint))) for joint in chain if joint.kind in SLIDING)
     return travel + sum(hypot(*joint.origin.position) for joint in chain[1:])
-
-
-def _range(joint: Joint) -> tuple[float, float]:
-    """From where to where it moves; a full turn for what may turn on."""
-    if not _moves(joint):
-        return 0.0, 0.0
-    ends = bounds(joint)
-    if joint.kind in SLIDING:
-        return ends if ends and ends[0] <= ends[1] else (0.0, 0.0)
-    if ends is None or not ends[0] < ends[1] <= ends[0] + 2 * pi:
-        return -pi, pi
-    return ends
 
 
 def _reach(chain: list[Joint]) -> Reach:
     """Climb from several poses, one joint at a time to its best position: each is a closed form."""
-    ranges = [_range(joint) for joint in chain]
+    ranges = [span(joint) for joint in chain]
     random = Random(0)
     starts = [[min(max(0.0, low), high) for low, high in ranges]]
     starts += [[random.uniform(*ends) for ends in ranges] for _ in range(STARTS)]

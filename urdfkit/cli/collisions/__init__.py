@@ -86,11 +86,11 @@ def _srdf(path: str, subject: Subject) -> Srdf:
     Raises:
         UrdfkitError: it cannot be read.
     """
-    from urdfkit.srdf import read
+    from urdfkit.srdf import is_srdf, read
 
     Source.read(path)  # says why if there is none
     found = read(path, subject.tree, subject.resolver, trust=subject.trust)
-    if found is None:
+    if found is None or not is_srdf(found.root):
         raise UrdfkitError(f"{path}: it is no SRDF")
     return found
 

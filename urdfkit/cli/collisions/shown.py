@@ -163,6 +163,8 @@ def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
             f"{them} that collide where the robot begins do so in few samples only. An SRDF will "
             "not have them checked: let the robot begin elsewhere, with --pose or --joint."
         )
+    if not matrix.pairs:
+        yield "Nothing to compare: no two links with collision geometry hang on one another."
     if matrix.parts:
         tops = ", ".join(matrix.parts[:_MOST])
         more = f" and {len(matrix.parts) - _MOST} more" if len(matrix.parts) > _MOST else ""
