@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 pytest.importorskip("numpy")
@@ -10,8 +12,10 @@ pytest.importorskip("trimesh")
 import numpy as np
 import trimesh
 
+from tests.conftest import CORPUS, needs_corpus
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh
 from urdfkit.meshes.geometry import Material, Mesh
+from urdfkit.meshes.load import load
 from urdfkit.meshes.parts import PARTS
 from urdfkit.meshes.simplify import Unreachable, to_budget, to_error
 
@@ -60,10 +64,25 @@ def test_a_flat_surface_needs_two_triangles_a_side() -> None:
     assert as_trimesh(found.mesh).volume == pytest.approx(1)
 
 
-def test_progress_is_told() -> None:
+@pytest.mark.parametrize(("work", "bound"), [(to_error, 0.01), (to_budget, 300)])
+def test_progress_is_told(work: Callable[..., object], bound: float) -> None:
     told: list[tuple[int, int]] = []
-    to_error(BALL, 0.01, lambda done, total: told.append((done, total)))
-    assert told[-1][0] == told[-1][1] == len(told)
+    work(BALL, bound, lambda done, total: told.append((done, total)))
+    assert told[-1][0] == told[-1][1]
+    assert told == sorted(told)
+    assert len(told) <= 15, "every step measures, which takes a while"
+
+
+@needs_corpus
+def test_a_plate_with_holes_as_cad_programs_cut_it_into_slivers() -> None:
+    mesh = load(CORPUS / "jackal/jackal_description/meshes/bridge-plate.stl")
+    found = to_budget(mesh, 1900)
+    assert found.after.is_solid
+    assert found.deviation < 2e-4 * found.diagonal
+    found = to_error(mesh, 1e-3 * found.diagonal)
+    assert found.after.is_solid
+    assert found.deviation <= 1e-3 * found.diagonal
+    assert found.after.faces < 900
 
 
 def test_materials_stay() -> None:

@@ -1,35 +1,33 @@
 """Fewer triangles: to a budget, or as few as an error bound allows, with the deviation measured.
 
-Solids go through manifold3d, which keeps them solids but lets walls thinner than its tolerance
-vanish; what is no solid through fast-simplification (quadric error metrics), which promises
-nothing. So what came out is measured in every case.
+A mesh is coarsened within a tolerance first, which takes slivers away that nothing else can handle,
+and then by quadric error metrics, which say best what can be missed. Neither promises anything, so
+several ways are tried, what came out is measured, and the best is taken.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
-
-import numpy as np
+from math import inf
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.meshes.coarsening import in_cells, with_fewer, within_tolerances
 from urdfkit.meshes.distance import one_way
-from urdfkit.meshes.geometry import Floats, Integers, Mesh, Part
-from urdfkit.meshes.health import Health, examine, examine_mesh
-from urdfkit.meshes.repair.soup import Soup, soup_of
+from urdfkit.meshes.geometry import Mesh
+from urdfkit.meshes.health import Health, examine_mesh
+from urdfkit.meshes.repair.soup import soup_of
 from urdfkit.record import Record
 
-#: Tolerances that are tried for solids, from nothing to a fifth of the diagonal.
-_FINEST, _COARSEST = 1e-6, 0.2
-#: The smallest part of the triangles that is tried for the rest.
-_LEAST = 1e-3
-_STEPS_TO_BUDGET, _STEPS_TO_ERROR = 14, 8
+#: Tolerances, as a part of the diagonal; and as a part of the error that is allowed.
+_FINEST, _COARSEST = 1e-5, 0.2
+_FINEST_OF_ERROR, _COARSEST_OF_ERROR = 0.01, 2.0
+#: How many times as many triangles as are wanted the quadrics begin with.
+_MORE = (1.5, 2.5, 5)
+#: How much simpler than within a tolerance a mesh may be by quadrics, and steps to find that.
+_FEWER, _STEPS = 8.0, 5
 
-
-#: Of a part: its number, points and faces.
-_Piece = tuple[int, Floats, Integers]
-#: From a piece and the size of all to a function of the level.
-_Way = Callable[[Soup, float], Callable[[float], list[_Piece]]]
+#: Is told how many of how many steps are done.
+Progress = Callable[[int, int], None]
 
 
 class Unreachable(UrdfkitError):
@@ -60,197 +58,129 @@ class Simplified(Record):
         return max(self.lost, self.gained)
 
 
-def to_budget(mesh: Mesh, triangles: int) -> Simplified:
+def to_budget(mesh: Mesh, triangles: int, progress: Progress | None = None) -> Simplified:
     """At most so many triangles, with as little change as that takes.
 
-    Every way is tried, and that is taken which moves the surface least; a solid is kept a solid
-    unless another way is twice as good.
+    A solid is kept a solid unless another way is twice as good.
+
+    Args:
+        mesh: any.
+        triangles: how many.
+        progress: is told how far it is.
 
     Raises:
         Unreachable: the shape cannot be kept with so few, or there is none.
     """
-    _refuse_nothing(mesh)
+    judge = _Judge(mesh, progress)
     if len(mesh.faces) <= triangles:
-        return _judged(mesh, mesh)
-    tried = [_to_budget(mesh, triangles, way) for way in (_solid_shrinker, _quadric_shrinker)]
-    found = [one for one in tried if one]
-    if not found:
-        clustered = _to_budget(mesh, triangles, _cluster_shrinker)
-        if clustered is None:
-            raise Unreachable(f"{triangles} triangles are too few for this shape")
-        return clustered
-    return min(found, key=lambda one: one.deviation / (2 if one.after.is_solid else 1))
+        return judge.unchanged
+    finer = [mesh]
+    tries = []
+    for coarser in within_tolerances(mesh, _FINEST * judge.diagonal, _COARSEST * judge.diagonal):
+        if len(coarser.faces) <= triangles:
+            tries.append(coarser)
+            break
+        finer.append(coarser)
+    tries += [with_fewer(start, triangles) for start in _starts(finer, triangles)]
+    few = [one for one in tries if 0 < len(one.faces) <= triangles]
+    few = few or [one for one in in_cells(mesh) if 0 < len(one.faces) <= triangles][:1]
+    if not few:
+        raise Unreachable(f"{triangles} triangles are too few for this shape")
+    judge.expect(len(few))
+    return min(map(judge, few), key=lambda one: one.deviation / (2 if one.after.is_solid else 1))
 
 
-def _to_budget(mesh: Mesh, triangles: int, way: _Way) -> Simplified | None:
-    shrink = _shrinker(mesh, way)
-    low, high, best = 0.0, 1.0, None
-    for _ in range(_STEPS_TO_BUDGET):
-        level = (low + high) / 2
-        found = shrink(level)
-        if 0 < len(found.faces) <= triangles:
-            best, high = found, level
-        else:
-            low = level
-    return None if best is None else _judged(mesh, best)
-
-
-def to_error(
-    mesh: Mesh, error: float, progress: Callable[[int, int], None] | None = None
-) -> Simplified:
+def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simplified:
     """As few triangles as are possible while no surface moves farther than a bound.
 
     Args:
         mesh: any.
         error: in the unit of the mesh, measured both ways.
-        progress: is told how many of how many steps are done.
+        progress: is told how far it is.
 
     Raises:
         Unreachable: there is no shape.
     """
-    _refuse_nothing(mesh)
-    shrink = _shrinker(mesh, _solid_shrinker)
-    low, high = 0.0, 1.0
-    best = _judged(mesh, mesh)
-    for step in range(_STEPS_TO_ERROR):
-        level = (low + high) / 2
-        found = shrink(level)
-        judged = _judged(mesh, found) if len(found.faces) else None
-        if judged and judged.deviation <= error:
-            low = level
-            if judged.after.faces < best.after.faces:
-                best = judged
+    judge = _Judge(mesh, progress)
+    coarser = [mesh, *within_tolerances(mesh, _FINEST_OF_ERROR * error, _COARSEST_OF_ERROR * error)]
+    judge.expect(len(coarser).bit_length() + len(_MORE) + 1 + _STEPS)
+    best, at = judge.unchanged, 0
+    low, high = 1, len(coarser)
+    while low < high:
+        middle = (low + high) // 2
+        judged = judge(coarser[middle])
+        if judged.deviation <= error:
+            best, at, low = judged, middle, middle + 1
         else:
-            high = level
-        if progress:
-            progress(step + 1, _STEPS_TO_ERROR)
+            high = middle
+    number = len(best.mesh.faces)
+    starts = _starts(coarser[: at + 1], number)
+    start = min(starts, key=lambda one: judge(with_fewer(one, number // 2)).deviation)
+    fewest, most = number / _FEWER, float(number)
+    for _ in range(_STEPS):
+        wanted = (fewest * most) ** 0.5
+        judged = judge(with_fewer(start, round(wanted)))
+        if judged.deviation > error:
+            fewest = wanted
+            continue
+        most = wanted
+        if len(judged.mesh.faces) < len(best.mesh.faces):
+            best = judged
+    judge.done()
     return best
 
 
-def _refuse_nothing(mesh: Mesh) -> None:
-    sound = soup_of(mesh)
-    if not sound.size > 0:
-        raise Unreachable("all triangles are in one place, or at no place at all")
+class _Judge:
+    """Measures how far simpler meshes are from one.
+
+    Attributes:
+        diagonal: of its bounding box.
+        unchanged: the verdict on the mesh itself.
+    """
+
+    def __init__(self, mesh: Mesh, progress: Progress | None) -> None:
+        sound = soup_of(mesh)
+        self.diagonal = sound.size
+        if not self.diagonal > 0:
+            raise Unreachable("all triangles are in one place, or at no place at all")
+        before = examine_mesh(mesh)
+        self.unchanged = Simplified(mesh, before, before, 0.0, 0.0, self.diagonal)
+        self._surface = sound.points, sound.faces
+        self._progress = progress
+        self._done = self._total = 0
+
+    def expect(self, steps: int) -> None:
+        """Say how many verdicts will be asked for, at most."""
+        self._total = steps
+
+    def done(self) -> None:
+        """Say that no more will be asked for."""
+        if self._progress:
+            self._progress(self._total, self._total)
+
+    def __call__(self, mesh: Mesh) -> Simplified:
+        """The verdict on a simpler mesh; infinitely far is one that has no triangles."""
+        self._done += 1
+        if self._progress:
+            self._progress(self._done, self._total)
+        old, new = self._surface, (mesh.vertices, mesh.faces)
+        lost = gained = inf
+        if len(mesh.faces):
+            lost, gained = one_way(*old, *new), one_way(*new, *old)
+        return self.unchanged._replace(
+            mesh=mesh, after=examine_mesh(mesh), lost=lost, gained=gained
+        )
 
 
-def _judged(mesh: Mesh, found: Mesh) -> Simplified:
-    before, sound = examine_mesh(mesh), soup_of(mesh)
-    diagonal = sound.size
-    if found is mesh:
-        return Simplified(mesh, before, before, 0.0, 0.0, diagonal)
-    old, new = (sound.points, sound.faces), (found.vertices, found.faces)
-    lost, gained = one_way(*old, *new), one_way(*new, *old)
-    return Simplified(found, before, examine_mesh(found), lost, gained, diagonal)
-
-
-def _shrinker(mesh: Mesh, way: _Way) -> Callable[[float], Mesh]:
-    """A function from a level between 0 and 1 to a simpler mesh; the higher, the simpler.
+def _starts(finer: list[Mesh], triangles: float) -> list[Mesh]:
+    """What quadrics begin with: the mesh itself, and the coarsest of several numbers.
 
     Args:
-        mesh: any.
-        way: to simplify a piece; solids are simplified as a whole, all else part by part.
+        finer: the mesh, and ever coarser ones.
+        triangles: that they are to get to.
     """
-    soup = soup_of(mesh)
-    parts = [soup.kept(soup.parts == number) for number in range(len(mesh.parts))]
-    parts = [part for part in parts if len(part.faces)]
-    apart = len(parts) > 1 and all(map(_is_solid, parts))
-    whole = way is _solid_shrinker and not apart and _is_solid(soup)
-    makers = [way(piece, soup.size) for piece in ([soup] if whole else parts)]
-
-    def shrink(level: float) -> Mesh:
-        found = [part for maker in makers for part in maker(level)]
-        return mesh._replace(
-            parts=tuple(
-                Part(points, faces, mesh.parts[number].material) for number, points, faces in found
-            )
-        )
-
-    return shrink
-
-
-def _is_solid(soup: Soup) -> bool:
-    return examine(soup.points, soup.faces).is_solid
-
-
-def _solid_shrinker(soup: Soup, size: float) -> Callable[[float], list[_Piece]]:
-    """Within a tolerance, for a solid; another piece by quadrics."""
-    if not _is_solid(soup):
-        return _quadric_shrinker(soup, size)
-    from manifold3d import Manifold, Mesh64
-
-    order = np.argsort(soup.parts, kind="stable")
-    numbers, starts = np.unique(soup.parts[order], return_index=True)
-    first = Manifold.reserve_ids(len(numbers))
-    whole = Manifold(
-        Mesh64(
-            vert_properties=soup.points,
-            tri_verts=soup.faces[order].astype(np.uint64),
-            run_index=np.append(3 * starts, 3 * len(order)).astype(np.uint64),
-            run_original_id=np.arange(first, first + len(numbers), dtype=np.uint32),
-        )
-    )
-    if whole.is_empty():  # bodies that touch along an edge are no manifold
-        return _quadric_shrinker(soup, size)
-
-    def shrink(level: float) -> list[_Piece]:
-        tolerance = size * _FINEST * (_COARSEST / _FINEST) ** level
-        return [
-            (int(numbers[run - first]), points, faces)
-            for run, points, faces in _runs(whole.simplify(tolerance).to_mesh64())
-        ]
-
-    return shrink
-
-
-def _runs(mesh: Any) -> list[tuple[int, Floats, Integers]]:
-    """The runs of a manifold mesh: their ids, points and faces."""
-    points = np.asarray(mesh.vert_properties[:, :3], dtype=np.float64)
-    corners = np.asarray(mesh.tri_verts, dtype=np.int64)
-    bounds = np.asarray(mesh.run_index, dtype=np.int64) // 3
-    found: dict[int, list[Integers]] = {}
-    for run, start, end in zip(mesh.run_original_id, bounds[:-1], bounds[1:], strict=True):
-        found.setdefault(int(run), []).append(corners[start:end])
-    return [(run, points, np.concatenate(faces)) for run, faces in found.items() if len(faces[0])]
-
-
-def _quadric_shrinker(soup: Soup, _: float) -> Callable[[float], list[_Piece]]:
-    """By quadric error metrics, each part for itself."""
-    from fast_simplification import simplify
-
-    number, points, corners = _compact(soup)
-
-    def shrink(level: float) -> list[_Piece]:
-        target = max(4, int(len(corners) * _LEAST**level))
-        if target >= len(corners):
-            return [(number, points, corners)]
-        fewer, faces = simplify(points, corners, target_count=target)[:2]
-        return [(number, np.asarray(fewer, dtype=np.float64), np.asarray(faces, dtype=np.int64))]
-
-    return shrink
-
-
-def _cluster_shrinker(soup: Soup, size: float) -> Callable[[float], list[_Piece]]:
-    """By cells of a grid, all points of which become their mean: coarse, and reaches any budget."""
-    number, points, corners = _compact(soup)
-
-    def shrink(level: float) -> list[_Piece]:
-        cell = size * _FINEST * (1 / _FINEST) ** level
-        _, places = np.unique(np.floor(points / cell), axis=0, return_inverse=True)
-        places = places.reshape(-1)
-        sums = np.zeros((int(places.max()) + 1, 3))
-        np.add.at(sums, places, points)
-        means = sums / np.bincount(places)[:, None]
-        a, b, c = faces = places[corners].T
-        sound = (a != b) & (b != c) & (c != a)
-        faces = faces.T[sound]
-        _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-        return [(number, means, faces[np.sort(first)].astype(np.int64))]
-
-    return shrink
-
-
-def _compact(soup: Soup) -> _Piece:
-    """The number of a part, the points that it uses, and its faces."""
-    used, faces = np.unique(soup.faces, return_inverse=True)
-    points = np.ascontiguousarray(soup.points[used])
-    return int(soup.parts[0]), points, np.ascontiguousarray(faces.reshape(-1, 3).astype(np.int64))
+    found = {0: finer[0]}
+    for more in _MORE:
+        enough = [i for i, one in enumerate(finer) if len(one.faces) >= more * triangles]
+        found.update({i: finer[i] for i in enough[-1:]})
+    return list(found.values())

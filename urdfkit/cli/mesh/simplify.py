@@ -40,11 +40,11 @@ def command(
         raise options.UsageError("--triangles must be 4 or more, --error more than 0")
     path = destination(file, out, in_place, force)
     mesh = in_metres(load(file))
-    if triangles is not None:
-        found = to_budget(mesh, triangles)
-    else:
-        assert error is not None
-        with progress.shown() as bar:
+    with progress.shown() as bar:
+        if triangles is not None:
+            found = to_budget(mesh, triangles, bar)
+        else:
+            assert error is not None
             found = to_error(mesh, error, bar)
     output.write("\n".join([*render(found), *save(found.mesh, path)]) + "\n")
     return 0
