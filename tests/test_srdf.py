@@ -110,3 +110,14 @@ def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
     assert report.diagnostics == ()
     subject = Subject(Source.read(copied), Resolver(environment={}))
     assert subject.srdf is not None
+
+
+def test_an_srdf_of_another_robot_in_the_package_is_not_the_robots(tmp_path):
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    hand = "".join(f'<link name="finger_{i}"/>' for i in range(8))
+    group = f'<robot name="hand"><group name="all">{hand}{{}}</group></robot>'
+    (tmp_path / "hand.srdf").write_text(group.format(""))
+    assert check(tmp_path / "r.urdf", select=["SRD"]).diagnostics == ()
+    (tmp_path / "hand.srdf").write_text(group.format('<joint name="wrist"/>' * 8))
+    codes = [found.code for found in check(tmp_path / "r.urdf", select=["SRD"]).diagnostics]
+    assert sorted(codes) == ["SRD001"] * 8 + ["SRD011"]

@@ -147,6 +147,7 @@ JOINT_GRAMMAR = Grammar(
         "name": AttributeRule(NAME, required=True),
         "type": AttributeRule(TEXT, required=True),
         "drake_ignore": AttributeRule(TEXT),
+        "dont_collapse": AttributeRule(TEXT),  # Isaac Gym: keep the link of a fixed joint
     },
     {
         "origin": ORIGIN,

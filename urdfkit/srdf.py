@@ -88,6 +88,13 @@ class Srdf:
         for passive in self.root.all("passive_joint"):
             yield from _named("joint", passive, "name")
 
+    @cached_property
+    def speaks_of_robot(self) -> bool:
+        """True if the robot has at least half of the links and joints that are named."""
+        named = [(kind, name.value) for kind, name in self.references() if kind != "group"]
+        known = {kind: self.known(kind) for kind in ("link", "joint")}
+        return 2 * sum(name in known[kind] for kind, name in named) >= len(named)
+
     def known(self, kind: str) -> set[str]:
         """The names of a kind that the robot or this file has."""
         if kind == "group":
@@ -149,6 +156,8 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
 def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
     """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none.
 
+    One with another name is the robot's if it speaks of its links and joints.
+
     Args:
         path: of the robot.
         tree: of it.
@@ -156,9 +165,9 @@ def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
         trust: let expressions of a xacro run unfenced and read any file.
     """
     read_files = (read(one, tree, resolver, trust=trust) for one in srdf_files(path, resolver))
-    fitting = [srdf for srdf in read_files if srdf is not None]
-    same = [srdf for srdf in fitting if srdf.root.get("name") == tree.model.name]
-    chosen = same or fitting
+    found = [srdf for srdf in read_files if srdf is not None]
+    same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
+    chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
     return chosen[0] if len(chosen) == 1 else None
 
 

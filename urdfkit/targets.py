@@ -35,8 +35,10 @@ TARGETS = {
     "isaac": "Isaac Sim and Isaac Lab",
 }
 
+CLASSIC = ("classic-ros1", "classic-ros2")
+GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
 #: Every Gazebo; they convert URDF to SDF with the same library.
-GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
+GAZEBO = (*CLASSIC, *GZ)
 
 _CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
 

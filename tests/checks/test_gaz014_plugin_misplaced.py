@@ -41,6 +41,7 @@ def test_the_wrong_place(text: str, file: str, message: str) -> None:
         block(VENDOR, ""),
         block(f"<visual>{SHADER}</visual>"),
         plugin("gz-sim-sensors-system"),  # gz-sim runs a world's system in a model, too
+        sensor("imu", '<plugin name="p" filename="gz-sim-imu-system"/>'),  # and in a sensor
         block(DRIVE, "nothing"),  # the whole block is lost
     ],
 )

@@ -36,6 +36,8 @@ def test_what_is_read(file: str, tag: str, message: str) -> None:
         (DRIVE, "<publishTf>0</publishTf>"),
         (DRIVE, "<publishTf>no</publishTf>"),
         (IMU, "<xyzOffset>0 0.5 -1e-3</xyzOffset>"),
+        # A quaternion is read from roll, pitch and yaw.
+        ("libhector_gazebo_ros_imu.so", "<rpyOffset>0 0 -0.7</rpyOffset>"),
         (DRIVE, "<unknown>big</unknown>"),
         ("libvendor.so", "<wheelDiameter>big</wheelDiameter>"),
     ],

@@ -66,3 +66,9 @@ def test_a_frame_is_only_stamped() -> None:
 def test_a_link_of_its_own() -> None:
     assert told("GAZ022", hand("base")) == []
     assert told("GAZ022", hand().replace('type="fixed"', 'type="continuous"')) == []
+
+
+def test_no_state_is_needed_of_a_fixed_joint() -> None:
+    states = plugin("libgazebo_ros_joint_state_publisher.so", "<joint_name>tool_joint</joint_name>")
+    text = BASE + child("tool", "fixed") + states
+    assert messages("GAZ022", text) == []

@@ -27,3 +27,15 @@ def test_the_first_beam_must_be_before_the_last(first, last, samples, count):
 def test_without_a_range_nothing_is_seen():
     (finding,) = findings("GAZ046", "ray", "<ray><scan/></ray>")
     assert finding.message == "sensor 's' has no <range>: the least and the greatest are both 0 m"
+
+
+@pytest.mark.parametrize(
+    ("kind", "targets", "count"),
+    [
+        ("ray", ("classic-ros1",), 0),
+        ("gpu_ray", ("classic-ros1",), 1),
+        ("ray", ("classic-ros2", "gz-harmonic"), 1),
+    ],
+)
+def test_rays_of_classic_may_sweep_backwards(kind, targets, count):
+    assert len(findings("GAZ046", kind, scan(2, -2), targets=targets)) == count

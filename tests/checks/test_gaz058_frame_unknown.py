@@ -37,6 +37,12 @@ def test_links_and_frames_of_the_world_are_calm(frame: str) -> None:
     assert messages("GAZ058", BASE + sensor("ray", LASER.format(frame))) == []
 
 
+def test_a_link_whose_name_has_a_slash() -> None:
+    text = BASE.replace('"base"', '"rov/imu"')
+    tag = "<gz_frame_id>rov/imu</gz_frame_id>"
+    assert messages("GAZ058", text + sensor("imu", tag, "rov/imu")) == []
+
+
 def test_the_frame_of_odometry_comes_from_elsewhere() -> None:
     tags = "<odometryFrame>start</odometryFrame><robotBaseFrame>base</robotBaseFrame>"
     assert messages("GAZ058", BASE + plugin("libgazebo_ros_planar_move.so", tags)) == []

@@ -31,6 +31,7 @@ def test_they_never_come_closer(axis: str, multiplier: str) -> None:
         ("0 -1 0", "1", "prismatic"),
         ("0 1 0", "-1", "prismatic"),
         ("1 0 0", "1", "prismatic"),  # a lift on two rails
+        ("0 1 0", "0.5", "prismatic"),  # a torso that rises half as far as the arm, as HSR's
         ("0 1 0", "1", "revolute"),
     ],
 )

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.srdfs import findings
+from urdfkit import check
 
 BAD = [
     (
@@ -35,3 +36,29 @@ def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: s
 @pytest.mark.parametrize("text", GOOD)
 def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD007") == []
+
+
+WORLD = """<robot name="r">
+<link name="world">{inside}</link>
+<link name="base"/>
+<joint name="stand" type="fixed"><parent link="world"/><child link="base"/></joint>
+</robot>"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "inside", "count"),
+    [
+        ("fixed", "", 0),
+        ("planar", "", 1),
+        ("fixed", "<visual><geometry><sphere radius='1'/></geometry></visual>", 1),
+    ],
+)
+def test_the_world_link_of_gazebo_is_no_hindrance(
+    tmp_path: Path, kind: str, inside: str, count: int
+) -> None:
+    (tmp_path / "r.urdf").write_text(WORLD.format(inside=inside))
+    (tmp_path / "r.srdf").write_text(
+        f'<robot name="r">\n<virtual_joint name="v" type="{kind}" parent_frame="w" '
+        'child_link="base"/></robot>'
+    )
+    assert len(check(tmp_path / "r.urdf", select=["SRD007"]).diagnostics) == count

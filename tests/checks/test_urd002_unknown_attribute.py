@@ -48,6 +48,10 @@ def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
             '<link name="a"><collision group="1" mask="2" concave="yes">'
             '<geometry><sphere radius="1"/></geometry></collision></link>'
         ),  # PyBullet
+        (
+            '<link name="a"/><link name="b"/><joint name="j" type="fixed" dont_collapse="true">'
+            '<parent link="a"/><child link="b"/></joint>'
+        ),  # Isaac Gym
     ],
 )
 def test_namespaces_and_other_readers_attributes_are_known(robot: str) -> None:

@@ -25,6 +25,17 @@ def test_without_an_including_file_they_are_errors(tmp_path: Path) -> None:
     assert {one.code for one in report.diagnostics} == {"XAC001", "XAC010"}
 
 
+def test_what_hangs_on_another_file_is_a_part_though_none_includes_it(tmp_path: Path) -> None:
+    hand = '<joint name="j" type="fixed"><parent link="arm"/><child link="hand"/>{}</joint>'
+    write(tmp_path, part='<link name="hand"/>' + hand.format('<origin xyz="${length} 0 0"/>'))
+    (found,) = engine.check(tmp_path / "part.xacro").diagnostics
+    assert found.code == "XAC019"
+    assert found.message == "a part of another file, which must define 'length'"
+    write(tmp_path, part='<link name="arm"/>' + hand.format('<origin xyz="${length} 0 0"/>'))
+    (error,) = engine.check(tmp_path / "part.xacro", select=["XAC"]).diagnostics
+    assert error.code == "XAC001"
+
+
 def test_other_errors_of_a_part_stay(tmp_path: Path) -> None:
     write(
         tmp_path, robot='<xacro:include filename="part.xacro"/>', part=f"{PART}\n<x a='${{1/0}}'/>"

@@ -64,8 +64,13 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _is_wrong(use: Use, kinds: tuple[str, ...]) -> bool:
-    """True for a kind that Gazebo refuses there; gz-sim runs a world's system in a model, too."""
+    """True for a kind that Gazebo refuses there.
+
+    gz-sim runs a world's system in a model or sensor, too, which GAZ033 tells; others that stand
+    in a sensor find no model.
+    """
     if not kinds or use.place in kinds or use.place not in ("model", "sensor", "visual"):
         return False
     assert use.plugin is not None
-    return not (use.plugin.generation == "gz" and use.place == "model")
+    at_home = use.place == "model" or (use.place == "sensor" and "world" in kinds)
+    return not (use.plugin.generation == "gz" and at_home)

@@ -37,7 +37,8 @@ BAD = """\
 GOOD = BAD.replace("0,5", "0.5")
 
 _NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)([eE][-+]?\d+)?"
-_LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 4, "pose": 6}
+#: A quaternion is written as roll, pitch and yaw: so gz-math reads it from a stream.
+_LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 3, "pose": 6}
 #: Words that other programs take for a boolean; what is meant by them is plain.
 _TRUE, _FALSE = ("true", "1"), ("false", "0", "no", "off")
 

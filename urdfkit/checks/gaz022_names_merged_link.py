@@ -56,6 +56,9 @@ FIXED = BAD.replace(
 )
 GOOD = FIXED
 
+#: Passes over a joint that is not there, and robot_state_publisher needs no state of a fixed one.
+_STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
+
 
 @rule(
     "GAZ022",
@@ -72,6 +75,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                 continue
             if use.place == "model" and reference.parameter.name in rewritten():
                 continue  # the converter writes the survivor there
+            if use.plugin and use.plugin.id == _STATES:
+                continue
             yield _finding(subject, use, reference)
 
 

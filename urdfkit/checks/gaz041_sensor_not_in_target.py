@@ -19,7 +19,7 @@ from urdfkit.diagnostic import Severity
 from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import GAZEBO
+from urdfkit.targets import CLASSIC, GAZEBO, GZ
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -38,9 +38,6 @@ BAD = """\
 </gazebo>"""
 GOOD = BAD.replace('"ray"', '"imu"')
 
-_GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
-_CLASSIC = ("classic-ros1", "classic-ros2")
-
 
 @rule(
     "GAZ041",
@@ -50,8 +47,8 @@ _CLASSIC = ("classic-ros1", "classic-ros2")
     by_target=dict.fromkeys(GAZEBO, Severity.ERROR),
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    wants_gz = subject.targets.any_of(_GZ)
-    wants_classic = subject.targets.any_of(_CLASSIC)
+    wants_gz = subject.targets.any_of(GZ)
+    wants_classic = subject.targets.any_of(CLASSIC)
     for sensor in sensors(subject.model):
         kind = types().get(sensor.type)
         if kind is None:

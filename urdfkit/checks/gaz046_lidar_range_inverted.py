@@ -2,7 +2,7 @@
 
 No beam can ever hit anything: the lidar is blind, and navigation sees an empty world. Both ranges
 are 0 if they are not written. gz-sim rejects a model whose beams begin at a larger angle than they
-end.
+end; the rays of Gazebo Classic sweep backwards then.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -18,6 +18,7 @@ from urdfkit.editing.edits import swap
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.targets import CLASSIC, GZ
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -63,11 +64,19 @@ def check(subject: Subject) -> Iterator[Finding]:
             message = f"{sensor.who} has no <range>: the least and the greatest are both 0 m"
             yield Finding(block, message, "add <range> with <min> and <max>")
         yield from _inverted(sensor, "range", "range/min", "range/max", "m")
+        if _may_sweep_backwards(sensor, subject):
+            continue
         for way in ("horizontal", "vertical"):
             first, last = (f"scan/{way}/{end}_angle" for end in ("min", "max"))
             samples = sensor.number(f"{block.tag}/scan/{way}/samples")
             if samples and samples.value > 1:
                 yield from _inverted(sensor, f"{way} angle", first, last, "rad")
+
+
+def _may_sweep_backwards(sensor: Sensor, subject: Subject) -> bool:
+    """True for the rays of Gazebo Classic, which go from the first angle to the last."""
+    targets = subject.targets
+    return sensor.type == "ray" and targets.any_of(CLASSIC) and not targets.any_of(GZ)
 
 
 def _inverted(sensor: Sensor, what: str, first: str, last: str, unit: str) -> Iterator[Finding]:

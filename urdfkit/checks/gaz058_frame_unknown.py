@@ -58,7 +58,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if name.startswith("/"):
             message = f"{who} names frame '{name}': tf2 refuses the slash at its beginning"
             yield Finding(at, message, f"write {name.strip('/')}", _fix(at, name, name.strip("/")))
-        elif bare not in known:
+        elif bare not in known and name not in known:
             meant = speller.meant(name)
             help = f"did you mean '{meant}'?" if meant else "name a link of the robot"
             yield Finding(

@@ -85,7 +85,10 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
     if len(hanging) > _NAMED:
         hanging = [*hanging[: _NAMED - 1], f"{len(hanging) - _NAMED + 1} more"]
     others = f" and with it {_listed(hanging)}" if hanging else ""
-    by = f"moved by the {body.joint.kind} joint '{body.joint.name}'" if body.joint else "the root"
+    by = "the root"
+    if body.joint:  # a fixed one leads from the world
+        verb = "held" if body.joint.kind == "fixed" else "moved"
+        by = f"{verb} by the {body.joint.kind} joint '{body.joint.name}'"
     return Finding(
         body.top.at,
         f"link '{name}' is {by} and has no mass: Gazebo leaves it out{others}",

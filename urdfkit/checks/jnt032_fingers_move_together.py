@@ -67,11 +67,13 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _are_fingers(joint: Joint, leader: Joint) -> bool:
-    """True for two sliding joints on one link."""
+    """True for two sliding joints on one link that go equally far; stages of a lift do not."""
     return (
         joint.kind == leader.kind == "prismatic"
         and joint.parent is not None
         and leader.parent is not None
         and joint.parent.value == leader.parent.value
         and not leader.mimic
+        and joint.mimic is not None
+        and abs(joint.mimic.multiplier) == 1
     )

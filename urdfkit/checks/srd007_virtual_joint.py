@@ -1,7 +1,8 @@
 """A virtual joint does not fit the robot.
 
 It joins the root of the robot to a frame of the world, and is `fixed`, `planar` or `floating`.
-MoveIt ignores one of another type or on another link, and the robot cannot be placed.
+MoveIt writes a warning about one of another type or on another link and takes the root as fixed:
+the robot is planned for, but cannot be placed or driven.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -18,6 +19,7 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.model import Link
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -49,7 +51,7 @@ _TYPES = ("fixed", "planar", "floating")
 @rule(
     "SRD007",
     "virtual-joint",
-    Severity.ERROR,
+    Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
     help="attach it to the root link, with type fixed, planar or floating",
 )
@@ -57,12 +59,18 @@ def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
     if srdf is None:
         return
-    roots = {link.name for link in subject.tree.roots}
+    roots = {link.name: link for link in subject.tree.roots}
     for joint in srdf.virtual_joints:
         name, child, kind = (joint.get(key) for key in ("name", "child_link", "type"))
         if kind is not None and kind not in _TYPES:
             types = ", ".join(_TYPES)
             yield Finding(joint, f"virtual joint '{name}' is of type '{kind}', not one of {types}")
+        elif kind == "fixed" and _is_empty(roots.get("world")):
+            continue  # robots for Gazebo have this root, and MoveIt makes the joint all the same
         elif child in subject.model.links_by_name and child not in roots:
             message = f"virtual joint '{name}' holds '{child}', which is not the robot's root"
             yield Finding(joint, message)
+
+
+def _is_empty(link: Link | None) -> bool:
+    return link is not None and not link.visuals and not link.collisions

@@ -49,7 +49,7 @@ class Xacro:
         if ledger.first_error is not None:
             from urdfkit.expansion.part import as_part
 
-            problems = as_part(run.source, resolver.packages, problems)
+            problems = as_part(run.source, resolver.packages, problems, run.document)
         self.problems = tuple(problems)
         self.macros = tuple(run.macros)
         self.properties = tuple(run.properties)

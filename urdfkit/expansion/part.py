@@ -11,6 +11,7 @@ from urdfkit.source import Span, shown
 from urdfkit.workspace.includes import top_includer
 
 if TYPE_CHECKING:
+    from urdfkit.expansion.dom import Dom, Node
     from urdfkit.source import Source
     from urdfkit.workspace.packages import Packages
 
@@ -20,8 +21,12 @@ _SHOWN = 3
 _LACKING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
 
-def as_part(source: Source, packages: Packages, problems: list[Problem]) -> list[Problem]:
+def as_part(
+    source: Source, packages: Packages, problems: list[Problem], document: Dom | None
+) -> list[Problem]:
     """The problems of a file; if another file includes it, the names it lacks are one hint.
+
+    So they are if no file does any more, and the links hang on none of the file's own.
 
     Checked alone, such a part lacks what the including file defines before the include. That is
     no error of the part, and the robot is checked by checking the other file.
@@ -31,7 +36,9 @@ def as_part(source: Source, packages: Packages, problems: list[Problem]) -> list
         return problems
     top = top_includer(source.path, packages)
     if top is None:
-        return problems
+        if document is None or not _is_loose(document.documentElement):
+            return problems
+        top = ""
     names = list(dict.fromkeys(lacking.values()))
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
     which = ", ".join(f"'{name}'" for name in names[:_SHOWN])
@@ -40,6 +47,13 @@ def as_part(source: Source, packages: Packages, problems: list[Problem]) -> list
     first = next(iter(lacking))
     hint = Problem("XAC019", Span(source, 0, 0), message, _help(top), problems[first].frame)
     return [hint, *(one for number, one in enumerate(problems) if number not in lacking)]
+
+
+def _is_loose(root: Node) -> bool:
+    """True for a ``<robot>`` without a name whose links all hang on other links."""
+    links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
+    children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
+    return bool(links) and links <= children and not root.hasAttribute("name")
 
 
 def _lacking(problem: Problem) -> str:
