@@ -44,7 +44,7 @@ def test_a_plain_robot_needs_none_of_these_rules() -> None:
     others = {"NAM006", "NAM009", "REF003", "TRE008", "TRE009"}
     others |= {"JNT001", "JNT012", "JNT020", "JNT022", "JNT025"}
     others |= {code for about in glance.ABOUT_CHILDREN.values() for code in about}
-    others |= {"GEO002", "GEO003", "GEO004", "GEO007", "GEO009", "GEO010", "GEO011"}
+    others |= {"GEO002", "GEO003", "GEO007", "GEO009", "GEO010", "GEO011"}
     others |= {"NAM003", "NAM005", "NAM011", *glance.ABOUT_WORDS}
     others |= glance.ABOUT_SIZES | glance.ABOUT_SCALES | glance.ABOUT_PLUGINS | glance.ABOUT_SENSORS
     others |= {"JNT030", "JNT031", "JNT032", "JNT033", "JNT034", "JNT035", "JNT037", "JNT038"}

@@ -220,8 +220,6 @@ def _about_shapes(model: RobotModel) -> set[str]:
     shapes = model.shapes
     if all(min(shape.scale) > 0 for shape in shapes):
         codes |= ABOUT_SCALES
-    if not any(link.visuals and link.collisions for link in model.links):
-        codes.add("GEO004")
     lengths = [(*(shape.size or ()), shape.radius, shape.length) for shape in shapes]
     if all(value is None or value > 0 for values in lengths for value in values):
         codes |= ABOUT_SIZES

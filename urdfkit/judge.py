@@ -153,6 +153,7 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
         | rules.TOLD_BY_FILES
         | rules.TOLD_BY_MESHES
         | rules.TOLD_BY_MASSES
+        | rules.TOLD_BY_LIKENESSES
     )
     if reading.xacro is None:
         silent.add("XAC")
@@ -179,6 +180,9 @@ def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
         told |= _told_by_meshes(subject, chosen)
     if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
         told |= subject.masses.told
+    both = any(link.visuals and link.collisions for link in subject.model.links)
+    if both and not rules.TOLD_BY_LIKENESSES.isdisjoint(chosen):
+        told.update(subject.likenesses.claims)
     return told
 
 

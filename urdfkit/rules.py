@@ -54,6 +54,9 @@ TOLD_BY_MESHES = frozenset(
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.
 TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
 
+#: Rules that only tell where collisions and visuals are unlike; imported likewise.
+TOLD_BY_LIKENESSES = frozenset(("GEO004", "GEO016", "GEO017"))
+
 #: Rules that look at collisions, and need coal for it.
 TOLD_BY_COAL = frozenset("COL001 COL002 COL003 COL004 COL006".split())
 

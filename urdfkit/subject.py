@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.assets.files import Files
+    from urdfkit.assets.likeness import Likenesses
     from urdfkit.assets.measured import Measured
     from urdfkit.assets.triangles import Meshes
     from urdfkit.collision.robot import Collisions
@@ -315,6 +316,13 @@ class Subject:
         from urdfkit.inertials.masses import Masses
 
         return Masses(self.model, self.tree, self.lump)
+
+    @cached_property
+    def likenesses(self) -> Likenesses:
+        """The collisions of each link beside its visuals."""
+        from urdfkit.assets.likeness import Likenesses
+
+        return Likenesses(self.model, self.lump, self.files.is_turned_by_some)
 
     def lump(self, body: Body) -> Lump | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""

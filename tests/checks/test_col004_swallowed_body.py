@@ -59,3 +59,18 @@ def test_links_that_are_no_neighbours_count_too() -> None:
 def test_a_part_that_comes_out_is_not_swallowed(reach: float, told: int) -> None:
     slide = joint("chassis", "wheel", "prismatic", more=revolute(0, reach))
     assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == told
+
+
+def test_what_holds_several_is_told_once() -> None:
+    balls = [f"ball_{n}" for n in range(7)]
+    parts = [link(name, sphere(0.02)) for name in balls]
+    joints = [
+        joint("chassis", name, "continuous", f"{n * 0.05 - 0.15} 0 0")
+        for n, name in enumerate(balls)
+    ]
+    assert messages("COL004", "".join((CHASSIS, *parts, *joints))) == [
+        (
+            "the collision geometry of link 'chassis' holds 7 other links, and nothing can touch "
+            "them: ball_0, ball_1, ball_2, ball_3, ball_4 and 2 more"
+        )
+    ]

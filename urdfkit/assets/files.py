@@ -122,6 +122,13 @@ class Files:
             self._facts[path] = sniff_file(path)
         return self._facts[path]
 
+    def is_turned_by_some(self, body: Body) -> bool:
+        """True for a mesh whose axes programs read differently: MSH014 and MSH035."""
+        path = self.path(body.shape) if body.shape else None
+        return path is not None and not {"MSH014", "MSH035"}.isdisjoint(
+            _codes(self.facts(path), path)
+        )
+
     @cached_property
     def missing(self) -> tuple[MeshReference, ...]:
         """The references that lead to no file, although their package is known."""

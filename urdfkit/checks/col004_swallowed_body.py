@@ -3,6 +3,7 @@
 Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
 bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
 other without end. Make the outer geometry smaller, or move the inner one to where the part is.
+A link that holds several others is told once.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -17,6 +18,8 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.collision.still import Meeting
+    from urdfkit.model import RobotModel
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -36,6 +39,10 @@ BAD = """\
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
 
+#: Links inside another one whose places are told.
+_NOTES = 5
+
+
 @rule(
     "COL004",
     "swallowed-body",
@@ -47,13 +54,39 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not subject.is_crowded or subject.is_part:
         return
     still = subject.collisions.still
+    swallowed: dict[str, list[Meeting]] = {}
     for one in still.meetings:
         if one.is_swallowed and not one.is_rigid and still.always(one):
-            small, large = (subject.model.collision(*body) for body in one.bodies)
-            yield Finding(
-                small,
-                f"link '{one.small.link}' is inside the collision geometry of "
-                f"'{one.large.link}': nothing can touch it",
-                related=(Related(large.span, f"link '{one.large.link}'"),),
-                alike=one.large.link,
-            )
+            swallowed.setdefault(one.large.link, []).append(one)
+    for meetings in swallowed.values():
+        if len(meetings) > 1:
+            yield _several(subject.model, meetings)
+        else:
+            yield _single(subject.model, meetings[0])
+
+
+def _single(model: RobotModel, one: Meeting) -> Finding:
+    small, large = (model.collision(*body) for body in one.bodies)
+    return Finding(
+        small,
+        f"link '{one.small.link}' is inside the collision geometry of '{one.large.link}': nothing "
+        "can touch it",
+        related=(Related(large.span, f"link '{one.large.link}'"),),
+    )
+
+
+def _several(model: RobotModel, meetings: list[Meeting]) -> Finding:
+    """Of one link that swallows several others, which are sooner right than it is."""
+    names = [one.small.link for one in meetings]
+    more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""
+    large = meetings[0].bodies[1]
+    return Finding(
+        model.collision(*large),
+        f"the collision geometry of link '{large[0]}' holds {len(names)} other links, and nothing "
+        f"can touch them: {', '.join(names[:_NOTES])}{more}",
+        related=tuple(
+            Related(model.collision(*one.bodies[0]).span, f"link '{one.small.link}'")
+            for one in meetings[:_NOTES]
+        ),
+        weight=len(names),
+    )
