@@ -122,6 +122,20 @@ class Skipped(Record):
     reason: str
 
 
+class Launched(Record):
+    """A robot of a folder that was checked as a launch file of its package starts it.
+
+    Attributes:
+        path: of the robot.
+        launch: of the launch file.
+        arguments: those that the robot lacks by itself.
+    """
+
+    path: str
+    launch: str
+    arguments: dict[str, str]
+
+
 class Crashed(Record):
     """A rule that failed: a bug of urdfkit, never of the robot."""
 
@@ -146,6 +160,7 @@ class Report(Record):
         errors: the codes of the errors of each description, in the order of the check; what
             several have in common is one diagnostic, but an error of each.
         proposals: the edits that the fixes of each description ask for.
+        launched: the robots that have their arguments from launch files.
     """
 
     files: tuple[str, ...]
@@ -158,6 +173,7 @@ class Report(Record):
     tolerated: int = 0
     errors: tuple[tuple[str, ...], ...] = ()
     proposals: tuple[tuple[Edit, ...], ...] = ()
+    launched: tuple[Launched, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

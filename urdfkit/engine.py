@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.judge import Verdict, judge
-from urdfkit.plan import Job, Plan, planned
+from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from typing import TypedDict
 
     from urdfkit.config import Config
-    from urdfkit.reading import Problem
     from urdfkit.targets import Targets
 
     class Options(TypedDict, total=False):
@@ -42,6 +41,10 @@ if TYPE_CHECKING:
         progress: Callable[[int, int], None] | None
         texts: Mapping[str, bytes] | None
         cache: bool
+
+
+#: A description, and what the rules say about it.
+Judged = tuple[Job, Verdict]
 
 
 class Settings(Record):
@@ -127,8 +130,7 @@ def check(
     else:
         resolver = resolver.with_texts(settings.texts)
     plan = planned(files, resolver, config, arguments, changed=changed)
-    verdicts = _verdicts(plan.jobs, settings, resolver, jobs, progress)
-    return _report(plan, verdicts)
+    return _report(plan, _judged(plan.jobs, settings, resolver, jobs, progress))
 
 
 def subjects(
@@ -147,10 +149,14 @@ def subjects(
     known = {**(config.packages if config else {}), **(packages or {})}
     resolver = Resolver(known, texts=texts)
     is_trusted = trust or (config is not None and config.trust)
-    for job in planned(files, resolver, config, arguments, changed=changed).jobs:
-        subject = Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
-        is_robot = not is_launch(job.source.path) and subject.reading.document is not None
-        yield subject if is_robot else None
+
+    def read(job: Job) -> Subject:
+        return Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
+
+    for planned_job in planned(files, resolver, config, arguments, changed=changed).jobs:
+        for job, subject in as_launched(planned_job, read):
+            is_robot = not is_launch(job.source.path) and subject.reading.document is not None
+            yield subject if is_robot else None
 
 
 def _added(packages: Iterable[str]) -> list[str]:
@@ -201,32 +207,32 @@ def choose(
     return sorted(chosen - ignored)
 
 
-def _verdicts(
+def _judged(
     jobs: list[Job],
     settings: Settings,
     resolver: Resolver,
     processes: int,
     progress: Callable[[int, int], None] | None,
-) -> list[Verdict]:
+) -> list[Judged]:
     if len(jobs) == 1:
-        return [_run(jobs[0], settings, resolver, progress)]
-    verdicts: list[Verdict] = []
-    for verdict in _each(jobs, settings, resolver, processes):
-        verdicts.append(verdict)
+        return _run(jobs[0], settings, resolver, progress)
+    judged: list[Judged] = []
+    for done, some in enumerate(_each(jobs, settings, resolver, processes), 1):
+        judged += some
         if progress is not None:
-            progress(len(verdicts), len(jobs))
-    return verdicts
+            progress(done, len(jobs))
+    return judged
 
 
 def _each(
     jobs: list[Job], settings: Settings, resolver: Resolver, processes: int
-) -> Iterable[Verdict]:
+) -> Iterable[list[Judged]]:
     if processes <= 1:
         return (_run_one(job, settings, resolver) for job in jobs)
     return _in_processes(jobs, settings, processes)
 
 
-def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[Verdict]:
+def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[list[Judged]]:
     import signal
     from concurrent.futures import ProcessPoolExecutor
 
@@ -240,21 +246,21 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
             yield future.result()
 
 
-def _run_alone(job: Job, settings: Settings) -> Verdict:
+def _run_alone(job: Job, settings: Settings) -> list[Judged]:
     catalogue.register(settings.foreign)  # this process may have begun with nothing
     return _run_one(job, settings, Resolver(settings.packages, texts=settings.texts))
 
 
-def _run_one(job: Job, settings: Settings, resolver: Resolver) -> Verdict:
+def _run_one(job: Job, settings: Settings, resolver: Resolver) -> list[Judged]:
     """One of several robots, of which nothing but the verdict stays.
 
     A robot is full of references in circles. The meshes that hang on them are no more than a few
     objects to the collector, but hundreds of megabytes: it would let dozens of robots pile up.
     """
-    verdict = _run(job, settings, resolver)
+    judged = _run(job, settings, resolver)
     if "numpy" in sys.modules:
         gc.collect()
-    return verdict
+    return judged
 
 
 def _run(
@@ -262,25 +268,29 @@ def _run(
     settings: Settings,
     resolver: Resolver,
     progress: Callable[[int, int], None] | None = None,
-) -> Verdict:
-    subject = Subject(
-        job.source,
-        resolver,
-        job.arguments,
-        trust=settings.trust,
-        targets=settings.targets,
-        frame=job.frame,
-        parameters=job.parameters,
-        cache=settings.cache,
-        progress=progress,
-    )
-    verdict = judge(subject, settings.chosen, settings.config)
-    return _without_arguments(verdict, job) if job.found else verdict
+) -> list[Judged]:
+    def read(job: Job) -> Subject:
+        return Subject(
+            job.source,
+            resolver,
+            job.arguments,
+            trust=settings.trust,
+            targets=settings.targets,
+            frame=job.frame,
+            parameters=job.parameters,
+            cache=settings.cache,
+            progress=progress,
+        )
+
+    return [
+        (job, _without_arguments(judge(subject, settings.chosen, settings.config), job, subject))
+        for job, subject in as_launched(job, read)
+    ]
 
 
-def _without_arguments(verdict: Verdict, job: Job) -> Verdict:
+def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
     """A file that was found, not named, and cannot be expanded for want of arguments is skipped."""
-    names = missing_arguments(verdict.diagnostics)
+    names = missing_arguments(subject) if job.found else ()
     if not names:
         return verdict
     needed = ", ".join(names)
@@ -288,12 +298,8 @@ def _without_arguments(verdict: Verdict, job: Job) -> Verdict:
     return verdict._replace(diagnostics=(), skipped=(Skipped("", job.source.path, reason),))
 
 
-def missing_arguments(found: Iterable[Diagnostic | Problem]) -> list[str]:
-    """The arguments without which a xacro does not expand, by what was found in it."""
-    return list(dict.fromkeys(one.message.split("'")[1] for one in found if one.code == "XAC010"))
-
-
-def _report(plan: Plan, verdicts: list[Verdict]) -> Report:
+def _report(plan: Plan, judged: list[Judged]) -> Report:
+    verdicts = [verdict for _, verdict in judged]
     once: dict[tuple[object, ...], Diagnostic] = {}
     files_of: dict[str, str] = {}
     for verdict in verdicts:
@@ -313,7 +319,7 @@ def _report(plan: Plan, verdicts: list[Verdict]) -> Report:
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
         tuple(
             (job.source.path, verdict.targets)
-            for job, verdict in zip(plan.jobs, verdicts, strict=True)
+            for job, verdict in judged
             if verdict.targets is not None
         ),
         sum(verdict.suppressed for verdict in verdicts),
@@ -325,6 +331,7 @@ def _report(plan: Plan, verdicts: list[Verdict]) -> Report:
             tuple(edit for d in verdict.diagnostics if d.fix for edit in d.fix.edits)
             for verdict in verdicts
         ),
+        launched=tuple(job.launched for job, _ in judged if job.launched),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 
-from urdfkit.diagnostic import Skipped
+from urdfkit.diagnostic import Launched, Skipped
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
@@ -13,10 +13,13 @@ from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
     from urdfkit.launch.found import FileUse
+    from urdfkit.subject import Subject
 
 
 class Job(Record):
@@ -29,6 +32,7 @@ class Job(Record):
         found: True if it was found in a folder, not named.
         frame: the launch file that asks for it, if one does.
         parameters: the files of parameters that this launch file loads.
+        launched: the arguments that it lacks by itself, if a launch file gives them.
     """
 
     source: Source
@@ -37,6 +41,7 @@ class Job(Record):
     found: bool
     frame: Frame | None = None
     parameters: tuple[FileUse, ...] = ()
+    launched: Launched | None = None
 
 
 def planned(
@@ -139,6 +144,41 @@ class Plan:
         common = self.config.arguments if self.config else {}
         every = {**common, **arguments, **self.arguments}
         self.jobs.append(Job(source, name, every, found))
+
+
+def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
+    """A job with its description.
+
+    A robot that was found in a folder, and cannot be expanded for want of arguments, comes with
+    those that the launch files of its package give it: once for each set of them.
+
+    Args:
+        job: one description.
+        read: makes the description of a job.
+    """
+    subject = read(job)
+    if not job.found or not (names := missing_arguments(subject)):
+        return [(job, subject)]
+    from urdfkit.launch.given import given
+
+    jobs = [
+        job._replace(
+            arguments={**one.arguments, **job.arguments},
+            frame=one.frame,
+            launched=Launched(
+                job.source.path, one.launch, {name: one.arguments[name] for name in names}
+            ),
+        )
+        for one in given(job.source.path, names, subject.resolver)
+    ]
+    found = [(one, read(one)) for one in jobs]
+    return [pair for pair in found if not missing_arguments(pair[1])] or [(job, subject)]
+
+
+def missing_arguments(subject: Subject) -> tuple[str, ...]:
+    """The arguments without which a xacro cannot be expanded."""
+    problems = subject.problems("XAC010")
+    return tuple(dict.fromkeys(problem.message.split("'")[1] for problem in problems))
 
 
 def _spelt(path: str, given: str) -> str:

@@ -11,7 +11,17 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS, ROOT
 from tests.formats.made import diagnostic, macro, report, span
-from urdfkit.diagnostic import Call, Confidence, Crashed, Edit, Fix, Related, Severity, Skipped
+from urdfkit.diagnostic import (
+    Call,
+    Confidence,
+    Crashed,
+    Edit,
+    Fix,
+    Launched,
+    Related,
+    Severity,
+    Skipped,
+)
 from urdfkit.formats.json import VERSION, render
 from urdfkit.source import Source
 from urdfkit.targets import Targets
@@ -38,6 +48,7 @@ FULL = report(
     crashed=(Crashed("ABC003", "robot.xacro", "ValueError: boom", "Traceback ..."),),
     suppressed=2,
     tolerated=3,
+    launched=(Launched("robot.xacro", "a.launch.py", {"side": "left"}),),
     targets=(("robot.urdf", Targets(("ros1",), ("ros1: package.xml",))),),
 )
 
@@ -151,6 +162,9 @@ def test_every_field() -> None:
                 "help": "make it shorter",
                 "fix": {"title": "write 'leg'", "safe": True, "edits": [{**place, "text": "leg"}]},
             }
+        ],
+        "launched": [
+            {"path": "robot.xacro", "launch": "a.launch.py", "arguments": {"side": "left"}}
         ],
         "skipped": [
             {"code": "", "path": "part.xacro", "reason": "a"},

@@ -11,8 +11,9 @@ from urdfkit import atomic
 from urdfkit.cli import output
 from urdfkit.config import Config
 from urdfkit.discovery import Found, discover
-from urdfkit.engine import missing_arguments
 from urdfkit.errors import UnwritableFile
+from urdfkit.launch.given import given
+from urdfkit.plan import missing_arguments
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.targets import TARGETS
@@ -78,6 +79,8 @@ class _Robot:
         self.file = os.path.relpath(file, folder).replace(os.sep, "/")
         subject = Subject(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
+        self._needed = missing_arguments(subject)
+        self._started = given(file, self._needed, resolver) if self._needed else []
         is_readable = subject.reading.document is not None
         self.targets = subject.targets.names if is_readable else ()
 
@@ -87,12 +90,19 @@ class _Robot:
         yield f"file = {_quoted(self.file)}"
         if self._xacro is None:
             return
-        needed = missing_arguments(self._xacro.problems)
-        for name in needed:
-            yield f'arguments.{_key(name)} = ""  # it must be given: write the value'
+        for name in self._needed:
+            yield f"arguments.{_key(name)} = {self._given(name)}"
         for argument in dict.fromkeys(a.name for a in self._xacro.arguments):
-            if argument not in needed:
+            if argument not in self._needed:
                 yield f"# arguments.{_key(argument)} = {_quoted(self._default(argument))}"
+
+    def _given(self, name: str) -> str:
+        """A value that a launch file gives; the others, or what to do, as a comment."""
+        known = dict.fromkeys(_quoted(one.arguments[name]) for one in self._started)
+        if not known:
+            return '""  # it must be given: write the value'
+        first, *others = known
+        return f"{first}  # or {', '.join(others)}" if others else first
 
     def _default(self, name: str) -> str:
         assert self._xacro is not None

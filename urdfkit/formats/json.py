@@ -24,6 +24,10 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         "version": VERSION,
         "urdfkit": __version__,
         "diagnostics": [_diagnostic(diagnostic) for diagnostic in report.diagnostics],
+        "launched": [
+            {"path": one.path, "launch": one.launch, "arguments": one.arguments}
+            for one in report.launched
+        ],
         "skipped": [
             {"code": skip.code, "path": skip.path, "reason": skip.reason}
             for skip in sorted(report.skipped)

@@ -52,7 +52,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     counts = {severity: report.count(severity) for severity in Severity}
     found = [_many(count, severity.value) for severity, count in counts.items() if count]
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
-    reasons = [f"{what} skipped: {why}" for why, what in _skipped(report)]
+    reasons = [*_launched(report)]
+    reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
     if report.crashed:
         reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
     if report.suppressed:
@@ -67,6 +68,18 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
             words = _many(count, severity.value)
             text = text.replace(words, page.paint(words, _COLORS[severity]), 1)
     return text + "\n"
+
+
+def _launched(report: Report) -> Iterator[str]:
+    """Which robots were checked with the arguments of which launch files."""
+    values: dict[tuple[str, str], dict[str, str]] = {}
+    for one in report.launched:
+        for name, value in one.arguments.items():
+            values.setdefault((one.path, name), {}).setdefault(value, one.launch)
+    for (path, name), launches in values.items():
+        files = {os.path.basename(launch) for launch in launches.values()}
+        where = min(files) if len(files) == 1 else _many(len(files), "launch file")
+        yield printable(f"{path} with {name} {', '.join(launches)} of {where}")
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:

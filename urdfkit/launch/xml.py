@@ -190,9 +190,13 @@ class _File:
             return
         frame = frame_at(self.source, element.tag_at, self.frame)
         lent = {child.get("name") or "" for child in element.children}
-        if self._ros == 2 or element.get("pass_all_args"):
+        if self._lends(element):
             lent |= self._declared
         _File(self.collector, source, self._passed(element), lent, frame, here).read()
+
+    def _lends(self, element: Element) -> bool:
+        """True if an included file sees all arguments of this one."""
+        return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
 
     def _compare(self, element: Element, taken: Signature, source: Source) -> None:
         """Tell how the arguments of an include differ from those of the file."""
@@ -212,7 +216,7 @@ class _File:
             problems += not_given(known, taken, source, element.span, self.frame)
 
     def _passed(self, element: Element) -> dict[str, str]:
-        passed: dict[str, str] = {}
+        passed = dict(self.values) if self._lends(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
             if child.tag in ("arg", "let") and attribute:
