@@ -33,7 +33,9 @@ ABOUT_CHILDREN = {
 ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
-ABOUT_SENSORS = frozenset(f"GAZ{number:03}" for number in (15, *range(40, 58), 60, 61, 62))
+ABOUT_SENSORS = frozenset(
+    f"GAZ{number:03}" for number in (15, *range(40, 52), *range(53, 58), 60, 61, 62, 65)
+)
 
 _DRIVES = ("drive", "Drive", "steering")
 _LIDARS = ("ray", "lidar")
@@ -53,15 +55,18 @@ ABOUT_WORDS = {
     "GAZ044": ("update_rate",),
     "GAZ045": _LIDARS,
     "GAZ046": _LIDARS,
-    "GAZ047": _LIDARS,
+    "GAZ047": (*_LIDARS, "pose"),
     "GAZ048": ("clip",),
     "GAZ049": _CAMERAS,
     "GAZ050": _LIDARS,
     "GAZ051": ("contact",),
-    "GAZ052": ("force_torque",),
+    "GAZ052": ("force_torque", "provideFeedback"),
     "GAZ054": ("update_rate",),
     "GAZ055": _CAMERAS,
     "GAZ056": ("horizontal_fov",),
+    "GAZ065": ("noise",),
+    "GAZ066": ("preserveFixedJoint", "disableFixedJointLumping"),
+    "GAZ067": ("turnGravityOff", "gravity", "selfCollide", "self_collide"),
 }
 
 #: Silent without ``<ros2_control>``, and without ``<transmission>``.

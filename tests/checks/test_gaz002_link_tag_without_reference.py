@@ -31,3 +31,14 @@ def test_what_a_model_has_or_nobody_knows(tag: str) -> None:
 
 def test_with_a_reference_all_is_well() -> None:
     assert told("GAZ002", BASE + block("<mu1>1</mu1>")) == []
+
+
+@pytest.mark.parametrize("name", ["refernce", "link"])
+def test_a_reference_by_another_name_is_told_once(name: str) -> None:
+    tags = "<mu1>1</mu1><mu2>1</mu2>"
+    (found,) = told("GAZ002", BASE + f'<gazebo {name}="base">{tags}</gazebo>')
+    assert found.message == (
+        f'Gazebo does not read {name}="base" of <gazebo>, and takes the block for one without a '
+        "reference"
+    )
+    assert found.help == 'write reference="base"'

@@ -28,3 +28,11 @@ def test_one_finding_for_a_name_that_nothing_is_like() -> None:
 @pytest.mark.parametrize("tag", [*extensions(), "gravity", "sensor", "plugin", "vendor:tag"])
 def test_known_tags(tag: str) -> None:
     assert told("GAZ003", BASE + block(f"<{tag}>1</{tag}>")) == []
+
+
+def test_what_belongs_into_the_robot_is_told_so() -> None:
+    hardware = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    control = block(f'<ros2_control name="c" type="system">{hardware}</ros2_control>', "")
+    (found,) = told("GAZ003", BASE + control)
+    assert found.help == "move <ros2_control> out of the <gazebo>, into <robot>"
+    assert messages("GAZ010", BASE + control) == []

@@ -17,12 +17,29 @@ IMU = "libgazebo_ros_imu.so"
         (DRIVE, "<wheelDiameter/>", "<wheelDiameter> is empty, and no number"),
         (DRIVE, "<publishTf>yes</publishTf>", "<publishTf> is 'yes', which reads as false"),
         (DRIVE, "<publishTf>1.0</publishTf>", "<publishTf> is '1.0', which reads as false"),
+        (
+            DRIVE,
+            "<wheelDiameter>20 cm</wheelDiameter>",
+            "<wheelDiameter> is '20 cm', which reads as 20",
+        ),
+        (
+            DRIVE,
+            "<odometrySource>encoders</odometrySource>",
+            "<odometrySource> is 'encoders', and must be encoder or world; did you mean 'encoder'?",
+        ),
+        (IMU, "<xyzOffset>0 x 1</xyzOffset>", "<xyzOffset> is '0 x 1', not 3 numbers"),
         (IMU, "<xyzOffset>0,0,0</xyzOffset>", "<xyzOffset> is '0,0,0', not 3 numbers"),
         (IMU, "<xyzOffset>0 0</xyzOffset>", "<xyzOffset> is '0 0', not 3 numbers"),
     ],
 )
 def test_what_is_read(file: str, tag: str, message: str) -> None:
     assert messages("GAZ019", BASE + plugin(file, tag)) == [f"plugin 'p' ({file}): {message}"]
+
+
+@pytest.mark.parametrize(("text", "count"), [("cmd_vel=robot/cmd_vel", 1), ("a:=b", 0)])
+def test_a_remapping_has_two_names(text: str, count: int) -> None:
+    tags = f"<ros><remapping>{text}</remapping></ros><left_joint>a</left_joint>"
+    assert len(told("GAZ019", BASE + plugin(DRIVE, tags))) == count
 
 
 @pytest.mark.parametrize(

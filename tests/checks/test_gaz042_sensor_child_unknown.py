@@ -44,3 +44,10 @@ def test_what_is_in_an_unknown_tag_is_not_told_as_well():
 )
 def test_what_sdf_knows_is_calm(inner):
     assert findings("GAZ042", "camera", inner) == []
+
+
+@pytest.mark.parametrize(("tag", "instead"), [("origin", "<pose>"), ("noise", "<ray>")])
+def test_what_belongs_elsewhere_is_told_so(tag, instead):
+    (finding,) = findings("GAZ042", "ray", f"<{tag}/>")
+    assert finding.message == f"sensor 's': a sensor has no <{tag}>"
+    assert instead in finding.help

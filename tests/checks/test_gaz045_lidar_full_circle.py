@@ -24,3 +24,13 @@ def test_one_step_less_than_the_circle_is_calm(samples):
 
 def test_a_half_circle_is_calm():
     assert findings("GAZ045", "ray", scan(-pi / 2, pi / 2)) == []
+
+
+@pytest.mark.parametrize(("first", "last", "count"), [(-4, 4, 1), (0, 6.283, 1), (-180, 180, 0)])
+def test_more_than_a_circle(first, last, count):
+    found = findings("GAZ045", "ray", scan(first, last))
+    assert len(found) == count  # of degrees GAZ047 tells
+
+
+def test_one_beam_points_one_way():
+    assert findings("GAZ045", "ray", scan(-4, 4, 1)) == []

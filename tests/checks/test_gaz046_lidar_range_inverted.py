@@ -39,3 +39,8 @@ def test_without_a_range_nothing_is_seen():
 )
 def test_rays_of_classic_may_sweep_backwards(kind, targets, count):
     assert len(findings("GAZ046", kind, scan(2, -2), targets=targets)) == count
+
+
+def test_no_beam_is_shorter_than_nothing():
+    (finding,) = findings("GAZ046", "ray", scan(-1, 1, least=-0.1))
+    assert finding.message == "sensor 's': the least range is -0.1 m, and no beam is so short"

@@ -11,3 +11,9 @@ def test_near_must_be_below_far(near, far, count):
     found = findings("GAZ048", "camera", clip)
     assert len(found) == count
     assert all(finding.span.text == "<near>" for finding in found)
+
+
+@pytest.mark.parametrize("near", [0, -0.05])
+def test_near_must_be_above_zero(near):
+    (finding,) = findings("GAZ048", "camera", f"<camera><clip><near>{near}</near></clip></camera>")
+    assert finding.message == f"sensor 's': near is {near:g} m, and must be above 0"

@@ -34,3 +34,10 @@ def test_what_gazebo_calls_it_is_told(name):
     assert finding.message.endswith("Gazebo calls it 'base_fixed_joint_lump__end_collision_1'")
     assert finding.fix
     assert finding.fix.title == "write base_fixed_joint_lump__end_collision_1"
+
+
+@pytest.mark.parametrize("inner", ["", "<contact/>"])
+def test_a_sensor_must_name_a_collision(inner):
+    (finding,) = findings("GAZ051", "contact", inner)
+    assert finding.message == "sensor 's' names no collision, and feels nothing"
+    assert findings("GAZ051", "imu", inner) == []

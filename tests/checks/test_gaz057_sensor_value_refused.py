@@ -22,6 +22,36 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
             "<pose>0 0 1</pose>",
             "<pose> is '0 0 1', and must be 6 numbers with blanks between them",
         ),
+        (
+            "camera",
+            "<camera><clip><near>near</near></clip></camera>",
+            "<near> is 'near', and must be a number",
+        ),
+        (
+            "camera",
+            "<camera><clip><far>50 cm</far></clip></camera>",
+            "<far> is '50 cm', and Gazebo reads 50 and passes over 'cm'",
+        ),
+        (
+            "camera",
+            "<camera><horizontal_fov>1,2</horizontal_fov></camera>",
+            "<horizontal_fov> is '1,2', and must be a number",
+        ),
+        (
+            "camera",
+            "<camera><save enabled='yes'><path>/tmp</path></save></camera>",
+            "attribute enabled is 'yes', and must be true or false",
+        ),
+        (
+            "camera",
+            CAMERA.format("1e3", "L8"),
+            "<width> is '1e3', and Gazebo reads 1 and passes over 'e3'",
+        ),
+        (
+            "imu",
+            "<imu><linear_acceleration><z><noise type='normal'/></z></linear_acceleration></imu>",
+            "attribute type is 'normal', and must be gaussian, gaussian_quantized, none",
+        ),
         ("camera", CAMERA.format(0, "L8"), "<width> is '0', and must be 1 or more"),
         (
             "camera",
@@ -56,7 +86,9 @@ def test_what_gazebo_refuses(type: str, inner: str, wanted: str) -> None:
         "<always_on>TRUE</always_on>",
         "<camera><horizontal_fov>60</horizontal_fov></camera>",  # GAZ056
         "<pose>0 0 0 0 0 0</pose>",
+        "<ray><range><min>0.1</min><max>inf</max></range></ray>",
         CAMERA.format(640, "R8G8B8"),
+        CAMERA.format("640.0", "R8G8B8"),
     ],
 )
 def test_what_is_read_or_told_elsewhere(inner: str) -> None:

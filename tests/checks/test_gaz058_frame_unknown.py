@@ -46,3 +46,16 @@ def test_a_link_whose_name_has_a_slash() -> None:
 def test_the_frame_of_odometry_comes_from_elsewhere() -> None:
     tags = "<odometryFrame>start</odometryFrame><robotBaseFrame>base</robotBaseFrame>"
     assert messages("GAZ058", BASE + plugin("libgazebo_ros_planar_move.so", tags)) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "tag", "count"),
+    [
+        ("gz-sim-odometry-publisher-system", "odom_frame", 1),
+        ("libgazebo_ros_planar_move.so", "odometry_frame", 1),
+        ("libgazebo_ros_planar_move.so", "odometryFrame", 0),  # ROS 1 takes the slash away
+    ],
+)
+def test_the_slash_of_the_frame_of_odometry(file: str, tag: str, count: int) -> None:
+    robot = BASE + plugin(file, f"<{tag}>/odom</{tag}>")
+    assert len(messages("GAZ058", robot)) == count

@@ -8,7 +8,7 @@ from tests.told import messages
 CONTROL = plugin("libgazebo_ros_control.so")
 
 
-@pytest.mark.parametrize("text", ["true", " True ", "1"])
+@pytest.mark.parametrize("text", ["true", " True ", "1", "yes"])
 def test_a_robot_that_shall_move(text: str) -> None:
     static = f"<gazebo><static>{text}</static></gazebo>"
     assert messages("GAZ063", WHEELS + CONTROL + static) == [

@@ -19,6 +19,8 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.model import RobotModel
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -43,6 +45,9 @@ def check(subject: Subject) -> Iterator[Finding]:
     for block in subject.model.gazebo:
         if block.get("reference"):
             continue
+        if slip := _slip(subject.model, block):
+            yield slip
+            continue
         for child in block.children:
             owner = owners.get(child.tag)
             if owner in ("link", "joint"):
@@ -53,3 +58,15 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f'move it into <gazebo reference="...">, with the name of the {owner}',
                     alike=child.tag,
                 )
+
+
+def _slip(model: RobotModel, block: Element) -> Finding | None:
+    """An attribute that was meant to be the reference."""
+    for attribute in block.attributes.values():
+        name, value = attribute.name, attribute.value
+        if name != "reference" and (value in model.links_by_name or value in model.joints_by_name):
+            message = f'Gazebo does not read {name}="{value}" of <gazebo>, and takes the block'
+            return Finding(
+                attribute, f"{message} for one without a reference", f'write reference="{value}"'
+            )
+    return None

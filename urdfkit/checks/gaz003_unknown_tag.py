@@ -61,11 +61,17 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield _unknown(tag, elements)
 
 
+#: Elements of the robot, whose readers look for them in ``<robot>`` alone.
+_OF_ROBOT = ("ros2_control", "transmission", "gazebo")
+
+
 def _unknown(tag: str, elements: list[Element]) -> Finding:
     """One finding for all of a name: one mistake, however often it was copied."""
     count = f" ({len(elements)} times)" if len(elements) > 1 else ""
     others = tuple(Related(one.span, f"<{tag}>") for one in elements[1:5])
-    return Finding(elements[0], f"Gazebo knows no <{tag}>, and ignores it{count}", related=others)
+    help = f"move <{tag}> out of the <gazebo>, into <robot>" if tag in _OF_ROBOT else ""
+    message = f"Gazebo knows no <{tag}>, and ignores it{count}"
+    return Finding(elements[0], message, help, related=others)
 
 
 def _slip(element: Element, right: str) -> Finding:

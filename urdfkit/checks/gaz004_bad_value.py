@@ -1,8 +1,9 @@
 """The value of a tag in a `<gazebo>` block is not what Gazebo can read.
 
 Where Gazebo's converter wants a number, other text ends the whole conversion with an exception, and
-a decimal comma reads as the digits before it. Where it wants a boolean, it looks for `true`, `yes`
-and `1` (for `turnGravityOff`: `false`, `no` and `0`) and takes everything else for the opposite.
+a decimal comma reads as the digits before it, as does anything else behind a number. Where it wants
+a boolean, it looks for `true`, `yes` and `1` (for `turnGravityOff`: `false`, `no` and `0`) and
+takes everything else for the opposite.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -10,12 +11,14 @@ Sources:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
+from math import isnan
 
 from urdfkit.catalog.extensions import Extension, extensions
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_text
+from urdfkit.gazebo.values import leading, text_of, value
+from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -37,12 +40,10 @@ BAD = """\
 GOOD = BAD.replace("0,8", "0.8")
 FIXED = GOOD
 
-_NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)"
 _WORDS = ("true", "yes", "1", "false", "no", "0")
-#: Booleans of SDF that the converter copies as they stand.
 #: Friction and stiffness.
 _NOT_NEGATIVE = ("mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "maxContacts")
-
+#: Booleans of SDF that the converter copies as they stand.
 _COPIED = ("gravity", "self_collide", "kinematic", "enable_wind", "must_be_base_link")
 
 
@@ -51,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     handled = extensions()
     for block in subject.model.gazebo:
         for child in block.children:
-            text = child.get("value") or child.text.strip()  # value="" is an old form
+            text = text_of(child)
             if extension := handled.get(child.tag):
                 if extension.type != "bool" or _is_read(subject.model, block, extension):
                     yield from _handled(child, extension, text)
@@ -70,25 +71,36 @@ def _is_read(model: RobotModel, block: Element, extension: Extension) -> bool:
 def _handled(child: Element, extension: Extension, text: str) -> Iterator[Finding]:
     name = f"<{child.tag}> is {_shown(text)}"
     if extension.type in ("float", "int"):
-        found = re.match(_NUMBER, text, re.IGNORECASE)
-        if found is None:
-            message = f"{name}, which is no number: Gazebo's converter ends with an exception"
-            yield Finding(child, message, "write a number")
-        elif text[found.end() :].startswith(","):
-            message = f"{name}: Gazebo reads {found.group()}, for a comma ends the number"
-            right = text.replace(",", ".")
-            edits = replace_text(child, right) if child.text.strip() == text else None
-            fix = Fix(f"write {right}", edits) if edits else None
-            yield Finding(child, message, f"write {right}", fix)
-        elif child.tag in _NOT_NEGATIVE and float(found.group()) < 0:
-            message = f"{name}: a negative value makes contacts pull or explode"
-            yield Finding(child, message, "write 0 or more")
-    elif extension.type == "vector3" and len(text.split()) != 3:
-        yield Finding(child, f"{name}, and must be 3 numbers", "write three numbers")
+        yield from _wrong_number(child, text, name)
+    elif extension.type == "vector3":
+        parts = [number(part) for part in text.split()]
+        if len(parts) != 3 or None in parts:
+            yield Finding(child, f"{name}, and must be 3 numbers", "write three numbers")
     elif extension.type == "bool" and text.lower() not in _WORDS:
         read = "false" if extension.words == "yes" else "true"
         message = f"{name}, which Gazebo takes for {read}"
         yield Finding(child, message, "write true or false")
+
+
+def _wrong_number(child: Element, text: str, name: str) -> Iterator[Finding]:
+    read, rest = leading(text)
+    if not read:
+        message = f"{name}, which is no number: Gazebo's converter ends with an exception"
+        yield Finding(child, message, "write a number")
+    elif rest.startswith(","):
+        message = f"{name}: Gazebo reads {read}, for a comma ends the number"
+        right = text.replace(",", ".")
+        edits = replace_text(child, right) if child.text.strip() == text else None
+        fix = Fix(f"write {right}", edits) if edits else None
+        yield Finding(child, message, f"write {right}", fix)
+    elif rest:
+        message = f"{name}: Gazebo reads {read} and passes over '{rest}'"
+        yield Finding(child, message, "write the number alone")
+    elif isnan(value(read)):
+        yield Finding(child, f"{name}: the simulation spreads it to all links", "write a number")
+    elif child.tag in _NOT_NEGATIVE and value(read) < 0:
+        message = f"{name}: a negative value makes contacts pull or explode"
+        yield Finding(child, message, "write 0 or more")
 
 
 def _shown(text: str) -> str:

@@ -1,7 +1,8 @@
 """The value of a plugin's tag is not of the type that the plugin reads.
 
 Where a number is wanted, text reads as 0 or as the default, and a decimal comma ends the number.
-Where a boolean is wanted, only `true` and `1` are true: `yes` and `on` read as false.
+Where a boolean is wanted, only `true` and `1` are true: `yes` and `on` read as false. Where one of
+a few words is wanted, any other is passed over or refused.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -9,11 +10,12 @@ Sources:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.values import leading
 from urdfkit.model import number
+from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -36,7 +38,6 @@ BAD = """\
 </gazebo>"""
 GOOD = BAD.replace("0,5", "0.5")
 
-_NUMBER = r"[-+]?(\d+\.?\d*|\.\d+|inf|nan)([eE][-+]?\d+)?"
 #: A quaternion is written as roll, pitch and yaw: so gz-math reads it from a stream.
 _LENGTHS = {"vector2": 2, "vector3": 3, "quaternion": 3, "pose": 6}
 #: Words that other programs take for a boolean; what is meant by them is plain.
@@ -60,17 +61,22 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _wrong(parameter: Parameter, text: str) -> tuple[str, str] | None:
     """What is read instead, and what to write."""
     if parameter.type in ("float", "int"):
-        if number(text) is not None:
-            return None
-        found = re.match(_NUMBER, text, re.IGNORECASE)
-        if found is None:
+        read, rest = leading(text)
+        if not read:
             return "and no number", "write a number"
-        if text[found.end() :].startswith(","):
-            return f"which reads as {found.group()}", f"write {text.replace(',', '.')}"
+        if rest:
+            right = text.replace(",", ".")
+            help = f"write {right}" if number(right) is not None else "write the number alone"
+            return f"which reads as {read}", help
+    elif parameter.words and parameter.type == "string" and text not in parameter.words:
+        meant = did_you_mean(text, parameter.words)
+        return f"and must be {' or '.join(parameter.words)}{meant}", "write one of these words"
+    elif parameter.name == "ros/remapping" and ":=" not in text:
+        return "and renames nothing", "write FROM:=TO, such as cmd_vel:=robot/cmd_vel"
     elif parameter.type == "bool" and text.lower() not in (*_TRUE, *_FALSE):
         return "which reads as false", "write true or false"
     elif length := _LENGTHS.get(parameter.type):
-        parts = [re.match(_NUMBER, part, re.IGNORECASE) for part in text.split()]
-        if len(parts) < length or None in parts:
+        read_parts = [leading(part)[0] for part in text.split()]
+        if len(read_parts) < length or "" in read_parts:
             return f"not {length} numbers", f"write {length} numbers with blanks between them"
     return None

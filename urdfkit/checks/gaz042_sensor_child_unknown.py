@@ -38,6 +38,12 @@ BAD = """\
 GOOD = BAD.replace("updat_rate", "update_rate")
 FIXED = GOOD
 
+#: What is meant by a child that belongs elsewhere.
+_INSTEAD = {
+    "origin": "place it by <pose>x y z roll pitch yaw</pose>",
+    "noise": "let it stand in the settings of the sensor, such as <ray> or <camera>",
+}
+
 #: How like a tag a word must be to be taken for a slip of it.
 _SLIP = 0.8
 
@@ -61,8 +67,10 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _finding(child: Element, who: str, known: Iterable[str]) -> Finding:
-    message = f"{who} has no <{child.tag}>{did_you_mean(child.tag, known)}"
-    return Finding(child, message, fix=_fix(child, known))
+    message = f"{who} has no <{child.tag}>"
+    if instead := _INSTEAD.get(child.tag):
+        return Finding(child, message, instead)
+    return Finding(child, message + did_you_mean(child.tag, known), fix=_fix(child, known))
 
 
 def _fix(child: Element, known: Iterable[str]) -> Fix | None:

@@ -1,8 +1,8 @@
-"""A lidar's first and last beam point in the same direction.
+"""A lidar's first and last beam point in the same direction, or its beams go round more than once.
 
 The angles span a full circle, and both ends are sampled: the same place is measured twice, and
-programs that match scans see a seam. Leave one step out: with n samples the last angle is
-2 pi (1 - 1/n) after the first.
+programs that match scans see a seam. With more than a circle many places are. Leave one step out:
+with n samples the last angle is 2 pi (1 - 1/n) after the first.
 
 Sources:
     SteveMacenski/slam_toolbox#293: https://github.com/SteveMacenski/slam_toolbox/issues/293
@@ -63,13 +63,18 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not sensor.lidar or first is None or last is None or samples is None:
             continue
         span, count = last.value - first.value, samples.value
-        if count > 1 and abs(span - 2 * pi) < pi / (count - 1):
-            text = f"{first.value + 2 * pi * (1 - 1 / count):.6g}"
+        if count <= 1 or max(abs(first.value), abs(last.value)) > 2 * pi + 1e-3:  # GAZ047
+            continue
+        step = 2 * pi / count
+        if span > 2 * pi - step / 2:
+            text = f"{first.value + 2 * pi - step:.6g}"
             edits = rewrite(last.at, text)
+            more = "a full circle: the first and the last coincide"
+            if span > 2 * pi + step / 2:
+                more = "more than a full circle: the last beams repeat the first"
             yield Finding(
                 last,
-                f"{sensor.who}: {count:g} beams over {span:g} rad, a full circle: the first and "
-                f"the last coincide",
+                f"{sensor.who}: {count:g} beams over {span:g} rad, {more}",
                 f"write {text}",
                 Fix(f"write {text}", edits) if edits else None,
             )

@@ -64,6 +64,10 @@ def check(subject: Subject) -> Iterator[Finding]:
             message = f"{sensor.who} has no <range>: the least and the greatest are both 0 m"
             yield Finding(block, message, "add <range> with <min> and <max>")
         yield from _inverted(sensor, "range", "range/min", "range/max", "m")
+        least = sensor.number(f"{block.tag}/range/min")
+        if least and least.value < 0:
+            message = f"{sensor.who}: the least range is {least.value:g} m, and no beam is so short"
+            yield Finding(least, message, "write 0 or more")
         if _may_sweep_backwards(sensor, subject):
             continue
         for way in ("horizontal", "vertical"):

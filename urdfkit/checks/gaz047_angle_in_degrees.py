@@ -1,6 +1,7 @@
 """An angle of a sensor is in degrees.
 
-SDF takes radians. A lidar that should look 180 degrees wide then spans 180 radians, 28 times round.
+SDF takes radians. A lidar that should look 180 degrees wide then spans 180 radians, 28 times round,
+and a sensor that is turned by 90 in its `<pose>` looks 117 degrees to the side.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
@@ -14,7 +15,8 @@ from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.editing.edits import rewrite
-from urdfkit.gazebo.sensors import sensors
+from urdfkit.gazebo.sensors import Sensor, sensors
+from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -74,3 +76,23 @@ def check(subject: Subject) -> Iterator[Finding]:
                     Fix(f"write {text}", edits) if edits else None,
                     confidence=Confidence.INFERRED,
                 )
+        yield from _turned_far(sensor)
+
+
+def _turned_far(sensor: Sensor) -> Iterator[Finding]:
+    """A sensor whose pose turns it by more than a full turn."""
+    for pose in sensor.at.all("pose"):
+        values = numbers(pose.text)
+        if not values or len(values) != 6 or (pose.get("degrees") or "").lower() in ("true", "1"):
+            continue
+        most = max(values[3:], key=abs)
+        if abs(most) > 2 * pi + 1e-3:
+            right = " ".join(f"{part:.6g}" for part in (*values[:3], *map(radians, values[3:])))
+            edits = rewrite(pose, right)
+            yield Finding(
+                pose,
+                f"{sensor.who}: <pose> turns it by {most:g} rad, more than a full turn",
+                f"if degrees were meant, write {right}",
+                Fix(f"write {right}", edits) if edits else None,
+                confidence=Confidence.INFERRED,
+            )

@@ -1,6 +1,7 @@
-"""A camera's near clipping distance is not below its far one.
+"""A camera's near clipping distance is not above zero, or not below its far one.
 
-Nothing lies between the two: the picture stays empty, or Gazebo refuses the camera.
+Nothing lies between the two, or everything lies at the depth 0: the picture stays empty, or Gazebo
+refuses the camera.
 
 Sources:
     sdformat, Camera.cc: https://github.com/gazebosim/sdformat/blob/main/src/Camera.cc
@@ -47,6 +48,10 @@ def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
         near = sensor.number("camera/clip/near")
         far = sensor.number("camera/clip/far")
+        if near and near.value <= 0:
+            message = f"{sensor.who}: near is {near.value:g} m, and must be above 0"
+            yield Finding(near, message, "write the least distance that it shall see, such as 0.05")
+            continue
         if near and far and near.value >= far.value:
             message = f"{sensor.who}: near {near.value:g} m is not below far {far.value:g} m"
             edits = swap(near.at, far.at)

@@ -1,8 +1,8 @@
-"""A contact sensor names a collision that its link does not have in Gazebo.
+"""A contact sensor names a collision that its link does not have in Gazebo, or none.
 
 Gazebo renames collisions when it converts URDF: an unnamed one becomes `LINK_collision`, and those
 of merged links `PARENT_fixed_joint_lump__LINK_collision`. A sensor that names another one never
-touches anything.
+touches anything, nor does one that names none.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -54,6 +54,9 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
+        if sensor.type == "contact" and sensor.find("contact/collision") is None:
+            message = f"{sensor.who} names no collision, and feels nothing"
+            yield Finding(sensor.at, message, "add <contact> with a <collision> of its link")
         for contact in sensor.at.all("contact"):
             named = contact.child("collision")
             link = subject.gazebo.survivor.get(sensor.reference)

@@ -1,7 +1,8 @@
-"""A force-torque sensor is on a fixed joint that Gazebo merges away.
+"""Forces shall be measured at a fixed joint that Gazebo merges away.
 
-The joint does not exist in the simulation, and the sensor with it: its topic never appears. Keep
-the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in the same `<gazebo reference>`.
+The joint does not exist in the simulation, and a force-torque sensor or `<provideFeedback>` with
+it: the topic never appears. Keep the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in
+the same `<gazebo reference>`.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -16,10 +17,13 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import insert_before
 from urdfkit.gazebo.sensors import sensors
+from urdfkit.gazebo.values import is_true
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.model import RobotModel
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -57,15 +61,28 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for sensor in sensors(subject.model):
-        joint = subject.model.joints_by_name.get(sensor.reference)
-        if sensor.type != "force_torque" or joint is None or joint.kind != "fixed":
-            continue
-        if joint.name not in {kept.joint.name for kept in subject.gazebo.joints}:
+    kept = {joint.joint.name for joint in subject.gazebo.joints}
+    for name, at, who in _measuring(subject.model):
+        joint = subject.model.joints_by_name.get(name)
+        if joint is not None and joint.kind == "fixed" and name not in kept:
             line = "<preserveFixedJoint>true</preserveFixedJoint>"
             yield Finding(
-                sensor.at,
-                f"{sensor.who} is on joint '{joint.name}', which Gazebo merges",
-                fix=Fix("keep the joint in Gazebo", insert_before(sensor.at, (line,))),
+                at,
+                f"{who} is on joint '{name}', which Gazebo merges",
+                fix=Fix("keep the joint in Gazebo", insert_before(at, (line,))),
                 alike="merged",
             )
+
+
+def _measuring(model: RobotModel) -> Iterator[tuple[str, Element, str]]:
+    """The joints whose forces are asked for, by whom, and where."""
+    measured: set[str] = set()
+    for sensor in sensors(model):
+        if sensor.type == "force_torque":
+            measured.add(sensor.reference)
+            yield sensor.reference, sensor.at, sensor.who
+    for block in model.gazebo:
+        name = block.get("reference") or ""
+        for wish in block.all("provideFeedback"):
+            if name not in measured and is_true(wish):
+                yield name, wish, "<provideFeedback>"

@@ -2,7 +2,8 @@
 
 TF has no way from such a frame to any other: RViz says "no transform from", navigation drops the
 scans, and nobody finds the odometry. A frame that begins with a slash is refused by tf2 altogether.
-Frames of the world, such as `map` and `odom`, come from elsewhere and are left alone.
+Frames of the world, such as `map` and `odom`, come from elsewhere; only their slash is told, and
+not of plugins of ROS 1, which take it away.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html
@@ -23,6 +24,7 @@ from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.document import Attribute, Element
+    from urdfkit.gazebo.plugins import Use
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -53,12 +55,12 @@ def check(subject: Subject) -> Iterator[Finding]:
     speller = Speller(known)
     for who, at, name in _frames(subject):
         bare = name.strip("/").rpartition("/")[2]
-        if not bare or is_expression(name) or any(word in name.lower() for word in _ELSEWHERE):
+        if not bare or is_expression(name):
             continue
         if name.startswith("/"):
             message = f"{who} names frame '{name}': tf2 refuses the slash at its beginning"
             yield Finding(at, message, f"write {name.strip('/')}", _fix(at, name, name.strip("/")))
-        elif bare not in known and name not in known:
+        elif bare not in known and name not in known and not _is_of_the_world(name):
             meant = speller.meant(name)
             help = f"did you mean '{meant}'?" if meant else "name a link of the robot"
             yield Finding(
@@ -75,14 +77,23 @@ def _frames(subject: Subject) -> Iterator[tuple[str, Element | Attribute, str]]:
     for use in subject.plugins:
         for item in use.items:
             parameter = use.plugin.parameters.get(item.path) if use.plugin else None
-            if parameter is None or parameter.type != "frame":
+            if parameter is None or parameter.type != "frame" or item.text in parameter.words:
                 continue
-            if not any(word in item.path.lower() for word in _ELSEWHERE):
+            is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
+            if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):
                 yield use.title, item.at, item.text
     for sensor in sensors(subject.model):
         for tag in _TAGS:
             for element in sensor.at.all(tag):
                 yield sensor.who, element, element.text.strip()
+
+
+def _is_of_the_world(name: str) -> bool:
+    return any(word in name.lower() for word in _ELSEWHERE)
+
+
+def _is_of_ros1(use: Use) -> bool:
+    return use.plugin is not None and use.plugin.generation == "classic-ros1"
 
 
 def _fix(at: Element | Attribute, name: str, meant: str) -> Fix | None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.values import is_true
 from urdfkit.model import DEGREES_OF_FREEDOM
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
@@ -56,6 +57,6 @@ def check(subject: Subject) -> Iterator[Finding]:
     moving = sum(joint.kind in DEGREES_OF_FREEDOM for joint in subject.model.joints)
     for block in subject.model.gazebo:
         for element in block.all("static"):
-            if moving and element.text.strip().lower() in ("true", "1"):
+            if moving and is_true(element):
                 message = f"the model is static in Gazebo, and none of its {moving} joints moves"
                 yield Finding(element, message)

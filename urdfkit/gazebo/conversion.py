@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
+from urdfkit.gazebo.values import is_true
 from urdfkit.mechanics.inertia import MassProperties
 from urdfkit.mechanics.rigid import RigidBody, mass_of, rigid_bodies
 from urdfkit.record import Record
@@ -33,8 +34,8 @@ JOINT_TYPES = {
 #: The link that stands for the ground; Gazebo never makes it.
 WORLD = "world"
 
-_KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
-_TRUE = ("true", "yes", "1")
+#: With one of them a fixed joint is not merged.
+KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
 
 
 class Converter(Record):
@@ -224,8 +225,7 @@ def _preserved(model: RobotModel) -> Iterator[str]:
     for gazebo in model.gazebo:
         reference = gazebo.get("reference")
         if reference and any(
-            child.tag in _KEEPING_TAGS and child.text.strip().lower() in _TRUE
-            for child in gazebo.children
+            child.tag in KEEPING_TAGS and is_true(child) for child in gazebo.children
         ):
             yield reference
 

@@ -39,9 +39,10 @@ def unread(use: Use) -> list[Unread]:
     found: list[Unread] = []
     for item in missed:
         other = _other(use, plugin, item)
-        if other is None and item.path in common:
-            continue
         meant = None if "/" in item.path else speller.meant(item.path) or None
+        is_cut_short = meant is not None and meant.startswith(item.path)  # updateRate(HZ) of an IMU
+        if other is None and item.path in common and not is_cut_short:
+            continue
         found.append(Unread(item, other, meant if meant and "/" not in meant else None))
     return found
 

@@ -152,8 +152,13 @@ def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
         Use(element, block, wanted)
         for block in model.gazebo
         for element in block.walk()
-        if element.tag == "plugin" and element.parent is not None
+        if element.tag == "plugin" and _is_for_gazebo(element)
     )
+
+
+def _is_for_gazebo(plugin: Element) -> bool:
+    """False for the hardware of a ``<ros2_control>`` that has strayed into a ``<gazebo>``."""
+    return plugin.parent is not None and plugin.parent.tag not in ("hardware", "transmission")
 
 
 def generations(use: Use) -> set[str]:

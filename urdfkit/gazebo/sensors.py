@@ -10,7 +10,7 @@ from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
+    from urdfkit.document import Attribute, Element
     from urdfkit.model import RobotModel
 
 
@@ -81,6 +81,20 @@ class Written(Record):
         above = self.path.rpartition("/")[0]
         rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
         return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
+
+    @property
+    def holds_type_as_attribute(self) -> bool:
+        """True for the noise of a single quantity; that of pictures and scans has a ``<type>``."""
+        return self.at.tag == "noise" and "/" in self.path
+
+    def attributes(self) -> Iterator[tuple[Attribute, Setting]]:
+        """Its attributes, with what SDF knows of them; the others are left out."""
+        known, path = self.known, f"{self.path}/"
+        if self.holds_type_as_attribute:
+            known, path = settings("noise"), ""
+        for name, attribute in self.at.attributes.items():
+            if setting := known.get(f"{path}@{name}"):
+                yield attribute, setting
 
 
 def written(sensor: Sensor) -> Iterator[Written]:
