@@ -128,6 +128,17 @@ def test_long_tags_are_broken_between_attributes(written: str, expected: str) ->
     assert inside(expected, width=200) == written
 
 
+def test_a_stray_text_in_a_robot_or_a_link_gets_a_line_of_its_own() -> None:
+    text = '<robot name="r">,\n<link name="a">;<visual> x\n y<geometry/></visual></link>.</robot>'
+    assert laid_out(text).split() == [
+        *("<robot", 'name="r">', ",", "<link", 'name="a">', ";"),
+        *("<visual>", "x", "y", "<geometry/>", "</visual>", "</link>", ".", "</robot>"),
+    ]
+    assert max(map(len, laid_out(text).splitlines())) < 20
+    kept = "<gazebo> <a> 1</a> b</gazebo>"  # whose readers may take it for a value
+    assert kept in laid_out(f'<robot name="r">x{kept}</robot>')
+
+
 def test_parameters_of_a_macro_keep_their_lines_and_stand_below_one_another() -> None:
     written = (
         '<xacro:macro name="wheel" params="prefix parent \n\t reflect:=1  *origin\n'
