@@ -140,6 +140,20 @@ def test_one_of_two_bodies_is_inverted() -> None:
     assert (found.bodies, found.inverted_bodies, found.inside_out) == (2, 1, False)
 
 
+@pytest.mark.parametrize("seed", range(4))  # the volume of some is above zero by rounding
+def test_a_surface_drawn_from_both_sides_looks_nowhere(seed: int) -> None:
+    corners = np.random.default_rng(seed).normal(size=(8, 3)) * 0.1 + CORNERS
+    found = of(Part(corners, np.concatenate([CUBE, CUBE[:, ::-1]])))
+    assert (found.bodies, found.inverted_bodies, found.inside_out) == (1, 0, False)
+
+
+def test_a_trifle_that_looks_inwards_in_an_open_mesh() -> None:
+    whole = box((3, 3, 3))
+    bowl = Part(whole.vertices, whole.faces[2:])
+    assert of(bowl, inverted(box((0.1, 0.1, 0.1), (5, 0, 0)))).inverted_bodies == 0
+    assert of(bowl, inverted(box((1, 1, 1), (5, 0, 0)))).inverted_bodies == 1
+
+
 def test_bodies_that_touch_at_an_edge_enclose_a_volume() -> None:
     found = of(box(), box(at=(1, 1, 0)))
     assert counts(found) == (0, 0, 0)

@@ -38,8 +38,8 @@ def measure(mesh: Mesh) -> Measures:
     pieces = take_apart(places, edges)
     is_flat = are_flat(places, sound, pieces, FLAT * diagonal)
     pieces = pieces._replace(is_closed=pieces.is_closed & ~is_flat)
-    # A screw that looks inwards changes nothing.
-    least = SIGNIFICANT * float(np.abs(pieces.volumes[pieces.is_closed]).sum())
+    # A screw that looks inwards changes nothing, least of all in a mesh that is open otherwise.
+    least = SIGNIFICANT * float(np.abs(pieces.volumes).sum())
     solid, looks_inwards = _solid(places, sound, low, high) if is_closed else (None, False)
     hull, points = _hull(places, low, high)
     return Measures(

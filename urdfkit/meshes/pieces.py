@@ -10,6 +10,10 @@ from urdfkit.meshes.edges import Edges
 from urdfkit.meshes.geometry import Flags, Floats, Integers
 
 
+#: A volume that is so small against the cube of a piece's diagonal is none.
+ROUNDING = 1e-7
+
+
 class Pieces(NamedTuple):
     """The pieces of a mesh that edges hold together.
 
@@ -78,7 +82,8 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
 def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0.0) -> Flags:
     """(p,), whether a closed piece looks inwards and lies in no other closed one.
 
-    A piece in another one may be a hole in it, which is meant to look inwards.
+    A piece in another one may be a hole in it, which is meant to look inwards. A surface that is
+    drawn from both sides, as SketchUp does, encloses nothing, and looks nowhere.
 
     Args:
         places: (n, 3).
@@ -87,7 +92,8 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
         least: the volume up to which a piece does not matter.
     """
     found = np.zeros(len(pieces.volumes), dtype=bool)
-    for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -least)):
+    rounding = ROUNDING * np.linalg.norm(pieces.high - pieces.low, axis=1) ** 3
+    for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -np.maximum(least, rounding))):
         around = pieces.is_closed & (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
         around &= (pieces.low <= pieces.low[piece]).all(axis=1)
         around &= (pieces.high >= pieces.high[piece]).all(axis=1)
