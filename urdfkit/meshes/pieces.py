@@ -9,7 +9,6 @@ import numpy as np
 from urdfkit.meshes.edges import Edges
 from urdfkit.meshes.geometry import Flags, Floats, Integers
 
-
 #: A volume that is so small against the cube of a piece's diagonal is none.
 ROUNDING = 1e-7
 
