@@ -82,8 +82,8 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
             stack.pop()
             keys.pop()
             continue
-        node = _node(source, event)
         owner = stack[-1]
+        node = _continued(owner, keys[-1], _node(source, event))
         if isinstance(event, yaml.NodeEvent):
             if isinstance(owner, list):
                 owner.append(node)
@@ -99,6 +99,14 @@ def _compose(source: Source, events: Iterable[Any]) -> Node:
             if len(stack) > MAX_LEVELS:
                 return None
     return top[0] if top else None
+
+
+def _continued(owner: Node, key: str | None, node: Node) -> Node:
+    """The mapping to fill: a key that comes again, such as ``/**``, goes on, as ROS 2 reads it."""
+    if isinstance(owner, dict) and isinstance(node, dict) and key is not None:
+        before = owner.get(key)
+        return before if isinstance(before, dict) else node
+    return node
 
 
 def _key(node: Node) -> str:

@@ -112,6 +112,7 @@ class Subject:
         self.resolver = resolver
         self.arguments = dict(arguments or {})
         self.trust = trust
+        self._beside: dict[tuple[object, ...], Subject] = {}
 
     @cached_property
     def reading(self) -> Reading:
@@ -301,14 +302,17 @@ class Subject:
         return read_launch(self.source, self.resolver, self.arguments)
 
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
-        """Another description, read in the same way."""
-        return Subject(
-            self.resolver.read(path),
-            self.resolver,
-            arguments,
-            trust=self.trust,
-            cache=self.cache,
-        )
+        """Another description, read in the same way; the same one each time."""
+        key = (path, *sorted(arguments.items()))
+        if key not in self._beside:
+            self._beside[key] = Subject(
+                self.resolver.read(path),
+                self.resolver,
+                arguments,
+                trust=self.trust,
+                cache=self.cache,
+            )
+        return self._beside[key]
 
     @cached_property
     def masses(self) -> Masses:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 from collections.abc import Iterable, Iterator
 
 from urdfkit.document import Attribute, Element, Frame
@@ -291,9 +292,13 @@ class _File:
         for is_command, part in _pieces(attribute.value):
             value = self._command(part, attribute.span) if is_command else part
             written.append(_UNKNOWN_WORD if value is None else value)
+        text = "".join(written)
+        try:
+            words = shlex.split(text)
+        except ValueError:  # an unfinished quote
+            words = text.split()
         return tuple(
-            Word(None if _UNKNOWN_WORD in word else word, attribute.span)
-            for word in "".join(written).split()
+            Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
         )
 
     def _parameters(self, element: Element) -> frozenset[str] | None:

@@ -1,0 +1,93 @@
+"""LAU013: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import told
+
+ROS_1 = {"config/c.yaml": "ns:\n  arm_controller:\n    type: effort_controllers/X\n"}
+ROS_2 = {
+    "config/c.yaml": """\
+/**:
+  controller_manager:
+    ros__parameters:
+      arm_controller:
+        type: joint_trajectory_controller/JointTrajectoryController
+/**:
+  arm_controller:
+    ros__parameters:
+      joints: [elbow]
+"""
+}
+LOAD_1 = '<rosparam file="$(find arm)/config/c.yaml"/>\n'
+SPAWN_1 = '<node pkg="controller_manager" type="{}" name="n" args="{}"/>'
+LOAD_2 = "Node(package='controller_manager', executable='ros2_control_node', parameters=[CONFIG])\n"
+SPAWN_2 = "Node(package='controller_manager', executable='spawner', arguments=[{}])"
+HEAD_2 = "CONFIG = FindPackageShare('arm').find('arm') + '/config/c.yaml'\n"
+
+
+@pytest.mark.parametrize(
+    ("executable", "args"),
+    [("spawner", "arm_controler"), ("spawner", "--timeout 5 /ns/grip"), ("spawner.py", "a")],
+)
+def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
+    text = LOAD_1 + SPAWN_1.format(executable, args)
+    (found,) = told(tmp_path, "LAU013", "a.launch", text, ROS_1)
+    name = args.rpartition(" ")[2].rpartition("/")[2]
+    assert found.message.startswith(f"no file of parameters defines the controller '{name}'")
+    assert found.span.line == 3
+
+
+def test_several_of_one_spawner(tmp_path: Path) -> None:
+    text = LOAD_1 + SPAWN_1.format("controller_manager", "spawn arm_controller a b")
+    assert len(told(tmp_path, "LAU013", "a.launch", text, ROS_1)) == 2
+
+
+@pytest.mark.parametrize(
+    ("executable", "args"),
+    [
+        ("spawner", "arm_controller --namespace ns"),
+        ("spawner", "ns/arm_controller"),
+        ("spawner", "$(env CONTROLLERS)"),
+        ("controller_manager", "unspawn x"),
+        ("unspawner", "x"),
+    ],
+)
+def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, args: str) -> None:
+    text = LOAD_1 + SPAWN_1.format(executable, args)
+    assert told(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
+
+
+@pytest.mark.parametrize(
+    "spawn",
+    [
+        SPAWN_2.format("'arm_controler'"),
+        SPAWN_2.format("'arm_controler', '--controller-manager', '/cm'"),
+        SPAWN_2.format("'-c', '/cm', 'grip'"),
+        "ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'active', 'x'])",
+    ],
+)
+def test_ros_2(tmp_path: Path, spawn: str) -> None:
+    (found,) = told(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2)
+    assert found.span.line == 3
+
+
+@pytest.mark.parametrize(
+    "spawn",
+    [
+        SPAWN_2.format("'arm_controller', '-c', '/cm'"),
+        SPAWN_2.format("'x', '--controller-type', 'a/B'"),
+        SPAWN_2.format("name"),
+        SPAWN_2.format("'arm_controller', '--ros-args', 'x'"),
+        "Node(package='grip_bringup')\n" + SPAWN_2.format("'x'"),
+    ],
+)
+def test_ros_2_is_calm(tmp_path: Path, spawn: str) -> None:
+    assert told(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2) == []
+
+
+@pytest.mark.parametrize(("name", "count"), [("arm_controler", 1), ("grip", 0)])
+def test_without_a_file_of_its_own_only_slips(tmp_path: Path, name: str, count: int) -> None:
+    text = SPAWN_2.format(repr(name))
+    assert len(told(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count

@@ -1,0 +1,127 @@
+"""A launch file starts a controller that no file of parameters defines.
+
+The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
+differs from the one in the YAML file, or the controller is missing there. Looked at are the YAML
+files of the package and of the packages that the launch file names; where one of these is not
+found, only slips of known names are told.
+
+Sources:
+    ros_control, spawner: https://github.com/ros-controls/ros_control/blob/noetic-devel/controller_manager/scripts/spawner
+    ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfkit.controllers import controllers as in_files
+from urdfkit.controllers import read
+from urdfkit.diagnostic import Severity
+from urdfkit.errors import UrdfkitError
+from urdfkit.launch.spawned import controllers
+from urdfkit.nearest import Speller, did_you_mean, nearest
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "launch/robot.launch"
+BAD = """\
+<launch>
+  <rosparam file="$(dirname)/../config/control.yaml"/>
+  <node name="spawn" pkg="controller_manager" type="spawner" args="arm_controler"/>
+</launch>
+"""
+GOOD = BAD.replace("controler", "controller")
+FILES = {
+    "package.xml": b"<package><name>arm</name></package>",
+    "config/control.yaml": b"""\
+arm_controller:
+  type: position_controllers/JointPositionController
+  joint: elbow
+""",
+}
+
+#: How like another a name must be to be a slip of it: most end in ``_controller``.
+_SLIP = 0.9
+#: Files of a package that are looked at, and folders in one another.
+_MAX_FILES, _MAX_DEPTH = 200, 5
+
+
+@rule(
+    "LAU013",
+    "unknown-controller",
+    Severity.ERROR,
+    needs=(Need.LAUNCH,),
+    help="mend the name, or define the controller in the YAML file",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]
+    if not wanted:
+        return
+    loaded = _loaded(subject)
+    known = loaded.union(*(_defined(subject, path) for path in _package_files(subject)))
+    # Names may be put together when the launch file is run.
+    is_whole = bool(loaded) and _is_whole(subject) and not any("$" in name for name in known)
+    speller = Speller({name for name in known if "$" not in name})
+    for word, frame in wanted:
+        name = (word.text or "").strip("/").rpartition("/")[2]
+        is_slip = speller.meant(name) and nearest(name, known, _SLIP)
+        if name not in known and (is_whole or is_slip):
+            yield Finding(
+                Written(word.span, frame),
+                f"no file of parameters defines the controller '{name}'{did_you_mean(name, known)}",
+            )
+
+
+def _loaded(subject: Subject) -> set[str]:
+    """The controllers in the files that the launch file or its robots load."""
+    found: set[str] = set()
+    for file in subject.launch.parameters:
+        found |= _defined(subject, file.path)
+    for description in subject.launch.descriptions:
+        robot = subject.beside(description.path, description.arguments)
+        if robot.reading.document is not None:
+            found.update(one.name for _, several in in_files(robot) for one in several)
+    return found
+
+
+def _is_whole(subject: Subject) -> bool:
+    """True if nothing that is not at hand may define controllers."""
+    launch = subject.launch
+    is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
+    return all(file.exists for file in launch.parameters) and all(is_known)
+
+
+def _package_files(subject: Subject) -> Iterator[str]:
+    """The YAML files of the packages that the launch file lies in and names."""
+    home = subject.resolver.packages.enclosing(subject.source.path)
+    folders = {home[1]} if home else set()
+    for package in subject.launch.packages:
+        if package.searched is None and not comes_with_ros(package.name):
+            folders.add(subject.resolver.package(package.name, subject.source.path))
+    for folder in sorted(folders):
+        yield from _yaml_files(folder)
+
+
+def _yaml_files(folder: str) -> Iterator[str]:
+    count = 0
+    for parent, folders, files in os.walk(folder):
+        is_deep = parent[len(folder) :].count(os.sep) >= _MAX_DEPTH
+        folders[:] = [] if is_deep else sorted(name for name in folders if name[0] != ".")
+        for file in sorted(files):
+            count += 1
+            if file.endswith((".yaml", ".yml")) and count <= _MAX_FILES:
+                yield os.path.join(parent, file)
+
+
+def _defined(subject: Subject, path: str) -> set[str]:
+    """The controllers of a YAML file."""
+    try:
+        source = subject.resolver.read(path)
+    except UrdfkitError:
+        return set()
+    return {controller.name for controller in read(source)}
