@@ -40,3 +40,9 @@ def test_what_is_no_list_of_parameters_is_nothing(text: str) -> None:
 
 def test_aliases_are_not_followed() -> None:
     assert texts(load(Source("c.yaml", b"a: &x [1]\nb: *x\n"))) == {"a": ["1"], "b": None}
+
+
+def test_a_key_that_comes_again_goes_on_as_in_ros_2() -> None:
+    text = b"/**:\n  a: {x: 1}\n/**:\n  b: 2\n  a: {y: 3}\nc: 1\nc: 2\n"
+    found = texts(load(Source("c.yaml", text)))
+    assert found == {"/**": {"a": {"x": "1", "y": "3"}, "b": "2"}, "c": "2"}

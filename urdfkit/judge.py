@@ -143,7 +143,7 @@ class _Run:
 def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
     """The rules that may have something to say; the others need not even be imported."""
     if is_launch(subject.source.path):
-        return [rules.get(code) for code in chosen if code.startswith("LAU")]
+        return [rules.get(code) for code in chosen if code.startswith("LAU") or code == "PKG005"]
     reading = subject.reading
     told = {problem.code for problem in reading.problems}
     silent = {"LAU"}
@@ -250,7 +250,7 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
     if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
-        return {"PKG001", "PKG002", "PKG003", "PKG004"}
+        return {"PKG001", "PKG002", "PKG003", "PKG004", "PKG005"}
     from urdfkit.workspace.mentions import silent  # it compiles a regular expression
 
     return silent(sources, subject.resolver.packages)

@@ -66,7 +66,7 @@ def silent(sources: tuple[Source, ...], packages: Packages) -> set[str]:
     """The codes of the rules about packages that need not be imported for a description."""
     home = packages.enclosing(sources[0].path)
     if home is None:
-        return {"PKG001", "PKG002", "PKG003"}
+        return {"PKG001", "PKG002", "PKG003"}  # not PKG005: it may be that its name is missing
     names = {mention.package for mention in of_package(sources, packages)}
     codes = {"PKG001"} if names <= {home[0]} else set()
     files = packages.folders.entries(home[1]) or {}

@@ -1,0 +1,83 @@
+"""PKG005: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import MANIFEST
+from urdfkit import Diagnostic, check
+
+ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>{}</robot>'
+USES = '<xacro:include filename="$(find arm)/b.xacro"/>'
+
+
+def told(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
+    (folder / "package.xml").write_text(manifest)
+    (folder / "b.xacro").write_text(ROBOT.format(""))
+    (folder / "urdf").mkdir()
+    (folder / "urdf" / "r.xacro").write_text(ROBOT.format(more))
+    report = check(folder / "urdf" / "r.xacro", select=["PKG005"])
+    assert report.crashed == ()
+    return list(report.diagnostics)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message", "line"),
+    [
+        ("  <license>Apache-2.0</license>\n", "", "the package has no <license>", 2),
+        ("<version>1.0.0</version>", "", "the package has no <version>", 2),
+        (">1.0.0<", ">1.0<", "the version '1.0' is not three numbers", 4),
+        (">1.0.0<", "><", "the version '' is not three numbers", 4),
+        (' email="arm@example.org"', "", "the maintainer has no email", 6),
+        (">Apache-2.0<", "><", "the license is empty", 7),
+        ("</package>", "<run_depend>a</run_depend></package>", "<run_depend> is no tag of ", 8),
+        ("</package>", "<exec_dep>a</exec_dep></package>", "<exec_dep> is no tag of format 3", 8),
+        ("</package>", "<depend>arm</depend></package>", "the package depends on itself", 8),
+        ("</license>", "</licence>", "no build reads this: ", 7),
+        ("<license>", "<licence>", "no build reads this: ", 7),
+        ("</package>", "<export/><export/></package>", "a second <export>", 8),
+    ],
+)
+def test_what_the_build_refuses(
+    tmp_path: Path, old: str, new: str, message: str, line: int
+) -> None:
+    assert old in MANIFEST
+    (found,) = told(tmp_path, MANIFEST.replace(old, new))
+    assert found.message.startswith(message)
+    assert (Path(found.span.source.path).name, found.span.line) == ("package.xml", line)
+
+
+@pytest.mark.parametrize(("wrong", "help"), [("run_depend", "exec_depend"), ("depnd", "depend")])
+def test_the_tag_that_was_meant(tmp_path: Path, wrong: str, help: str) -> None:
+    text = MANIFEST.replace("</package>", f"<{wrong}>xacro</{wrong}></package>")
+    assert told(tmp_path, text)[0].help == f"write <{help}>"
+
+
+def test_a_package_without_a_name(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, MANIFEST.replace("<name>arm</name>", ""), "$(find arm)")
+    assert found.message == "the package has no <name>"
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        MANIFEST,
+        MANIFEST.replace('"3"', '"1"') + "<!-- <run_depend>a</run_depend> -->",
+        MANIFEST.replace("</package>", '<depend condition="$X">a</depend><export/></package>'),
+        MANIFEST.replace("An arm.", "An <b>arm</b>."),
+        MANIFEST.replace('"3"', '"4"').replace("</package>", "<new/></package>"),
+        "<package><name>arm</name><version>1</version></package>",
+    ],
+)
+def test_what_the_build_takes_is_calm(tmp_path: Path, manifest: str) -> None:
+    assert told(tmp_path, manifest) == []
+
+
+def test_a_robot_that_uses_no_package_does_not_mind(tmp_path: Path) -> None:
+    assert told(tmp_path, MANIFEST.replace("1.0.0", "1"), "") == []
+
+
+def test_a_launch_file_does(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("1.0.0", "1"))
+    (tmp_path / "a.launch").write_text("<launch/>")
+    assert len(check(tmp_path / "a.launch", select=["PKG005"]).diagnostics) == 1

@@ -1,0 +1,142 @@
+"""The build refuses the package.xml of the robot's package.
+
+catkin and colcon stop at it, or go on without the package: nothing of the robot is installed, and
+`package://` leads nowhere. Something is missing that every package.xml has, a tag belongs to
+another format, or the file is not XML. A file with little more than a name is taken for the stub of
+a test. Told for launch files, and for descriptions that use packages.
+
+Sources:
+    REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
+    catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.document import Element
+from urdfkit.errors import UnreadableFile
+from urdfkit.nearest import nearest
+from urdfkit.reading import is_launch, read_xml
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "urdf/bot.urdf"
+BAD = """\
+<robot name="bot">
+  <link name="base">
+    <visual>
+      <geometry><mesh filename="package://bot_description/meshes/base.stl"/></geometry>
+    </visual>
+  </link>
+</robot>
+"""
+GOOD = BAD.replace("package://bot_description", "..")
+_MANIFEST = b"""\
+<package format="3">
+  <name>bot_description</name>
+  <version>1.0.0</version>
+  <description>A bot.</description>
+  <maintainer email="bot@example.org">Bot</maintainer>
+  <license>MIT</license>
+  <run_depend>xacro</run_depend>
+</package>
+"""
+FILES = {
+    "package.xml": _MANIFEST,
+    "meshes/base.stl": b"""solid
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid
+""",
+}
+
+#: What reading calls a text that is no XML.
+_BROKEN = ("XML001", "XML002", "XML006")
+_VERSION = re.compile(r"\d+\.\d+\.\d+")
+_PACKAGE = re.compile(r"[A-Za-z0-9][\w-]*")
+
+
+@rule("PKG005", "manifest-refused", Severity.ERROR, help="mend the package.xml")
+def check(subject: Subject) -> Iterator[Finding]:
+    file = beside(subject.source.path)
+    if file is None or not _matters(subject):
+        return
+    try:
+        source = subject.resolver.read(file)
+    except UnreadableFile:
+        return
+    document, problems = read_xml(source)
+    broken = [problem for problem in problems if problem.code in _BROKEN]
+    for problem in broken[:1]:
+        yield Finding(Written(problem.span), f"no build reads this: {problem.message}")
+    if document is None or broken or document.root.tag != "package":
+        return
+    if not {"description", "maintainer", "license"} & {c.tag for c in document.root.children}:
+        return
+    yield from _missing(document.root)
+    yield from _tags(document.root)
+    yield from _values(document.root)
+
+
+def _matters(subject: Subject) -> bool:
+    """True if the description finds files by way of packages."""
+    if is_launch(subject.source.path):
+        return True
+    sources = subject.document.sources
+    return any(b"package://" in s.data or b"$(find" in s.data for s in sources)
+
+
+def _missing(package: Element) -> Iterator[Finding]:
+    tags = [child.tag for child in package.children]
+    for tag in REQUIRED:
+        if tag not in tags:
+            yield Finding(Written(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+    for tag in ("name", "version", "description", "export"):
+        for again in package.all(tag)[1:]:
+            yield Finding(Written(again.span), f"a second <{tag}>", "keep one")
+
+
+def _tags(package: Element) -> Iterator[Finding]:
+    """Tags that the format of the file does not have."""
+    known = known_tags(package.get("format"))
+    renamed = {"run_depend": "exec_depend", "exec_depend": "run_depend"}
+    for child in package.children:
+        if not known or child.tag in known:
+            continue
+        meant = renamed.get(child.tag) or nearest(child.tag, known)
+        help = f"write <{meant}>" if meant in known else "remove it"
+        number = package.get("format") or "1"
+        yield Finding(Written(child.span), f"<{child.tag}> is no tag of format {number}", help)
+
+
+def _values(package: Element) -> Iterator[Finding]:
+    name, version = package.child("name"), package.child("version")
+    if name and not _PACKAGE.fullmatch(name.text.strip()):
+        yield Finding(Written(name.span), f"'{name.text.strip()}' is no name of a package")
+    if version and not _VERSION.fullmatch(version.text.strip()):
+        message = f"the version '{version.text.strip()}' is not three numbers"
+        yield Finding(Written(version.span), message, "write it as 1.0.0")
+    for maintainer in package.all("maintainer"):
+        if not maintainer.get("email"):
+            yield Finding(
+                Written(maintainer.span), "the maintainer has no email", 'write email="..."'
+            )
+    for child in package.all("license"):
+        if not child.text.strip():
+            yield Finding(Written(child.span), "the license is empty", "name the licence")
+    own = name.text.strip() if name else ""
+    for child in package.children:
+        if own and child.tag.endswith("depend") and child.text.strip() == own:
+            yield Finding(Written(child.span), "the package depends on itself", "remove it")
