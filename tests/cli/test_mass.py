@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.massive import inertial, link
 from urdfkit.cli import main
+from urdfkit.examples import whole_robot
 
 GRIPPER = str(MODELS / "good" / "gripper.urdf")
 MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
@@ -82,3 +84,31 @@ def test_what_is_not_known_fits_a_terminal(
     assert notes[-1].endswith(f"{names[-1]}: it has no shape")
     assert max(map(len, notes)) <= 80
     assert all(line == line.rstrip() for line in lines)
+
+
+def test_long_names_stand_above_their_numbers(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = Path(GRIPPER).read_text(encoding="utf-8").replace("left_finger", "left_finger" * 3)
+    (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
+    lines = run(capsys, str(tmp_path / "r.urdf")).splitlines()
+    assert max(map(len, lines)) <= 80
+    at = lines.index("left_finger" * 3)
+    assert lines[at + 1].split()[:2] == ["0.03", "5.4%"]
+
+
+def test_a_total_without_a_centre_says_why(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = link("a", inertial(2, (1, 1, 1))) + link("b", inertial(3, (1, 1, 1)))
+    path = tmp_path / "r.urdf"
+    path.write_text(whole_robot(text), encoding="utf-8")
+    page = run(capsys, str(path))
+    assert "\ntotal         5\n" in page
+    assert "no joint says how the roots a, b stand to one another" in " ".join(page.split())
+    total = json.loads(run(capsys, str(path), "--format", "json"))["total"]
+    assert total["mass"] == 5
+    assert "center" not in total
+    rows = list(csv.DictReader(io.StringIO(run(capsys, str(path), "--format", "csv"))))
+    assert (rows[-1]["mass"], rows[-1]["cx"]) == ("5.0", "")
+    assert "| **total** | **5** |" in run(capsys, str(path), "--format", "markdown")

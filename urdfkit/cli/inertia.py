@@ -91,30 +91,30 @@ def command(
 
 def table(proposals: Sequence[Proposal]) -> Iterator[str]:
     """Two lines for each link: declared, and computed with the verdict."""
-    width = max([*(len(one.link.name) for one in proposals), 4])
-    head = ("mass / kg", "ixx", "iyy", "izz")
-    yield f"{'link':<{width}} {'':<9}" + "".join(f"{word:>10}" for word in head)
+    head = " ".join(f"{word:>9}" for word in ("mass / kg", "ixx", "iyy", "izz"))
+    rows = [("link", f"{'':<9} {head}")]
+    notes: dict[str, list[str]] = {}
     for one in proposals:
-        yield _row(one.link.name, width, "declared", one.declared)
+        rows.append((one.link.name, _row("declared", one.declared)))
+        for note in (one.reason, *(one.matter.notes if one.matter else ())):
+            if note:
+                notes.setdefault(note, []).append(one.link.name)
+        if one.computed is None:
+            rows.append(("", one.verdict))
+            continue
         name = one.matter.source.removeprefix("the ").partition(" of ")[0] if one.matter else ""
         verdict = one.verdict + (f" x{one.factor:.3g}" if one.verdict == "differs" else "")
-        if one.computed is None:
-            yield from output.indented(one.reason, first=" " * (width + 2), rest=" " * (width + 2))
-        else:
-            yield _row("", width, name, one.computed) + f"  {verdict}"
-    notes = {note for one in proposals if one.matter for note in one.matter.notes}
-    for note in sorted(notes):
-        names = [one.link.name for one in proposals if one.matter and note in one.matter.notes]
-        yield from output.indented(f"{note}: {', '.join(names)}", first="", rest="  ")
+        rows.append(("", f"{_row(name, one.computed)}  {verdict}"))
+    yield from output.beside(rows)
+    for note, names in notes.items():
+        yield from output.indented(f"{', '.join(names)}: {note}", first="", rest="  ")
 
 
-def _row(name: str, width: int, what: str, values: MassProperties | None) -> str:
-    start = f"{name:<{width}} {what:<9}"
+def _row(what: str, values: MassProperties | None) -> str:
     if values is None:
-        return f"{start}{'-':>10}"
+        return f"{what:<9} {'-':>9}"
     tensor = values.tensor
-    numbers = (values.mass, tensor.ixx, tensor.iyy, tensor.izz)
-    return f"{start} {output.aligned(numbers)}"
+    return f"{what:<9} {output.aligned((values.mass, tensor.ixx, tensor.iyy, tensor.izz))}"
 
 
 def proposed(chosen: Sequence[Proposal]) -> Iterator[str]:

@@ -102,7 +102,8 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
         yield f"Jacobian of {found['link']}, {where}: a column in each line"
         columns = zip(found["columns"], zip(*found["jacobian"], strict=True), strict=True)
         head = " ".join(f"{name:>9}" for name in _VELOCITY)
-        yield from _table([("", head), *((name, _numbers(column)) for name, column in columns)])
+        rows = [(name, _numbers(column)) for name, column in columns]
+        yield from output.beside([("", head), *rows])
     if "mass_matrix" in found:
         yield f"mass matrix, {where}, in kg, kg m and kg m^2"
         yield from _matrix(found["mass_matrix"], found["columns"])
@@ -117,8 +118,9 @@ def _frames(found: Mapping[str, Frame], root_of: Mapping[str, str], where: str) 
     for name in found:
         trees.setdefault(root_of[name], []).append(name)
     for root, names in trees.items():
-        yield f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
-        yield from _table([(name, _placed(found[name])) for name in names])
+        head = f"frames in {root}, {where}: x y z in m, roll pitch yaw in degrees"
+        yield from wrap(head, output.width(), indent=2).split("\n")
+        yield from output.beside((name, _placed(found[name])) for name in names)
 
 
 def _placed(frame: Frame) -> str:
@@ -142,15 +144,7 @@ def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[s
             columns = names[start : start + count]
             yield from wrap(f"columns {', '.join(columns)}", output.width(), indent=2).split("\n")
         cut = (_numbers(row[start : start + count]) for row in rows)
-        yield from _table(list(zip(names, cut, strict=True)))
-
-
-def _table(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
-    """Names, and numbers beside them, or below where a name is too long for that."""
-    width = max(len(name) for name, _ in rows)
-    fits = width + 2 + len(rows[0][1]) <= output.width()
-    for name, numbers in rows:
-        yield from [f"{name:<{width}}  {numbers}"] if fits else [name, f"  {numbers}"]
+        yield from output.beside(zip(names, cut, strict=True))
 
 
 def _turn(frame: Frame) -> list[float]:

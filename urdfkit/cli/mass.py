@@ -66,39 +66,37 @@ def render(found: MassTable) -> Iterator[str]:
 
 
 def _masses(found: MassTable) -> Iterator[str]:
-    width = max((len(row.link) for row in found.rows), default=5)
-    yield (
-        f"{'link':<{width}} {'mass / kg':>10} {'share':>6} {'centre of mass / m':>29} {'kg/m^3':>8}"
-    )
+    head = f"{'mass / kg':>9} {'share':>6} {'centre of mass / m':>29} {'kg/m^3':>8}"
+    rows = [("link", head)]
     for row in found.rows:
         density = "" if row.density is None else f"{row.density:.4g}"
         share = row.properties.mass / found.whole.mass if found.whole.mass else 0.0
-        yield (
-            f"{row.link:<{width}} {row.properties.mass:>10.5g} {share:>6.1%}"
-            f" {_three(row.properties.center)} {density:>8}"
-        ).rstrip()
-    total = f"{'total':<{width}} {found.whole.mass:>10.6g}"
+        mass, center = row.properties.mass, _three(row.properties.center)
+        rows.append((row.link, f"{mass:>9.5g} {share:>6.1%} {center} {density:>8}"))
     body = found.whole.properties
-    yield f"{total} {'':>6} {_three(body.center)}  in {found.whole.root}" if body else total
+    center = _three(body.center) if body else ""
+    rows.append(("total", f"{found.whole.mass:>9.6g} {'':>6} {center}"))
+    yield from output.beside(rows)
 
 
 def _moments(found: MassTable) -> Iterator[str]:
-    width = max((len(row.link) for row in found.rows), default=5)
-    yield f"{'principal moments / kg m^2':<{width + 30}}  axes       of its shapes"
+    yield "principal moments in kg m^2, their axes, and the moments of the shapes"
+    rows = []
     for row in found.rows:
-        shapes = row.of_shapes
-        yield (
-            f"{row.link:<{width}} {_three(row.moments)}  {_axes(row.axes):<9}"
-            f" {_three(shapes[0]) if shapes else ''}"
-        ).rstrip()
+        shapes = _three(row.of_shapes[0], 8) if row.of_shapes else ""
+        rows.append((row.link, f"{_three(row.moments, 8)}  {_axes(row.axes):<6} {shapes}"))
     if found.moments and found.axes:
-        yield f"{'total':<{width}} {_three(found.moments)}  {_axes(found.axes)}"
+        rows.append(("total", f"{_three(found.moments, 8)}  {_axes(found.axes)}"))
+    yield from output.beside(rows)
 
 
 def _unknown(found: MassTable) -> Iterator[str]:
     reasons: dict[str, list[str]] = {}
-    if found.whole.reason:
-        reasons[f"no centre of mass: {found.whole.reason}"] = ["total"]
+    where = f"centre of mass in the frame of {found.whole.root}"
+    if found.whole.mass:
+        reasons[f"no centre of mass: {found.whole.reason}" if found.whole.reason else where] = [
+            "total"
+        ]
     for row in found.rows:
         for reason in (row.reason, *(row.matter.notes if row.matter else ())):
             if reason:
@@ -120,10 +118,10 @@ def _axes(axes: Rotation) -> str:
     return " ".join(letters)
 
 
-def _three(values: Iterable[float]) -> str:
+def _three(values: Iterable[float], width: int = 9) -> str:
     every = list(values)
     noise = 1e-9 * max(map(abs, every))
-    return output.aligned(every, noise)
+    return output.aligned(every, noise, width)
 
 
 def as_json(found: MassTable) -> str:

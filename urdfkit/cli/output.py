@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.formats._layout import printable
+from urdfkit.formats._layout import columns, printable
 
 
 def has_color(when: str) -> bool:
@@ -67,19 +67,37 @@ def write(text: str) -> None:
             raise UnwritableFile(f"standard output: {error.strerror or error}") from error
 
 
-def aligned(values: Iterable[float], noise: float = 0.0) -> str:
-    """Numbers to four digits in nine columns each; to fewer digits where that is too little.
+def aligned(values: Iterable[float], noise: float = 0.0, width: int = 9) -> str:
+    """Numbers in columns of one width: to four digits in nine, to three in eight.
 
     Args:
         values: the numbers.
         noise: what is no larger is but the rounding of sums, and 0.
+        width: of a column; a number that is too long has a digit less.
     """
-    return " ".join(_short(0.0 if abs(value) <= noise else value) for value in values)
+    return " ".join(_short(0.0 if abs(value) <= noise else value, width) for value in values)
 
 
-def _short(value: float) -> str:
-    exact = f"{value:9.4g}"
-    return exact if len(exact) == 9 else f"{value:9.3g}"
+def _short(value: float, width: int) -> str:
+    exact = f"{value:{width}.{width - 5}g}"
+    return exact if len(exact) == width else f"{value:{width}.{width - 6}g}"
+
+
+def beside(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Lines of names and what is told of them: beside each, or below where that is too wide.
+
+    Args:
+        rows: a row without a name belongs to the one before.
+    """
+    every = list(rows)
+    most = max((columns(name) for name, _ in every), default=0)
+    fits = most + 1 + max((columns(told) for _, told in every), default=0) <= width()
+    for name, told in every:
+        if fits:
+            yield f"{name}{' ' * (most - columns(name))} {told}".rstrip()
+        else:
+            yield from [name] if name else []
+            yield f"  {told}".rstrip()
 
 
 def labelled(label: str, text: str) -> list[str]:

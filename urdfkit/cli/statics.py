@@ -142,17 +142,15 @@ def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         yield "no joint to hold"
         return
     yield ""
-    width = max(5, *(len(load.joint) for load in found.loads))
     first = "at pose" if posed else "at zero"
-    yield f"{'joint':<{width}}  {first:>9} {'worst':>9}  {'effort':>8}  {'used':>6}"
+    rows = [("joint", f"{first:>9} {'worst':>9}  {'effort':>8}  {'used':>6}")]
     for load in found.loads:
         unit = effort_unit(model.joints_by_name[load.joint])
         limit = "unknown" if load.effort is None else f"{load.effort:.4g}"
         used = "" if load.used is None else f"{load.used:.0%}"
-        yield (
-            f"{load.joint:<{width}}  {output.aligned((load.at_pose, load.worst), NOISE)}"
-            f"  {limit:>8}  {used:>6}  {unit}"
-        )
+        held = output.aligned((load.at_pose, load.worst), NOISE)
+        rows.append((load.joint, f"{held}  {limit:>8}  {used:>6}  {unit}"))
+    yield from output.beside(rows)
     weakest = found.weakest
     if weakest is not None and weakest.worst > NOISE:
         pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]

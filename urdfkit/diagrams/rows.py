@@ -65,7 +65,7 @@ def axis(joint: Joint) -> str:
     for index, name in enumerate("xyz"):
         if abs(vector[index]) == 1.0:
             return name if vector[index] > 0 else f"-{name}"
-    return " ".join(f"{part:.3g}" for part in vector)
+    return " ".join(f"{round(part, 6) + 0.0:.3g}" for part in vector)  # no -0 and no 1e-17
 
 
 def limits(joint: Joint) -> list[str]:

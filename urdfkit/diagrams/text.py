@@ -34,13 +34,14 @@ def _lines(tree: KinematicTree, width: int) -> Iterator[str]:
         del bars[row.depth - 1 :]
         corner = "└ " if row.is_last else "├ "
         left = "".join(bars[:MAX_DEPTH])
-        parts = captions(row.joint)
-        parts[-1] += "  (see above)" if row.is_again else ""
+        kind, *others = captions(row.joint)
+        parts = [f"  {row.joint.name}: {kind}", *(f", {other}" for other in others)]
+        parts += ["  (see above)"] * row.is_again
         bars.append("  " if row.is_last else "│ ")
         below = "│ " if tree.children[row.link] and not row.is_again else "  "
         yield from _filled(
-            f"{left}{corner}{row.link}  {row.joint.name}: {parts[0]}",
-            parts[1:],
+            f"{left}{corner}{row.link}",
+            parts,
             f"{left}{bars[-1]}{below}  ",
             max(width, len(left) + LEAST_WIDTH),
         )
@@ -49,9 +50,9 @@ def _lines(tree: KinematicTree, width: int) -> Iterator[str]:
 def _filled(line: str, parts: list[str], indent: str, width: int) -> Iterator[str]:
     """A line and what goes behind it, in further lines where there is no room."""
     for part in parts:
-        if len(line) + len(part) + 3 <= width:  # with a comma on either side
-            line += f", {part}"
+        if len(line) + len(part) + 1 <= width:  # a comma may follow
+            line += part
         else:
-            yield f"{line},"
-            line = indent + part
+            yield line + "," * part.startswith(",")
+            line = indent + part.lstrip(", ")
     yield line
