@@ -234,14 +234,19 @@ class Elements(sax.ContentHandler):
     def __init__(self) -> None:
         super().__init__()
         self.found: list[object] = []
+        self._path: list[str] = []
 
     def startElement(self, name: str, attrs: Any) -> None:  # noqa: N802
         self.found += [name, {key: value.split() for key, value in attrs.items()}, ""]
+        self._path.append(name)
 
     def endElement(self, name: str) -> None:  # noqa: N802
         self.found += [f"/{name}", ""]
+        self._path.pop()
 
     def characters(self, content: str) -> None:
+        if self._path[-1] in ("robot", "link") and "gazebo" not in self._path:  # stray
+            content = "".join(content.split())
         self.found[-1] = f"{self.found[-1]}{content}"
 
 
