@@ -5,8 +5,11 @@ The answer is "yes" wherever the build file says something that is not understoo
 
 from __future__ import annotations
 
+import ast
 import os
+import posixpath
 import re
+from fnmatch import fnmatch
 from functools import cached_property
 
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
@@ -48,8 +51,36 @@ class Shipping:
         if not self.file:
             return True
         if self.file.endswith(".py"):
-            return relative.partition("/")[0] in self._text or bool(re.search(_WALK, self._text))
+            return self._is_data(relative)
         return any(_overlap(relative, target) for target in self._targets) or self._is_unclear
+
+    def _is_data(self, relative: str) -> bool:
+        """True if a setup.py may list a path among its data files."""
+        top = relative.partition("/")[0]
+        if re.search(_WALK, self._text):
+            return True
+        if top not in self._text:
+            return False
+        listed = [path for path in self._listed if path.startswith(f"{top}/")]
+        return not listed or any(fnmatch(relative, path) or path == f"{top}/" for path in listed)
+
+    @cached_property
+    def _listed(self) -> list[str]:
+        """The paths and patterns that a setup.py writes out."""
+        try:
+            nodes = list(ast.walk(ast.parse(self._text)))
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return []
+        found = []
+        for node in nodes:
+            parts = [node]
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "join":
+                parts = list(node.args)
+            texts = [part.value for part in parts if isinstance(part, ast.Constant)]
+            words = [text for text in texts if isinstance(text, str)]
+            if len(words) == len(parts):
+                found.append(posixpath.join(*words).removeprefix("./"))
+        return found
 
     def remedy(self, top: str) -> str:
         """How to install a folder."""
