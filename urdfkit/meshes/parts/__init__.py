@@ -1,7 +1,7 @@
 """Real parts of robots, to stand in for meshes that are missing.
 
-One module for each. A part has its sizes from a data sheet, x forwards and z upwards, and its
-origin in the middle; a wheel turns about z.
+One module for each, which says where its sizes come from: what its maker publishes, and who else
+has the same. A part has x forwards, z upwards, and its origin in the middle; a wheel turns about z.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 """A 2D lidar in the outline of the Hokuyo URG-04LX.
 
 50 x 50 x 70 mm: a cube with a drum on it, in which the window runs around. Source: Hokuyo,
-"Scanning Laser Range Finder URG-04LX Specification" (C-42-3395), external dimensions. The UST-10LX,
-its successor, is as large: Clearpath's mesh of that (hokuyo_ust10.stl) takes up 50 x 70 mm, and
-14 mm more behind for the cables. Radii are rounded and the connectors left out.
+https://www.hokuyo-aut.jp/dl/Specifications_URG-04LX_1513063395.pdf, as models quote it that were
+made from it; the sheet itself was not at hand. The UST-10LX, its successor, is as large:
+Clearpath's mesh of that (hokuyo_ust10.stl) takes up 50 x 70 mm, and 14 mm more behind for the
+cables. What lies within the outline is drawn by eye, without the connectors.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """A depth camera in the outline of the Intel RealSense D415.
 
-99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera beside the left one. Sources: Intel,
-"RealSense Product Family D400 Series Datasheet" (337029); the same numbers, and the places of the
-eyes 20 mm, -35 mm and 35 mm left of the middle, in Intel's realsense2_description
-(urdf/_d415.urdf.xacro). The place of the projector is estimated.
+99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera beside the left one. Source: Intel's
+realsense2_description (urdf/_d415.urdf.xacro), which has the size and the places of the eyes, 20 mm,
+-35 mm and 35 mm left of the middle. Its data sheet (337029) was not at hand; the place of the
+projector is estimated.
 """
 
 from __future__ import annotations

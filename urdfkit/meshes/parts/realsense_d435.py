@@ -1,10 +1,9 @@
 """A depth camera in the outline of the Intel RealSense D435.
 
 90 x 25 x 25 mm, two imagers 50 mm apart with the projector between them and the colour camera at
-the side. Sources: Intel, "RealSense Product Family D400 Series Datasheet" (337029), mechanical
-dimensions and baseline; the same numbers, and the places of the eyes 17.5 mm, -32.5 mm and 32.5 mm
-left of the middle, in Intel's realsense2_description (urdf/_d435.urdf.xacro). The place of the
-projector is estimated.
+the side. Source: Intel's realsense2_description (urdf/_d435.urdf.xacro), which has the size and the
+places of the eyes, 17.5 mm, -32.5 mm and 32.5 mm left of the middle. Its data sheet (337029) was not
+at hand; the place of the projector is estimated.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """A 2D lidar in the outline of the Slamtec RPLIDAR A2.
 
 76 mm wide and 41 mm high: a flat base and a head that turns on it, with two windows in front.
-Sources: Slamtec, "RPLIDAR A2 Introduction and Datasheet" (A2M8, rev. 2.5), mechanical dimensions;
-Ekumen's mesh of it (andino_description, meshes/sensors/rplidar-a2.stl) takes up 75 x 40.8 mm, and
-4 mm more for its socket.
+Slamtec's "RPLIDAR A2 Introduction and Datasheet" (A2M8, rev. 2.5) has a drawing of it, and was not
+at hand; the size is the one commonly quoted. Ekumen's mesh of it (andino_description,
+meshes/sensors/rplidar-a2.stl) takes up 75 x 40.8 mm, and 4 mm more for its socket.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 """A stereo camera in the outline of the Stereolabs ZED.
 
-175 x 30 x 33 mm with two lenses 120 mm apart. Sources: Stereolabs, "ZED Camera and SDK Overview"
-(data sheet), dimensions and baseline; baseline and height also in Stereolabs' zed_wrapper
-(urdf/zed_macro.urdf.xacro), whose mesh (zed_ros2_description, meshes/zed.stl) takes up
-174.8 x 29.9 x 31.8 mm.
+175 x 30 x 33 mm with two lenses 120 mm apart. Sources: the baseline from Stereolabs,
+https://support.stereolabs.com/hc/en-us/articles/360007395634, and with the height from their
+zed_wrapper (urdf/zed_macro.urdf.xacro); their mesh of it (zed_ros2_description, meshes/zed.stl)
+takes up 174.8 x 29.9 x 31.8 mm. The size is the one commonly quoted from the data sheet, which was
+not at hand.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 """A spinning 3D lidar in the outline of the Velodyne VLP-16.
 
 103.3 mm wide and 71.7 mm high: an aluminium base, a dark window all around, an aluminium cap.
-Sources: Velodyne, "VLP-16 User Manual" (63-9243 Rev. D), mechanical drawings; its optical centre
-lies 37.7 mm above the base. Clearpath's description of it (clearpath_sensors_description,
-urdf/velodyne_lidar.urdf.xacro) has a radius of 51.6 mm, and the same heights.
+Velodyne's "VLP-16 User Manual" (63-9243 Rev. D) has the drawings, and was not at hand. The numbers
+are those of velodyne_description (VLP-16.urdf.xacro) and of Clearpath's description of it
+(clearpath_sensors_description, urdf/velodyne_lidar.urdf.xacro): a radius of 51.6 mm, 71.7 mm high,
+the optical centre 37.7 mm above the base. What lies within the outline is drawn by eye.
 """
 
 from __future__ import annotations

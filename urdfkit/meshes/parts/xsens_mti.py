@@ -1,7 +1,8 @@
 """An IMU in the outline of the Xsens MTi (10 and 100 series).
 
-57 x 42 x 23.5 mm: an orange box on a plate with four holes, the connector behind. Source: Xsens,
-"MTi User Manual" (MT0605P), physical properties.
+57 x 42 x 23.5 mm: an orange box on a plate with four holes, the connector behind. Xsens' "MTi User
+Manual" (MT0605P) has its physical properties, and was not at hand; the size is the one commonly
+quoted from it, and nothing else confirms it. What lies within the outline is drawn by eye.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """A stereo camera in the outline of the Stereolabs ZED Mini.
 
-124.5 x 30.5 x 26.5 mm with two lenses 63 mm apart. Sources: Stereolabs, "ZED Mini" data sheet;
-baseline and height also in Stereolabs' zed_wrapper (urdf/zed_macro.urdf.xacro), whose mesh
-(zed_ros2_description, meshes/zedm.stl) takes up 125.2 x 29.5 x 26.6 mm.
+124.5 x 30.5 x 26.5 mm with two lenses 63 mm apart. Sources: the baseline from Stereolabs,
+https://support.stereolabs.com/hc/en-us/articles/360007395634, and with the height from their
+zed_wrapper (urdf/zed_macro.urdf.xacro); their mesh of it (zed_ros2_description, meshes/zedm.stl)
+takes up 125.2 x 29.5 x 26.6 mm. The size is the one commonly quoted from the data sheet, which was
+not at hand.
 """
 
 from __future__ import annotations
