@@ -1,7 +1,7 @@
 """A 2D lidar in the outline of the Hokuyo UTM-30LX.
 
-60 x 60 x 87 mm, black housing, the scan plane in a dark window below the cap. Hokuyo's specification
-(C-42-3615) was not at hand; the size is the one commonly quoted from it. Clearpath's mesh of it
+60 x 60 x 87 mm, black housing, the scan plane in a dark window below the cap. The specification by
+Hokuyo (C-42-3615) was not at hand; the size is the one commonly quoted from it. Clearpath's mesh
 (clearpath_sensors_description, meshes/hokuyo_utm30.stl) takes up the same, and 20 mm more behind
 for the cable outlet, which is left out here. What lies within the outline is drawn by eye.
 """

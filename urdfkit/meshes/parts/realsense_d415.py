@@ -1,8 +1,8 @@
 """A depth camera in the outline of the Intel RealSense D415.
 
 99 x 20 x 23 mm, two imagers 55 mm apart and the colour camera beside the left one. Source: Intel's
-realsense2_description (urdf/_d415.urdf.xacro), which has the size and the places of the eyes, 20 mm,
--35 mm and 35 mm left of the middle. Its data sheet (337029) was not at hand; the place of the
+realsense2_description (urdf/_d415.urdf.xacro), which has the size and the places of the eyes,
+20 mm, -35 mm and 35 mm left of the middle. Data sheet 337029 was not at hand; the place of the
 projector is estimated.
 """
 

@@ -2,7 +2,7 @@
 
 90 x 25 x 25 mm, two imagers 50 mm apart with the projector between them and the colour camera at
 the side. Source: Intel's realsense2_description (urdf/_d435.urdf.xacro), which has the size and the
-places of the eyes, 17.5 mm, -32.5 mm and 32.5 mm left of the middle. Its data sheet (337029) was not
+places of the eyes, 17.5 mm, -32.5 mm and 32.5 mm left of the middle. Data sheet 337029 was not
 at hand; the place of the projector is estimated.
 """
 

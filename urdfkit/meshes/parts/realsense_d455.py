@@ -1,8 +1,8 @@
 """A depth camera in the outline of the Intel RealSense D455.
 
 124 x 26 x 29 mm, two imagers 95 mm apart, the colour camera and the projector between them.
-Source: Intel's realsense2_description (urdf/_d455.urdf.xacro), which has the size and the places of
-the eyes, 47.5 mm, -47.5 mm and -11.5 mm left of the middle. Its data sheet (337029) was not at hand;
+Source: Intel's realsense2_description (urdf/_d455.urdf.xacro), which has the size and the places
+of the eyes, 47.5 mm, -47.5 mm and -11.5 mm left of the middle. Data sheet 337029 was not at hand;
 the place of the projector is estimated.
 """
 
