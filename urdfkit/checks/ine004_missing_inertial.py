@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.rigid import mass_of
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.targets import GAZEBO
@@ -79,7 +78,7 @@ def _finding(body: RigidBody, subject: Subject) -> Finding | None:
     """None where only frames without shape and mass are lost."""
     name, links = body.top.name, subject.model.links_by_name
     lost = subject.tree.below(name)
-    if not any(links[n].visuals or links[n].collisions or mass_of(links[n]) for n in lost):
+    if not any(links[n].visuals or links[n].collisions or links[n].mass for n in lost):
         return None
     hanging = [f"'{n}'" for n in lost if n not in {link.name for link, _ in body.links}]
     if len(hanging) > _NAMED:

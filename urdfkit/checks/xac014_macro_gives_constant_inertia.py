@@ -18,7 +18,6 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.inertials.macros import computing
-from urdfkit.mechanics.rigid import mass_of
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -82,7 +81,7 @@ FIXED = """\
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for tag, links in subject.masses.shared_by_macro.items():
-        finding = _finding(links, sorted(filter(None, map(mass_of, links))), tag)
+        finding = _finding(links, sorted(filter(None, (link.mass for link in links))), tag)
         yield finding._replace(fix=computing(subject, links, tag))
 
 
@@ -96,8 +95,7 @@ def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "
         f"the same inertia tensor ({moments} kg m^2)",
         related=tuple(
-            Related(step.span, f"link '{link.name}' of {mass_of(link):g} kg")
-            for link, step in calls
+            Related(step.span, f"link '{link.name}' of {link.mass:g} kg") for link, step in calls
         ),
     )
 

@@ -118,24 +118,17 @@ def statics(
     search = _Search(robot, BUDGET // max(1, CLIMBS * len(columns)))
     poses = np.array([*search.corners(), *search.drawn(samples, seed)])
     torques = np.zeros((len(poses), robot.nv))
-    asked = robot.gravity(pose or {})
+    tell = progress or (lambda done, total: None)
     for number, x in enumerate(poses):
         torques[number] = robot.gravity_at(robot.expanded(x))
-        if progress and number % 1000 == 999:
-            progress(number, len(poses) + len(columns))
+        if number % 1000 == 999:
+            tell(number, len(poses) + len(columns))
+    asked = robot.gravity(pose or {})
     found: list[Load] = []
     for column, name in columns:
-        if progress:
-            progress(len(poses) + len(found), len(poses) + len(columns))
-        starts = np.argsort(-np.abs(torques[:, column]), kind="stable")[:CLIMBS]
-        climbs = (search.climb(column, poses[start]) for start in starts)
-        worst, x = max(climbs, key=lambda climb: climb[0])
-        x = search.rested(column, x, worst)
-        where = {
-            robot.columns[other]: float(x[other])
-            for other in np.flatnonzero(search.others[column] & (x != 0))
-        }
+        tell(len(poses) + len(found), len(poses) + len(columns))
         held = float(torques[0, column]), float(asked[column])
+        worst, where = search.worst(column, poses, torques[:, column])
         found.append(Load(name, effort(by_name[name]), *held, worst, where))
     found.sort(key=lambda load: (-(load.used or 0.0), -load.worst))
     mass = robot.mass_properties().mass
@@ -183,6 +176,21 @@ class _Search:
         random = np.random.default_rng(seed)
         drawn: Floats = random.uniform(self.low, self.high, (samples, self.robot.nv))
         return drawn
+
+    def worst(self, column: int, poses: Floats, torques: Floats) -> tuple[float, dict[str, float]]:
+        """The largest torque of a coordinate, without sign, and the positions that matter to it.
+
+        Args:
+            column: the coordinate.
+            poses: that were looked at, (n, nv).
+            torques: of the coordinate in each of them, (n,).
+        """
+        starts = np.argsort(-np.abs(torques), kind="stable")[:CLIMBS]
+        climbs = (self.climb(column, poses[start]) for start in starts)
+        worst, x = max(climbs, key=lambda climb: climb[0])
+        x = self.rested(column, x, worst)
+        matter = np.flatnonzero(self.others[column] & (x != 0))
+        return worst, {self.robot.columns[other]: float(x[other]) for other in matter}
 
     def climb(self, column: int, start: Floats) -> tuple[float, Floats]:
         """The largest torque of a coordinate near a pose, without sign, and where it is."""

@@ -15,7 +15,7 @@ from functools import cached_property
 
 from urdfkit.gazebo.values import is_true
 from urdfkit.mechanics.inertia import MassProperties
-from urdfkit.mechanics.rigid import RigidBody, mass_of, rigid_bodies
+from urdfkit.mechanics.rigid import RigidBody, rigid_bodies
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
 
@@ -203,7 +203,7 @@ class Conversion:
         total = 0.0
         queue = [link.name]
         for name in queue:  # grows while it is walked
-            total += mass_of(self.model.links_by_name[name])
+            total += self.model.links_by_name[name].mass
             for joint in self.tree.children[name]:
                 if joint.kind == "fixed" and joint.name not in self.preserved:
                     assert joint.child is not None

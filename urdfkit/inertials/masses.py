@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.document import Element, Tag
 from urdfkit.inertials.weighed import SIGNIFICANT, Weighed, by_tensor
 from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.mechanics.rigid import RigidBody, mass_of, rigid_bodies
+from urdfkit.mechanics.rigid import RigidBody, rigid_bodies
 from urdfkit.mechanics.shapes import Lump
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.mechanics.twins import numbered_pairs, pairs
@@ -62,7 +62,7 @@ class Masses:
         self.model = model
         self.tree = tree
         self.bodies = rigid_bodies(tree)
-        self.total = sum(map(mass_of, model.links))
+        self.total = model.mass
         self._moments: dict[str, tuple[float, float, float]] = {}
 
     @cached_property
@@ -76,7 +76,7 @@ class Masses:
         found: list[Weighed] = []
         for link in self.model.links:
             inertial, body = link.inertial, self.body_of.get(link.name)
-            if inertial and inertial.tensor and body and mass_of(link) > 0:
+            if inertial and inertial.tensor and body and link.mass > 0:
                 weighed = Weighed(link, inertial, inertial.tensor.value, body, self._lump)
                 found.append(weighed)
         return tuple(found)
@@ -128,7 +128,7 @@ class Masses:
                 codes.add("INE004")
             for link, _ in body.links[1:]:
                 joints = self.tree.children[link.name]
-                if mass_of(link) <= 0 and any(joint.kind != "fixed" for joint in joints):
+                if link.mass <= 0 and any(joint.kind != "fixed" for joint in joints):
                     codes.add("INE020")
         return codes
 
@@ -260,7 +260,7 @@ def unlike(left: Weighed, right: Weighed) -> str:
 
 def _spread(links: Iterable[Link]) -> float:
     """The largest mass by the smallest, of those that have one."""
-    masses = sorted(filter(None, map(mass_of, links)))
+    masses = sorted(filter(None, (link.mass for link in links)))
     return masses[-1] / masses[0] if masses and masses[0] > 0 else 0.0
 
 

@@ -7,7 +7,7 @@ from functools import cached_property
 from math import inf
 
 from urdfkit.mechanics import inertia
-from urdfkit.mechanics.rigid import RigidBody, mass_of
+from urdfkit.mechanics.rigid import RigidBody
 from urdfkit.mechanics.shapes import Box, Lump, Primitive, Solid, solid
 from urdfkit.model import Body, Inertial, Link, Tensor
 from urdfkit.spatial import Vector, transposed
@@ -59,7 +59,7 @@ class Weighed:
         assert at is not None
         self.link = link
         self.inertial = inertial
-        self.mass = mass_of(link)
+        self.mass = link.mass
         self.tensor = tensor
         self.at = at
         self.body = body

@@ -11,7 +11,7 @@ from math import hypot
 
 from urdfkit.mechanics.joints import span
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, laws
-from urdfkit.mechanics.rigid import mass_of, rigid_bodies
+from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import DEGREES_OF_FREEDOM, Joint
 
@@ -59,7 +59,7 @@ def largest(tree: KinematicTree) -> dict[str, float]:
     lever: dict[str, float] = {}  # the sum of mass times distance from the origin of a link
     for name in reversed(tree.below(tree.roots[0].name)):
         link = tree.model.links_by_name[name]
-        mass[name] = abs(mass_of(link))
+        mass[name] = abs(link.mass)
         lever[name] = mass[name] * (hypot(*link.inertial.origin.position) if link.inertial else 0)
         for joint in tree.children[name]:
             assert joint.child is not None
@@ -126,7 +126,7 @@ def idle(tree: KinematicTree) -> list[Joint]:
     for name in reversed(tree.below(tree.roots[0].name)):
         link = tree.model.links_by_name[name]
         below = (joint.child.value for joint in tree.children[name] if joint.child)
-        if mass_of(link) or link.visuals or link.collisions or not used.isdisjoint(below):
+        if link.mass or link.visuals or link.collisions or not used.isdisjoint(below):
             used.add(name)
     return [
         joint

@@ -38,17 +38,12 @@ class RigidBody(Record):
     @property
     def mass(self) -> float:
         """In kg; what has no mass counts as nothing."""
-        return sum(mass_of(link) for link, _ in self.links)
+        return sum(link.mass for link, _ in self.links)
 
     @property
     def properties(self) -> MassProperties:
         """Of all links together, in the frame of the topmost."""
         return combined(properties_of(link, frame) for link, frame in self.links)
-
-
-def mass_of(link: Link) -> float:
-    """The mass of a link in kg, as written; 0 without one."""
-    return link.inertial.mass.value if link.inertial and link.inertial.mass else 0.0
 
 
 def properties_of(link: Link, frame: Frame) -> MassProperties:
@@ -62,7 +57,7 @@ def properties_of(link: Link, frame: Frame) -> MassProperties:
         return MassProperties(0.0, frame.position, ZERO)
     own = frame @ link.inertial.origin
     tensor = link.inertial.tensor.value if link.inertial.tensor else ZERO
-    return MassProperties(mass_of(link), own.position, rotated(tensor, own.rotation))
+    return MassProperties(link.mass, own.position, rotated(tensor, own.rotation))
 
 
 def rigid_bodies(tree: KinematicTree, preserved: Collection[str] = ()) -> tuple[RigidBody, ...]:

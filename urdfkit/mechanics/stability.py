@@ -9,7 +9,6 @@ from collections.abc import Collection, Iterable, Mapping
 from math import atan2, cos, hypot, pi, sin
 
 from urdfkit.mechanics.kinematics import frames
-from urdfkit.mechanics.rigid import mass_of
 from urdfkit.mechanics.shapes import Primitive, primitive
 from urdfkit.model import Body
 from urdfkit.record import Record
@@ -94,7 +93,7 @@ def stand(
     loads = [(mass, placed[name].position) for name, mass in (payload or {}).items()]
     for name, frame in placed.items():
         if inertial := links[name].inertial:
-            loads.append((mass_of(links[name]), frame.apply(inertial.origin.position)))
+            loads.append((links[name].mass, frame.apply(inertial.origin.position)))
     mass = sum(load for load, _ in loads)
     points = {name: _points(subject, name, placed[name], meshes) for name in placed}
     if contacts is not None:
