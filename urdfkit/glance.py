@@ -26,7 +26,7 @@ ABOUT_CHILDREN = {
     "mimic": frozenset("REF004 JNT014 JNT015 JNT016 JNT017 JNT026 JNT032 JNT036".split()),
     "safety_controller": frozenset(("JNT019", "JNT029")),
     "calibration": frozenset(("JNT024",)),
-    "dynamics": frozenset(("JNT018",)),
+    "dynamics": frozenset(("JNT018", "JNT041")),
 }
 
 #: Silent if no ``<gazebo>`` holds a plugin.
@@ -170,7 +170,7 @@ def _about_joints(model: RobotModel) -> set[str]:
 def _about_sense(model: RobotModel) -> set[str]:
     """Rules about what is legal and hardly meant."""
     joints = model.joints
-    codes: set[str] = set()
+    codes = _about_strengths(joints)
     if not any(joint.kind == "fixed" and joint.limit for joint in joints):
         codes.add("JNT035")
     if all(abs(part) < 0.5 for joint in joints for part in joint.origin.position):
@@ -185,6 +185,24 @@ def _about_sense(model: RobotModel) -> set[str]:
     if "optical" not in names:
         codes.add("JNT030")
     return codes
+
+
+def _about_strengths(joints: tuple[Joint, ...]) -> set[str]:
+    """Rules about efforts and velocities: silent if those of all joints are much the same."""
+    limits = [joint.limit for joint in joints if joint.limit]
+    speeds = [limit.velocity.value for limit in limits if limit.velocity]
+    efforts = [limit.effort.value for limit in limits if limit.effort]
+    codes: set[str] = set()
+    if max(speeds, default=0.0) < 45:
+        codes.add("JNT040")
+    if len(limits) < 4 or (_are_alike(speeds, 20) and _are_alike(efforts, 200)):
+        codes.add("JNT039")
+    return codes
+
+
+def _are_alike(values: list[float], times: float) -> bool:
+    known = [value for value in values if value > 0]
+    return not known or max(known) < times * min(known)
 
 
 def _about_mimics(model: RobotModel) -> set[str]:

@@ -44,6 +44,16 @@ def test_ranges_that_differ_from_joint_to_joint() -> None:
     ]
 
 
+def test_one_end_in_degrees() -> None:
+    others = [joint(name, "revolute", limit("-1.7", "2.4")) for name in "ab"]
+    for lower, upper in (("-94", "4.69"), ("-3.1", "180")):
+        text = robot(*others, joint("j", "revolute", limit(lower, upper)))
+        (message,) = messages("JNT010", text)
+        assert message.endswith("that looks like degrees, or lacks a decimal point")
+        assert limit(lower, upper) in fixed("JNT010", text)
+    assert messages("JNT010", robot(*others, joint("j", "revolute", limit("-3.1", "100")))) == []
+
+
 @pytest.mark.parametrize(
     ("lower", "upper"),
     [

@@ -4,8 +4,9 @@ Angles are radians in URDF, and every reader takes them so: a limit of 180 lets 
 times, which is no limit at all. Joints that turn more than once have limits such as 6.28 or 12.57,
 or round numbers such as 100. A joint is reported if its limits are whole numbers up to 360, reach
 further than two turns, and either are angles that people name (45, 90, 135, 180, 270, 360) or are
-multiples of 5 that differ from joint to joint, as the ranges of motors do. Write them in radians,
-or, in xacro, as `${radians(90)}`.
+multiples of 5 that differ from joint to joint, as the ranges of motors do; the other joints may
+give them away, too, and so may the other end, where that alone was written in radians. Write them
+in radians, or, in xacro, as `${radians(90)}`.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -62,7 +63,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         ends = bounds(joint)
         if ends and joint.kind == "revolute" and _whole(ends) and max(map(abs, ends)) > _FAR:
             suspects.append((joint, ends))
-    sizes = {abs(end) for _, ends in suspects for end in ends if end}
+    sizes = {abs(end) for _, ends in suspects for end in ends if abs(end) > _ONE_TURN}
     rest = [ends for joint in subject.model.joints if (ends := _small(joint))]
     lonely = len(rest) >= max(2, len(suspects)) and not sizes & _ROUND
     many = len(sizes) > 1 and all(size % 5 == 0 for size in sizes) and not sizes <= _ROUND
@@ -71,11 +72,12 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         assert joint.limit is not None
         turns = max(abs(lower), abs(upper)) / (2 * pi)
+        both = lower == int(lower) and upper == int(upper)
         yield Finding(
             joint.limit.at,
             f"joint '{joint.name}' may turn from {lower:g} to {upper:g} rad, {turns:.1f} times "
-            "round; that looks like degrees",
-            fix=_in_radians(joint),
+            f"round; that looks like degrees{'' if both else ', or lacks a decimal point'}",
+            fix=_in_radians(joint) if both else None,
             confidence=Confidence.INFERRED,
         )
 
@@ -88,7 +90,11 @@ def _small(joint: Joint) -> tuple[float, float] | None:
 
 
 def _whole(ends: tuple[float, float]) -> bool:
-    return ends[0] < ends[1] and all(end == int(end) and abs(end) <= 360 for end in ends)
+    """True for whole numbers of degrees, at one end at least: the other one may be in radians."""
+    small, large = sorted(map(abs, ends))
+    if ends[0] >= ends[1] or large > 360 or large != int(large):
+        return False
+    return small == int(small) or small < _ONE_TURN
 
 
 def _in_radians(joint: Joint) -> Fix | None:

@@ -1,0 +1,65 @@
+"""JNT039: see the rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.jointed import joint, limit, robot
+from tests.told import messages, places
+
+Limits = tuple[str, str]
+
+
+def arm(*limits: Limits, kind: str = "revolute") -> str:
+    """Joints ``j0``, ``j1`` ... with effort and velocity."""
+    return robot(
+        *(
+            joint(f"j{number}", kind, limit("-1", "1", effort, velocity))
+            for number, (effort, velocity) in enumerate(limits)
+        )
+    )
+
+
+REST: tuple[Limits, ...] = (("80", "3"), ("40", "2"), ("10", "4"))
+
+
+@pytest.mark.parametrize(
+    ("odd", "said"),
+    [
+        (("1000000", "3"), "the effort of 1e+06 N m is 1.25e+04 times the largest"),
+        (("50", "180"), "the velocity of 180 rad/s is 45 times the largest"),
+        (("0.04", "3"), "the effort of 0.04 N m is 0.004 of the smallest"),
+        (("20", "0.01"), "the velocity of 0.01 rad/s is 0.005 of the smallest"),
+    ],
+)
+@pytest.mark.parametrize("place", [0, 3])
+def test_one_of_four_is_odd(odd: Limits, said: str, place: int) -> None:
+    limits = [*REST]
+    limits.insert(place, odd)
+    assert messages("JNT039", arm(*limits)) == [f"joint 'j{place}': {said} of the other joints"]
+
+
+def test_it_is_told_where_the_number_stands() -> None:
+    ((_, text),) = places("JNT039", arm(*REST, ("9e9", "3")))
+    assert text == "9e9"
+
+
+@pytest.mark.parametrize(
+    "limits",
+    [
+        (*REST, ("15000", "70")),  # a strong lift, and a fast hand
+        (*REST, ("1000000", "3"), ("1000000", "3")),  # two that are meant
+        (*REST, ("0", "0")),  # JNT008 and JNT009
+        (*REST[:2], ("1000000", "1000")),  # three make no rule
+        (*REST, ("0.1", "0.02")),
+    ],
+)
+def test_what_real_robots_have(limits: tuple[Limits, ...]) -> None:
+    assert messages("JNT039", arm(*limits)) == []
+
+
+def test_slides_are_compared_with_slides() -> None:
+    fingers = joint("finger", "prismatic", limit("0", "0.1", "50000", "100"))
+    assert messages("JNT039", arm(*REST) + fingers) == []
+    (message,) = messages("JNT039", arm(*REST, ("90000", "3"), kind="prismatic"))
+    assert message.startswith("joint 'j3': the effort of 90000 N is")

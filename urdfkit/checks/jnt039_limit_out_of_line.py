@@ -1,0 +1,93 @@
+"""The effort or the velocity of one joint is in no proportion to those of the others.
+
+It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or as
+much below the smallest. That is a unit (N mm, degrees per second, turns per minute), a slipped
+decimal point, or a number written until somebody looks the right one up. Controllers and planners
+believe it: one joint jerks, or holds all others up. Joints that turn are compared with such, and
+slides with slides; where several joints share the odd number, it is taken for meant.
+
+Sources:
+    URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    Measured: in 1300 public descriptions Baxter's head_pan has it, and one joint of an IRB 6700.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.mechanics.joints import MOVING, effort_unit, unit
+from urdfkit.rules import Finding, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.model import Joint, Placed
+    from urdfkit.subject import Subject
+
+_LINK = '<link name="{name}"/>\n'
+_JOINT = """\
+<joint name="{name}" type="revolute">
+  <parent link="{parent}"/>
+  <child link="{child}"/>
+  <limit lower="-2" upper="2" effort="{effort}" velocity="3"/>
+</joint>
+"""
+_LINKS = ("base", "shoulder", "arm", "forearm", "hand")
+_EFFORTS = {"waist": "80", "lift": "80", "elbow": "40000", "wrist": "20"}
+BAD = "".join(_LINK.format(name=name) for name in _LINKS) + "".join(
+    _JOINT.format(name=name, parent=parent, child=child, effort=effort)
+    for (name, effort), parent, child in zip(_EFFORTS.items(), _LINKS, _LINKS[1:], strict=False)
+)
+GOOD = BAD.replace("40000", "40")
+
+#: Times the others; real arms have stronger shoulders than wrists, and hands have weak fingers.
+_TIMES = {"effort": 200.0, "velocity": 20.0}
+
+#: Times below the others; gravity tells of weak motors sooner (DYN003).
+_TIMES_LESS = 200.0
+
+#: So many others make a rule.
+_OTHERS = 3
+
+
+@rule(
+    "JNT039",
+    "limit-out-of-line",
+    Severity.WARNING,
+    help="look for a unit or a decimal point: N m or N, rad/s or m/s",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
+    slides = [joint for joint in joints if joint.kind == "prismatic"]
+    turning = [joint for joint in joints if joint.kind != "prismatic"]
+    for alike in (slides, turning):
+        for of, times in _TIMES.items():
+            yield from _odd(alike, of, times)
+
+
+def _odd(joints: list[Joint], of: str, times: float) -> Iterator[Finding]:
+    """The one joint whose limit is far above, or far below, those of all others."""
+    known = [(joint, limit) for joint in joints if (limit := _limit(joint, of))]
+    known.sort(key=lambda pair: pair[1].value)
+    if len(known) <= _OTHERS:
+        return
+    (joint, lowest), (_, low), (_, high), (strong, highest) = *known[:2], *known[-2:]
+    if highest.value >= times * high.value:
+        yield _finding(strong, highest, of, f"{highest.value / high.value:.3g} times the largest")
+    elif lowest.value * _TIMES_LESS <= low.value:
+        part = f"{lowest.value / low.value:.2g} of the smallest"
+        yield _finding(joint, lowest, of, part)
+
+
+def _limit(joint: Joint, of: str) -> Placed[float] | None:
+    limit: Placed[float] | None = getattr(joint.limit, of)
+    return limit if limit and limit.value > 0 else None
+
+
+def _finding(joint: Joint, limit: Placed[float], of: str, how: str) -> Finding:
+    in_unit = effort_unit(joint) if of == "effort" else f"{unit(joint)}/s"
+    return Finding(
+        limit,
+        f"joint '{joint.name}': the {of} of {limit.value:g} {in_unit} is {how} of the other joints",
+        confidence=Confidence.INFERRED,
+    )
