@@ -19,7 +19,7 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
     """
     word = word[:_LONGEST].casefold()
     spellings = {candidate.casefold(): candidate for candidate in known}
-    like = [spelling for spelling in spellings if _most_alike(word, spelling) >= likeness]
+    like = _alike(word, spellings, likeness)
     if not like:
         return None
     from difflib import SequenceMatcher  # 1 ms, and needed after a slip only
@@ -39,11 +39,17 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
     return spellings[best[1]] if best[1] else None
 
 
-def _most_alike(word: str, other: str) -> float:
-    """A bound on the ratio: as if every letter of one that the other has, too, were in place."""
-    foreign = len(other.translate(str.maketrans("", "", word)))
-    common = min(len(word), len(other) - foreign)
-    return 2 * common / (len(word) + len(other) or 1)
+def _alike(word: str, others: Iterable[str], likeness: float) -> list[str]:
+    """The words that may be so like a word: as if all letters that both have were in place."""
+    letters = [(letter, word.count(letter)) for letter in set(word)]
+    found: list[str] = []
+    for other in others:
+        least = likeness * (len(word) + len(other)) / 2
+        if least <= min(len(word), len(other)):
+            common = sum(min(count, other.count(letter)) for letter, count in letters)
+            if common >= least > 0:
+                found.append(other)
+    return found
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
