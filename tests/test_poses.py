@@ -67,8 +67,11 @@ def test_a_position(robot: Subject, joint: str, text: str | float, position: flo
         ({"turn": "deg"}, "joint 'turn': 'deg' is no position; write 1.57, 90deg or 0.1"),
         ({"slide": "5deg"}, "joint 'slide' slides; write its position in m, not in degrees"),
         ({"follower": "1"}, "joint 'follower' follows 'turn'; give the position of that one"),
-        ({"weld": "1"}, "joint 'weld' is fixed and does not move"),
-        ({"free": "1"}, "joint 'free' is floating and has several"),
+        ({"weld": "1"}, "joint 'weld' is fixed: it does not move"),
+        (
+            {"free": "1"},
+            "joint 'free' is floating: it takes several numbers, and stays at its origin",
+        ),
     ],
 )
 def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], told: str) -> None:

@@ -160,8 +160,9 @@ def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float
             leader = joint.mimic.joint.value
             raise PoseError(f"joint '{name}' follows '{leader}'; give the position of that one")
         if joint.kind not in (*TURNING, *SLIDING):
-            why = "has several" if joint.kind in DEGREES_OF_FREEDOM else "does not move"
-            raise PoseError(f"joint '{name}' is {joint.kind or 'without a type'} and {why}")
+            is_free = joint.kind in DEGREES_OF_FREEDOM
+            why = "takes several numbers, and stays at its origin" if is_free else "does not move"
+            raise PoseError(f"joint '{name}' is {joint.kind or 'without a type'}: it {why}")
         found[name] = _position(name, value, turns=joint.kind in TURNING)
     return found
 

@@ -78,6 +78,7 @@ def test_what_is_too_wide_goes_on_below() -> None:
         ('<axis xyz="3 0 4"/>', "continuous", "continuous about 0.6 0 0.8"),
         ('<axis xyz="0 0 1"/>', "fixed", "fixed"),
         ("", "floating", "floating"),
+        ("", "planar", "planar across x"),
         ("", "wobbly", "wobbly"),
         (mimic("k"), "continuous", "continuous about x, follows k"),
         (

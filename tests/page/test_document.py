@@ -75,6 +75,19 @@ def test_a_box_stands_and_tips_where_its_edge_is(tmp_path: Path) -> None:
     assert standing["tips"] is False
 
 
+def test_parts_that_no_joint_binds_are_named(tmp_path: Path) -> None:
+    pytest.importorskip("coal")
+    ball = '<collision><geometry><sphere radius="1"/></geometry></collision>'
+    robot = tmp_path / "two.urdf"
+    links = "".join(f'<link name="{name}">{ball}</link>' for name in "ab")
+    robot.write_text(f'<robot name="r">{links}</robot>')
+    found = describe(str(robot))[0]
+    assert (found["collisions"]["parts"], found["collisions"]["pairs"]) == (["a", "b"], [])
+    assert found["robot"]["center"] == [0, 0, 0]  # nothing weighs anything
+    page, _ = report(str(robot), "html")
+    assert "Parts that no joint binds to one another are not compared: a, b" in page
+
+
 def test_collisions_are_those_that_can_happen(tmp_path: Path) -> None:
     """Two boxes of 0.2 m whose middles are 1 m apart; the second slides over the first, or not."""
     pytest.importorskip("coal")

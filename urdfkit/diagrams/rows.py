@@ -89,7 +89,7 @@ def caption(joint: Joint) -> str:
 def captions(joint: Joint) -> list[str]:
     """The same in its parts."""
     along = axis(joint)
-    preposition = "along" if joint.kind == "prismatic" else "about"
+    preposition = {"prismatic": "along", "planar": "across"}.get(joint.kind, "about")
     parts = [f"{joint.kind or 'without type'}{f' {preposition} {along}' if along else ''}"]
     parts += limits(joint)
     if joint.mimic and joint.mimic.joint:

@@ -103,5 +103,6 @@ def collisions(subject: Subject, progress: Progress | None = None) -> Row:
             }
             for pair in matrix.pairs
         ],
+        "parts": list(matrix.parts),
         "omitted": [{"link": one.link, "reason": one.reason} for one in matrix.omitted],
     }
