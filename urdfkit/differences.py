@@ -7,8 +7,9 @@ written, colours, and the blocks for single programs are not.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import asin, dist
+from types import MappingProxyType
 
 from urdfkit.mechanics.inertia import rotated
 from urdfkit.model import (
@@ -26,9 +27,10 @@ from urdfkit.model import (
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Vector
 
-#: What a difference may be about. ``joints`` are their types, links, axes and followers, too;
-#: ``masses`` the centres of mass; ``shapes`` where they are; ``frames`` the origins of joints.
-KINDS = ("links", "joints", "frames", "limits", "masses", "inertias", "shapes")
+#: What a difference may be about. ``links`` and ``joints`` come and go, ``names`` are other ones of
+#: the same; ``joints`` are their types, links, axes and followers, too; ``masses`` the centres of
+#: mass; ``shapes`` where they are; ``frames`` the origins of joints.
+KINDS = ("links", "joints", "names", "frames", "limits", "masses", "inertias", "shapes")
 
 Value = float | str | tuple[float, ...] | None
 #: Kind, text, and the values before and after.
@@ -36,6 +38,7 @@ Change = tuple[str, str, Value, Value]
 
 #: A part of the greatest entry of a tensor below which an entry comes from a turned frame.
 _ROUNDING = 1e-6
+_NONE: Mapping[str, str] = MappingProxyType({})
 #: Axis of a joint that names none.
 _DEFAULT_AXIS = (1.0, 0.0, 0.0)
 
@@ -49,7 +52,7 @@ class Tolerances(Record):
         rotation: of origins and axes, in rad.
         inertia: of the tensor, relative to its greatest entry.
         limit: of joint limits, relative.
-        links, joints: True if some may come or go.
+        links, joints: True if some may come or go, or be called otherwise.
     """
 
     mass: float = 1e-3
@@ -61,13 +64,23 @@ class Tolerances(Record):
     joints: bool = False
 
 
+class Names(Record):
+    """What is called otherwise: the name after, by the name before."""
+
+    links: Mapping[str, str]
+    joints: Mapping[str, str]
+
+
+_SAME = Names(_NONE, _NONE)
+
+
 class Difference(Record):
     """One thing that differs.
 
     Attributes:
         kind: which sort of thing it is, one of `KINDS`.
         what: ``link`` or ``joint``.
-        name: of the link or joint.
+        name: of the link or joint, in the state after if it is there.
         text: what became of it, without its name.
         before, after: the values as the model holds them, for programs; None for nothing.
     """
@@ -85,33 +98,47 @@ class Difference(Record):
         return f"{self.what} '{self.name}'{link}{self.text}"
 
 
-def differences(before: RobotModel, after: RobotModel, allowed: Tolerances) -> list[Difference]:
-    """What differs between two models by more than the tolerances."""
+def differences(
+    before: RobotModel, after: RobotModel, allowed: Tolerances, names: Names = _SAME
+) -> list[Difference]:
+    """What differs between two models by more than the tolerances.
+
+    Args:
+        before: the one model.
+        after: the other one.
+        allowed: what may differ.
+        names: what is called otherwise, as ``urdfkit.renames`` knows it again.
+    """
     found: list[Difference] = []
     if not allowed.links:
-        found += _names("link", before.links_by_name, after.links_by_name)
+        found += _names("link", before.links_by_name, after.links_by_name, names.links)
     if not allowed.joints:
-        found += _names("joint", before.joints_by_name, after.joints_by_name)
+        found += _names("joint", before.joints_by_name, after.joints_by_name, names.joints)
     for name, link in before.links_by_name.items():
-        if new_link := after.links_by_name.get(name):
-            changes = _of_link(link, new_link, allowed)
-            found += (Difference(c[0], "link", name, *c[1:]) for c in changes)
+        if new_link := after.links_by_name.get(names.links.get(name, name)):
+            changes = of_link(link, new_link, allowed)
+            found += (Difference(c[0], "link", new_link.name, *c[1:]) for c in changes)
     for name, joint in before.joints_by_name.items():
-        if new_joint := after.joints_by_name.get(name):
-            changes = _of_joint(joint, new_joint, allowed)
-            found += (Difference(c[0], "joint", name, *c[1:]) for c in changes)
+        if new_joint := after.joints_by_name.get(names.joints.get(name, name)):
+            changes = _of_joint(joint, new_joint, allowed, names)
+            found += (Difference(c[0], "joint", new_joint.name, *c[1:]) for c in changes)
     return found
 
 
-def _names(what: str, before: Iterable[str], after: Iterable[str]) -> list[Difference]:
+def _names(
+    what: str, before: Iterable[str], after: Iterable[str], renamed: Mapping[str, str]
+) -> Iterator[Difference]:
     old, new, kind = set(before), set(after), f"{what}s"
-    gone = [Difference(kind, what, name, "is gone", True, False) for name in sorted(old - new)]
-    return gone + [
-        Difference(kind, what, name, "is new", False, True) for name in sorted(new - old)
-    ]
+    for name in sorted(old - new - renamed.keys()):
+        yield Difference(kind, what, name, "is gone", True, False)
+    for name in sorted(new - old - set(renamed.values())):
+        yield Difference(kind, what, name, "is new", False, True)
+    for name, other in sorted(renamed.items()):
+        yield Difference("names", what, name, f"is now called '{other}'", name, other)
 
 
-def _of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
+def of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
+    """What differs between two links, whatever they are called."""
     old, new = before.mass, after.mass
     if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
         yield "masses", f"mass {old:g} kg became {new:g} kg", old, new
@@ -165,7 +192,7 @@ def _of_bodies(
             texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
             text = f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
             yield "shapes", text, old_size, new_size
-        yield from _of_frames("shapes", name, old.origin, new.origin, allowed)
+        yield from of_frames("shapes", name, old.origin, new.origin, allowed)
 
 
 def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
@@ -178,9 +205,10 @@ def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
     return shape.kind, tuple(value for value in lengths if value is not None)
 
 
-def _of_frames(
+def of_frames(
     kind: str, name: str, before: Frame, after: Frame, allowed: Tolerances
 ) -> Iterator[Change]:
+    """How far a frame moved and turned."""
     moved = dist(before.position, after.position)
     if moved > allowed.position:
         text = f"the origin of its {name} moved by {moved:.4g} m"
@@ -202,16 +230,16 @@ def _flat(frame: Frame) -> tuple[float, ...]:
     return tuple(entry for row in frame.rotation for entry in row)
 
 
-def _of_joint(before: Joint, after: Joint, allowed: Tolerances) -> Iterator[Change]:
+def _of_joint(before: Joint, after: Joint, allowed: Tolerances, names: Names) -> Iterator[Change]:
     for what, old, new in (
         ("type", before.kind, after.kind),
-        ("parent", _said(before.parent), _said(after.parent)),
-        ("child", _said(before.child), _said(after.child)),
-        ("mimic", _mimic(before), _mimic(after)),
+        ("parent", _said(before.parent, names.links), _said(after.parent)),
+        ("child", _said(before.child, names.links), _said(after.child)),
+        ("mimic", _mimic(before, names.joints), _mimic(after)),
     ):
         if old != new:
             yield "joints", f"{what} {old or 'none'} became {new or 'none'}", old, new
-    yield from _of_frames("frames", "frame", before.origin, after.origin, allowed)
+    yield from of_frames("frames", "frame", before.origin, after.origin, allowed)
     if after.kind != "fixed":
         axes = _axis(before), _axis(after)
         turned = 2 * asin(min(1.0, dist(*axes) / 2))
@@ -223,8 +251,8 @@ def _of_joint(before: Joint, after: Joint, allowed: Tolerances) -> Iterator[Chan
             yield "limits", f"{key} {_text(limits[0])} became {_text(limits[1])}", *limits
 
 
-def _said(name: Placed[str] | None) -> str:
-    return name.value if name else ""
+def _said(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:
+    return renamed.get(name.value, name.value) if name else ""
 
 
 def _axis(joint: Joint) -> Vector:
@@ -234,11 +262,11 @@ def _axis(joint: Joint) -> Vector:
     return (axis[0] / size, axis[1] / size, axis[2] / size)
 
 
-def _mimic(joint: Joint) -> str:
+def _mimic(joint: Joint, renamed: Mapping[str, str] = _NONE) -> str:
     mimic = joint.mimic
     if mimic is None or mimic.joint is None:
         return ""
-    return f"{mimic.joint.value} x {mimic.multiplier:g} + {mimic.offset:g}"
+    return f"{_said(mimic.joint, renamed)} x {mimic.multiplier:g} + {mimic.offset:g}"
 
 
 def _limit(limit: Limit | None, key: str) -> float | None:

@@ -21,6 +21,7 @@ from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Joint, RobotModel
+from urdfkit.renames import renames
 from urdfkit.rules import matching
 from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
@@ -281,7 +282,8 @@ def assert_unchanged_since(
     __tracebackhide__ = True
     with tempfile.TemporaryDirectory() as folder:
         before = _as_it_was(description, revision, folder)
-        found = differences(before, description.model, tolerances or Tolerances())
+        after, allowed = description.model, tolerances or Tolerances()
+        found = differences(before, after, allowed, renames(before, after, allowed))
     if found:
         raise AssertionError(f"since {revision}:\n" + "\n".join(map(str, found)))
 

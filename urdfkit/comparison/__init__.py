@@ -13,11 +13,12 @@ from urdfkit.comparison.states import State, read
 from urdfkit.comparison.surfaces import changed_surfaces
 from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.differences import KINDS as OF_MODELS
-from urdfkit.differences import Difference, Tolerances, differences
+from urdfkit.differences import Difference, Names, Tolerances, differences
 from urdfkit.mechanics.inertia import MassProperties, combined
 from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.rigid import properties_of
 from urdfkit.record import Record
+from urdfkit.renames import renames
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -33,6 +34,7 @@ class Comparison(Record):
     Attributes:
         before, after: the states, as they were asked for.
         differences: of links and joints, by more than the tolerances.
+        names: what is called otherwise.
         moved: links that are elsewhere when all joints are at zero, the farthest first.
         mass, mass_after: of the whole robot, all joints at zero, in the frame of its root.
         came: findings that only the state after has.
@@ -45,6 +47,7 @@ class Comparison(Record):
     before: str
     after: str
     differences: tuple[Difference, ...]
+    names: Names
     moved: tuple[Moved, ...]
     mass: MassProperties
     mass_after: MassProperties
@@ -146,14 +149,16 @@ def compare(
 
 def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
     old, new = before.subject, after.subject
-    found = differences(old.model, new.model, allowed)
-    changed, notes = changed_surfaces(old, new, allowed)
-    came, went = _findings(before, after)
+    names = renames(old.model, new.model, allowed)
+    found = differences(old.model, new.model, allowed, names)
+    changed, notes = changed_surfaces(old, new, allowed, names)
+    came, went = _findings(before, after, names)
     return Comparison(
         before.word,
         after.word,
         (*found, *changed),
-        moved_frames(old.tree, new.tree, allowed),
+        names,
+        moved_frames(old.tree, new.tree, allowed, names),
         _total(old),
         _total(new),
         came,
@@ -170,21 +175,34 @@ def _total(subject: Subject) -> MassProperties:
     return combined(properties_of(links[name], frame) for name, frame in at_zero)
 
 
-def _findings(before: State, after: State) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+def _findings(
+    before: State, after: State, names: Names
+) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
     """The findings that came, and those that went.
 
-    A finding is known again by its rule and its elements: numbers and lines may have changed.
+    A finding is known again by its rule and its elements: numbers, lines and names may have
+    changed.
     """
     old, new = before.report.diagnostics, after.report.diagnostics
-    old_keys = {key for finding in old for key in _keys(finding)}
+    old_keys = {key for finding in old for key in _keys(finding, names)}
     new_keys = {key for finding in new for key in _keys(finding)}
     came = tuple(finding for finding in new if old_keys.isdisjoint(_keys(finding)))
-    went = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding)))
+    went = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding, names)))
     return came, went
 
 
-def _keys(finding: Diagnostic) -> set[tuple[str, str]]:
-    elements = {call.element for call in finding.calls} - {""}
+def _keys(finding: Diagnostic, names: Names | None = None) -> set[tuple[str, str]]:
+    elements = {_renamed(call.element, names) for call in finding.calls} - {""}
     if not elements:  # it is about the text
         elements = {" ".join(finding.span.source.line(finding.span.line).split())}
     return {(finding.code, element) for element in elements}
+
+
+def _renamed(element: str, names: Names | None) -> str:
+    """The address of an element in the state after, such as ``link/arm/visual``."""
+    tag, _, rest = element.partition("/")
+    if names is None or tag not in ("link", "joint"):
+        return element
+    name, slash, rest = rest.partition("/")
+    known = names.links if tag == "link" else names.joints
+    return f"{tag}/{known.get(name, name)}{slash}{rest}"

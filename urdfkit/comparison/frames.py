@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import dist
 
-from urdfkit.differences import Tolerances, angle_between
+from urdfkit.differences import Names, Tolerances, angle_between
 from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.record import Record
@@ -15,7 +15,7 @@ class Moved(Record):
     """A link that is elsewhere.
 
     Attributes:
-        link: its name.
+        link: its name, that of the state after.
         distance: between its origins, in m, in the frame of the root.
         angle: by which it is turned, in rad.
         carried: True if it is where it was as its parent sees it, which moved.
@@ -28,7 +28,7 @@ class Moved(Record):
 
 
 def moved_frames(
-    before: KinematicTree, after: KinematicTree, allowed: Tolerances
+    before: KinematicTree, after: KinematicTree, allowed: Tolerances, names: Names
 ) -> tuple[Moved, ...]:
     """The links that both robots have and that are elsewhere when all joints are at zero.
 
@@ -37,14 +37,17 @@ def moved_frames(
     """
     old, new = frames(before, {}), frames(after, {})
     found = []
-    for name in old.keys() & new.keys():
-        distance, angle = _apart(old[name], new[name])
+    for name in old:
+        now = names.links.get(name, name)
+        if now not in new:
+            continue
+        distance, angle = _apart(old[name], new[now])
         if distance > allowed.position or angle > allowed.rotation:
-            parents = _parent(before, name), _parent(after, name)
-            shift, turn = _apart(_within(old, name, parents[0]), _within(new, name, parents[1]))
+            parents = _parent(before, name), _parent(after, now)
+            shift, turn = _apart(_within(old, name, parents[0]), _within(new, now, parents[1]))
             stays = shift <= allowed.position and turn <= allowed.rotation
-            carried = bool(parents[0]) and parents[0] == parents[1] and stays
-            found.append(Moved(name, distance, angle, carried))
+            is_same = names.links.get(parents[0], parents[0]) == parents[1]
+            found.append(Moved(now, distance, angle, bool(parents[0]) and is_same and stays))
     return tuple(sorted(found, key=lambda m: (m.carried, -m.distance, -m.angle, m.link)))
 
 

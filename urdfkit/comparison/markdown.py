@@ -13,6 +13,7 @@ from urdfkit.formats.markdown import escape
 _TITLES = {
     "links": "Links",
     "joints": "Joints",
+    "names": "Names",
     "frames": "Frames of joints",
     "limits": "Limits",
     "masses": "Masses",

@@ -34,17 +34,15 @@ def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, .
         return ()
     camera = render.looking(np.concatenate([scene.points() for scene in scenes]), size=SIZE)
     colours = _colours(found, after)
+    renamed = found.names.links
+    both = {renamed.get(name, name) for name in scenes[0].frames} & scenes[1].frames.keys()
     addresses = []
-    for scene, only in zip(scenes, (_GONE, _NEW), strict=True):
-        other = scenes[0].frames if only is _NEW else scenes[1].frames
-        items = [
-            item._replace(
-                look=render.Look(colours.get(item.link, _SAME) if item.link in other else only),
-                colors=None,
-                uv=None,
-            )
-            for item in scene.items
-        ]
+    for scene, only, names in ((scenes[0], _GONE, renamed), (scenes[1], _NEW, {})):
+        items = []
+        for item in scene.items:
+            name = names.get(item.link, item.link)
+            look = render.Look(colours.get(name, _SAME) if name in both else only)
+            items.append(item._replace(look=look, colors=None, uv=None))
         image = render.draw(scene._replace(items=tuple(items)), camera)
         addresses.append(drawings.webp(Image.fromarray(image).convert("RGB")))
     return tuple(addresses)

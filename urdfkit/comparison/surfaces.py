@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.differences import Difference, Tolerances
+from urdfkit.differences import Difference, Names, Tolerances
 from urdfkit.errors import MissingLibrary
 from urdfkit.model import Shape
 from urdfkit.subject import Unavailable
@@ -18,7 +18,7 @@ INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
 
 
 def changed_surfaces(
-    before: Subject, after: Subject, allowed: Tolerances
+    before: Subject, after: Subject, allowed: Tolerances, names: Names
 ) -> tuple[list[Difference], list[str]]:
     """The meshes whose surface differs by more than the tolerance of positions.
 
@@ -31,7 +31,7 @@ def changed_surfaces(
     found: list[Difference] = []
     notes: dict[str, None] = {}
     measured: dict[tuple[object, ...], float | None] = {}
-    for link, role, old, new in _pairs(before, after):
+    for link, role, old, new in _pairs(before, after, names):
         files = before.files.path(old), after.files.path(new)
         if files[0] is None or files[1] is None:
             if files[0] is not files[1]:
@@ -57,11 +57,13 @@ def changed_surfaces(
     return found, list(notes)
 
 
-def _pairs(before: Subject, after: Subject) -> Iterator[tuple[str, str, Shape, Shape]]:
+def _pairs(
+    before: Subject, after: Subject, names: Names
+) -> Iterator[tuple[str, str, Shape, Shape]]:
     """Link, role, and the mesh of either side."""
     links = after.model.links_by_name
     for name, old in before.model.links_by_name.items():
-        new = links.get(name)
+        new = links.get(names.links.get(name, name))
         if new is None:
             continue
         for role, bodies in (
@@ -73,7 +75,7 @@ def _pairs(before: Subject, after: Subject) -> Iterator[tuple[str, str, Shape, S
             for one, other in zip(*bodies, strict=True):
                 shapes = one.shape, other.shape
                 if shapes[0] and shapes[1] and shapes[0].filename and shapes[1].filename:
-                    yield name, role, shapes[0], shapes[1]
+                    yield new.name, role, shapes[0], shapes[1]
 
 
 def _digest(path: str) -> bytes:
