@@ -25,9 +25,7 @@ FRAMES = """\
 """
 
 
-def called(
-    before: str, *changes: tuple[str, str]
-) -> tuple[dict[str, str], dict[str, str]]:
+def called(before: str, *changes: tuple[str, str]) -> tuple[dict[str, str], dict[str, str]]:
     """The links and joints that have other names after some changes of a text."""
     after = before
     for old, new in changes:
