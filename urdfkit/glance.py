@@ -71,9 +71,9 @@ ABOUT_WORDS = {
 
 #: Silent without ``<ros2_control>``, and without ``<transmission>``.
 ABOUT_COMPONENTS = frozenset(
-    f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18, 19, 20, 22, 23, 28)
+    f"RCT{number:03}" for number in (5, 6, 7, 8, 9, 11, 17, 18, 19, 20, 22, 23, 28, 31, 32, 33)
 )
-ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024"))
+ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024", "RCT030"))
 
 #: Silent if neither the launch file nor a plugin names a file of parameters.
 ABOUT_PARAMETERS = frozenset(f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29))

@@ -45,6 +45,12 @@ def test_sensors_and_gpios() -> None:
     assert messages("RCT004", ROBOT + control(sensor.format("orientation_x"), plugin=GZ)) == [
         "sensor 'imu': state interface 'orientation_x' is nearly 'orientation.x'"
     ]
+    assert messages("RCT004", ROBOT + control(sensor.format("linear_accel.x"), plugin=GZ)) == [
+        (
+            "sensor 'imu': state interface 'linear_accel.x' is none that "
+            "gz_ros2_control/GazeboSimSystem has (such as orientation.x)"
+        )
+    ]
     for name in ("orientation.x", "force.z", "ft.torque.x", "temperature", "positon"):
         assert told("RCT004", ROBOT + control(sensor.format(name))) == []
     gpio = '<gpio name="g"><command_interface name="positon"/></gpio>'

@@ -53,3 +53,14 @@ def test_the_plugin_of_ros1_wants_transmissions() -> None:
     assert told("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []
     own = plugin("libgazebo_ros_control.so", "<robotSimType>acme/Sim</robotSimType>")
     assert told("RCT010", ROBOT + own) == []
+
+
+def test_transmissions_for_gazebo_that_nothing_loads() -> None:
+    drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
+    assert messages("RCT010", ROBOT + transmission("swing") + drive) == [
+        (
+            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> loads "
+            "them (libgazebo_ros_control.so)"
+        )
+    ]
+    assert told("RCT010", ROBOT + transmission("swing")) == []

@@ -39,3 +39,19 @@ def test_what_the_parser_takes() -> None:
     assert told("RCT017", ROBOT + control(driven("swing"), more)) == []
     assert told("RCT017", ROBOT + control(driven("swing", more="<limits/><own/>"))) == []
     assert told("RCT017", ROBOT + control(driven("swing"), "<xacro:more/>")) == []
+
+
+def test_an_actuator_has_one_joint() -> None:
+    text = ROBOT + control(driven("swing"), driven("slide"), kind="actuator")
+    assert messages("RCT017", text) == ["an actuator has one joint, and this one has 2"]
+    assert places("RCT017", text) == [(NEXT, "actuator")]
+    assert told("RCT017", ROBOT + control(driven("swing"), kind="actuator")) == []
+
+
+def test_the_parts_of_a_transmission_have_roles() -> None:
+    inside = '<plugin>p/C</plugin><joint name="swing" role="{}"/><actuator name="m" role="a"/>'
+    block = f'<transmission name="t">{inside}</transmission>'
+    assert told("RCT017", ROBOT + control(driven("swing"), block.format("joint1"))) == []
+    assert messages("RCT017", ROBOT + control(driven("swing"), block.format(""))) == [
+        "<joint> of a transmission has no role"
+    ]

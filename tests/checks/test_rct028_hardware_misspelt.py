@@ -8,7 +8,11 @@ from tests.told import fixed, messages
 
 @pytest.mark.parametrize(
     ("name", "meant"),
-    [("mock_component/GenericSystem", MOCK), ("gz_ros2_control/GazeboSimSytem", GZ)],
+    [
+        ("mock_component/GenericSystem", MOCK),
+        ("gz_ros2_control/GazeboSimSytem", GZ),
+        ("GazeboSimSystem", GZ),
+    ],
 )
 def test_a_slip_is_told_and_mended(name: str, meant: str) -> None:
     assert messages("RCT028", ROBOT + control(plugin=name)) == [

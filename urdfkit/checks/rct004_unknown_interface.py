@@ -94,6 +94,8 @@ def _of_ros2(component: Component, part: Part, interface: Interface) -> Iterator
     ]
     if meant := _slip(name, standard):
         yield Finding(at, f"{who} is nearly '{meant}'", fix=_fix(at, meant))
+    elif simulated and name not in standard:
+        yield Finding(at, f"{who} is none that {simulated.name} has (such as {standard[0]})")
 
 
 def _of_ros1(subject: Subject) -> Iterator[Finding]:

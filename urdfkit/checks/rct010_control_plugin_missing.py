@@ -113,6 +113,13 @@ def _missing(subject: Subject) -> Iterator[Finding]:
                 f"loads it ({files()[found.control]})",
             )
             return  # one plugin serves all
+    transmissions = [one for one in subject.model.transmissions if not is_of_pr2(one)]
+    if transmissions and "classic-ros1" in subject.targets.names and subject.plugins:
+        yield Finding(
+            transmissions[0],
+            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> "
+            f"loads them ({files()['gazebo_ros_control']})",
+        )
 
 
 def _without_transmission(subject: Subject, plugin: ControlPlugin) -> Iterator[Finding]:

@@ -1,7 +1,8 @@
 """A block of ros2_control holds a tag that it may not hold, or something in it has no name.
 
 The parser of ros2_control stops with an exception, "invalid tag name" or "no attribute name in
-tag", and the controller manager does not start. Correct the tag, or give the name.
+tag", and the controller manager does not start. Correct the tag, or give the name. It stops as well
+at an `actuator` with several joints, and at a transmission whose joints have no `role`.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -69,6 +70,19 @@ def check(subject: Subject) -> Iterator[Finding]:
         for element in _named(block):
             if not element.get("name"):
                 yield Finding(element, f"<{element.tag}> has no name", "give it a name")
+        yield from _joints_of_actuator(block)
+        for transmission in block.all("transmission"):
+            for part in transmission.children:
+                if part.tag in ("joint", "actuator") and not part.get("role"):
+                    message = f"<{part.tag}> of a transmission has no role"
+                    yield Finding(part, message, f'add role="{part.tag}1"')
+
+
+def _joints_of_actuator(block: Element) -> Iterator[Finding]:
+    joints = block.all("joint")
+    if block.get("type") == "actuator" and len(joints) > 1:
+        message = f"an actuator has one joint, and this one has {len(joints)}"
+        yield Finding(block.attributes["type"], message, 'write type="system"')
 
 
 def _renamed(child: Element, known: Iterable[str]) -> Fix | None:

@@ -1,8 +1,9 @@
-"""A transmission has a type that is not there, a ratio of 0, or an element that nothing reads.
+"""A transmission has a type that is not there, joints that do not fit it, or a ratio of 0.
 
 ros_control loads transmissions by their type and divides by the ratio of the gear: with an unknown
-type, a ratio of 0 or one that is no number it leaves the transmission out, and no controller finds
-the joint. A misspelt element is passed over, and its default taken.
+type, another number of joints or actuators than the type has, a ratio of 0 or one that is no number
+it leaves the transmission out, and no controller finds the joint; Gazebo leaves out all with more
+than one joint. A misspelt element is passed over, and its default taken.
 
 Sources:
     ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp
@@ -51,6 +52,8 @@ _CHILDREN = {
     "joint": ("hardwareInterface", "role", "offset", "mechanicalReduction"),
     "actuator": ("hardwareInterface", "role", "mechanicalReduction", "motorTorqueConstant"),
 }
+#: Joints, and as many actuators, of each type.
+_COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
 #: How like a name a word must be to be taken for a slip of it.
 _SLIP = 0.85
 
@@ -63,6 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if is_of_pr2(transmission):
             continue
         yield from _type(transmission)
+        yield from _count(transmission)
         for element in (transmission, *transmission.children):
             yield from _children(element, transmission.get("name") or "")
 
@@ -71,11 +75,32 @@ def _type(transmission: Element) -> Iterator[Finding]:
     element, known = transmission.child("type"), words("transmission", "types")
     name = element.text.strip() if element else ""
     meant = nearest(name, known, _SLIP) if name not in known else None
-    if element and meant and abs(len(meant) - len(name)) <= 2:
+    full = [one for one in known if one.endswith(f"/{name}")]
+    if full and element:
+        edits = rewrite(element, full[0])
+        fix = Fix(f"write {full[0]}", edits) if edits else None
+        message = (
+            f"transmission '{transmission.get('name') or ''}': type '{name}' lacks its package"
+        )
+        yield Finding(element, message, f"write {full[0]}", fix)
+    elif element and meant and abs(len(meant) - len(name)) <= 2:
         edits = rewrite(element, meant)
         fix = Fix(f"write {meant}", edits) if edits else None
         message = f"transmission '{transmission.get('name') or ''}': type '{name}' is nearly"
         yield Finding(element, f"{message} '{meant}'", f"write {meant}", fix)
+
+
+def _count(transmission: Element) -> Iterator[Finding]:
+    """One joint and actuator for a simple transmission, two of each for the others."""
+    element = transmission.child("type")
+    kind = element.text.strip().rpartition("/")[2] if element else ""
+    for tag in ("joint", "actuator"):
+        found = transmission.all(tag)
+        if kind in _COUNTS and found and len(found) != _COUNTS[kind]:  # RCT016 tells of none
+            message = f"transmission '{transmission.get('name') or ''}': a {kind} has"
+            wanted = f"{_COUNTS[kind]} <{tag}>, and this one {len(found)}"
+            help = "write a transmission for each joint" if kind == "SimpleTransmission" else ""
+            yield Finding(found[-1], f"{message} {wanted}", help)
 
 
 def _children(element: Element, name: str) -> Iterator[Finding]:

@@ -53,9 +53,15 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = (*_COMMON, *hardware())
     for component in components(subject.model):
         name = component.hardware
-        meant = nearest(name, known, _SLIP) if name and name not in known else None
+        meant = _meant(name, known) if name and name not in known else None
         if component.plugin and meant and not name.startswith("fake_"):
             edits = rewrite(component.plugin, meant)
             fix = Fix(f"write {meant}", edits) if edits else None
             message = f"{component.called}: hardware '{name}' is nearly '{meant}'"
             yield Finding(component.plugin, message, f"write {meant}", fix)
+
+
+def _meant(name: str, known: tuple[str, ...]) -> str | None:
+    """The class that a name is a slip of, or that it is without its package."""
+    full = (one for one in known if one.endswith(f"/{name}"))
+    return next(full, None) or nearest(name, known, _SLIP)
