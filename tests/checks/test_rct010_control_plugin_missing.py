@@ -59,8 +59,8 @@ def test_transmissions_for_gazebo_that_nothing_loads() -> None:
     drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
     assert messages("RCT010", ROBOT + transmission("swing") + drive) == [
         (
-            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> loads "
-            "them (libgazebo_ros_control.so)"
+            "the robot has transmissions and is for Gazebo Classic, and no plugin of <gazebo> "
+            "loads them (libgazebo_ros_control.so)"
         )
     ]
     assert told("RCT010", ROBOT + transmission("swing")) == []

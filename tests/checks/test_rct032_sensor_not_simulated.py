@@ -14,8 +14,8 @@ def test_a_sensor_that_gazebo_does_not_have(hardware: str) -> None:
     text = ROBOT + control(IMU.format("base_immu"), plugin=hardware) + GAZEBO
     assert messages("RCT032", text) == [
         (
-            "sensor 'base_immu' of ros2_control: no <sensor> of <gazebo> has that name; did you mean "
-            "'base_imu'?"
+            "sensor 'base_immu' of ros2_control: no <sensor> of <gazebo> has that name; did you "
+            "mean 'base_imu'?"
         )
     ]
     assert '<sensor name="base_imu"><state' in fixed("RCT032", text)
