@@ -35,6 +35,9 @@ def changed(old: str, new: str) -> bytes:
         changed("instance_geometry", "instance_controller"),
         SOUND.replace(b"<COLLADA", b"<c:COLLADA xmlns:c='x'").replace(b"</COLLADA", b"</c:COLLADA"),
         changed("</COLLADA>", "</COLLADA><!-- the end -->\n"),
+        # Gazebo and RViz show these: the meshes of velodyne_description, and of a KUKA.
+        changed('id="scene"', 'id="scene" name="<STL_BINARY>"'),
+        SOUND + b"\0\0\0",
         changed("<library_visual", '<sampler><input source="#gone"/></sampler><library_visual'),
     ],
 )

@@ -99,6 +99,15 @@ def test_a_square(tmp_path: Path) -> None:
     assert mesh.textures == ()
 
 
+@pytest.mark.parametrize("defect", [b"name='<STL>'", b"name='&lt;' id=\"<a>\""])
+def test_what_other_readers_let_stand(tmp_path: Path, defect: bytes) -> None:
+    square(tmp_path)
+    (file,) = tmp_path.glob("*.dae")
+    data = file.read_bytes()
+    file.write_bytes(data.replace(b"<node", b"<node " + defect, 1) + b"\0\0")
+    assert len(load(file).faces) == 2
+
+
 def test_unit_and_axis_are_recorded_and_not_applied(tmp_path: Path) -> None:
     mesh = square(tmp_path, asset='<unit name="inch" meter="0.0254"/><up_axis>Y_UP</up_axis>')
     assert (mesh.unit, mesh.up_axis) == (0.0254, "Y_UP")

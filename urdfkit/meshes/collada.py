@@ -20,6 +20,7 @@ _ID = re.compile(rb"""\sid\s*=\s*["']([^"'&]*)""")
 _UNIT = re.compile(rb"""<unit\s[^>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*["']""")
 _UP_AXIS = re.compile(rb"<up_axis>\s*([XYZ]_UP)\s*<")
 _NOT_FINITE = re.compile(rb"[^\s<>]*(?:[nN][aA][nN]|[iI][nN][fFdD])[^\s<>]*")
+_VALUE = re.compile(rb"""=\s*(?:"[^"<]*<[^"]*"|'[^'<]*<[^']*')""")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
 #: Errors of expat that only the end of the file explains: no element, unclosed token, partial
@@ -42,12 +43,26 @@ def judge(data: bytes) -> tuple[Defect | None, str]:
     if error is not None or not content.root:
         content = _Content()
         error = content.parse(data)
+    if error is not None and (forgiven := forgive(data)) != data:
+        again = _Content()
+        if again.parse(forgiven) is None:
+            content, error = again, None
     if error is not None and error.code not in _TOLERATED:
         if error.code in _CUT_OFF:
             return truncated(_where_it_ends(content)), ""
         reason = expat.ErrorString(error.code)
         return unreadable(f"is not well-formed XML: {reason} in line {error.lineno}"), ""
     return content.defect(), _non_finite(data, content)
+
+
+def forgive(data: bytes) -> bytes:
+    """XML as the readers of Gazebo (tinyxml2) and assimp (pugixml) take it, where expat does not.
+
+    They end at a zero byte, and let "<" stand in the value of an attribute.
+    """
+    if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        data = data.partition(b"\0")[0]
+    return _VALUE.sub(lambda found: found.group().replace(b"<", b"&lt;"), data)
 
 
 def _is_sound(tags: bytes) -> bool:

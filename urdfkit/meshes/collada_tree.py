@@ -8,6 +8,7 @@ from urllib.parse import unquote
 
 from lxml import etree
 
+from urdfkit.meshes.collada import forgive
 from urdfkit.meshes.geometry import NoTriangles
 
 Element: TypeAlias = Any  # lxml comes without types
@@ -73,6 +74,8 @@ def parse(data: bytes, *, recover: bool = False) -> Element:
     try:
         root = etree.fromstring(data, parser)
     except etree.XMLSyntaxError as error:
+        if (forgiven := forgive(data)) != data:
+            return parse(forgiven, recover=recover)
         raise NoTriangles(f"is not well-formed XML: {error.msg}") from error
     if root is None:
         raise NoTriangles("holds no XML")
