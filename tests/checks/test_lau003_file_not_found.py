@@ -1,5 +1,10 @@
 """LAU003: see the rule."""
 
+from pathlib import Path
+
+import pytest
+
+from tests.launched import told
 from urdfkit import check
 from urdfkit.source import Source
 
@@ -17,3 +22,19 @@ def test_a_file_that_is_there_is_calm(tmp_path):
     (tmp_path / "robot.yaml").write_text("a: 1")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'
     assert check(Source(str(tmp_path / "a.launch"), text)).diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    ["add_subdirectory(doc)", "configure_file(a.in a)", "file(GENERATE OUTPUT a CONTENT b)"],
+)
+def test_what_the_build_may_make_is_calm(tmp_path: Path, cmake: str) -> None:
+    files = {"CMakeLists.txt": cmake}
+    text = '<rosparam file="$(find arm)/config/made.yaml"/>'
+    assert told(tmp_path, "LAU003", "a.launch", text, files) == []
+    assert len(told(tmp_path, "LAU003", "a.launch", text, {"CMakeLists.txt": ""})) == 1
+
+
+def test_a_path_that_waits_for_an_argument_is_calm(tmp_path: Path) -> None:
+    text = '<arg name="arm" default=""/><rosparam file="$(find arm)/$(arg arm).yaml"/>'
+    assert told(tmp_path, "LAU003", "a.launch", text) == []

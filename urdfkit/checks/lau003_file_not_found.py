@@ -1,7 +1,7 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch.
+file stops the launch. What the build of a package may make is not told.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -16,6 +16,7 @@ from urdfkit.diagnostic import Severity
 from urdfkit.nearest import nearest
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.shipping import Shipping
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -34,8 +35,14 @@ GOOD = "<launch/>"
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:
-        if not file.exists:
+        if not file.exists and not _may_be_made(subject, file.path):
             folder, name = os.path.split(file.path)
             meant = nearest(name, os.listdir(folder)) if os.path.isdir(folder) else None
             hint = f"there is '{meant}' beside it" if meant else ""
             yield Finding(Written(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
+
+
+def _may_be_made(subject: Subject, path: str) -> bool:
+    """True if a build may make a file, or put it there from elsewhere."""
+    home = subject.resolver.packages.enclosing(path)
+    return home is not None and Shipping(home[1], home[0]).makes_files

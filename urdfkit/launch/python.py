@@ -93,7 +93,7 @@ class _Reader:
             name or "",
             self.values.text(executable) or "",
             self.values.words(words),
-            self._parameters(parameters),
+            None if argument(call, None, "ros_arguments") else self._parameters(parameters),
             self.values.span(call),
             None,
         )

@@ -164,12 +164,11 @@ class _File:
         for child in element.children:
             self._look_at(child)
         attribute = element.attributes.get("file")
-        path = self.text(attribute) if attribute else None
-        if attribute and path is not None:
-            path = self._path(path)
-            if self.collector.file(path, attribute.span, "the included launch file"):
-                self._included(element, path)
-                return
+        path = self._path_in(attribute) if attribute else None
+        purpose = "the included launch file"
+        if attribute and path and self.collector.file(path, attribute.span, purpose):
+            self._included(element, path)
+            return
         self.collector.is_whole = False
         self._is_whole = self._is_whole and not declares_others(path or "")
 
@@ -291,7 +290,8 @@ class _File:
         written: list[str] = []
         for is_command, part in _pieces(attribute.value):
             value = self._command(part, attribute.span) if is_command else part
-            written.append(_UNKNOWN_WORD if value is None else value)
+            # An argument that is empty unless somebody gives it stands for a word, too.
+            written.append(value or _UNKNOWN_WORD)
         text = "".join(written)
         try:
             words = shlex.split(text)
@@ -302,8 +302,11 @@ class _File:
         )
 
     def _parameters(self, element: Element) -> frozenset[str] | None:
-        """The names of the parameters that a node is given; None if files give some."""
-        if element.child("rosparam") or any(child.get("from") for child in element.children):
+        """The names of the parameters that a node is given in ROS 2, if no files give some.
+
+        In ROS 1 parameters belong to no node.
+        """
+        if self._ros != 2 or any(child.get("from") for child in element.children):
             return None
         return frozenset(child.get("name") or "" for child in element.all("param"))
 
@@ -313,9 +316,16 @@ class _File:
             self._named_file(attribute, PARAMETERS)
 
     def _named_file(self, attribute: Attribute, purpose: str) -> None:
-        path = self.text(attribute)
+        path = self._path_in(attribute)
         if path is not None:
-            self.collector.file(self._path(path), attribute.span, purpose)
+            self.collector.file(path, attribute.span, purpose)
+
+    def _path_in(self, attribute: Attribute) -> str | None:
+        """The path that an attribute names; None if it needs an argument that is empty so far."""
+        if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
+            return None
+        text = self.text(attribute)
+        return None if text is None else self._path(text)
 
     def _path(self, text: str) -> str:
         return os.path.normpath(

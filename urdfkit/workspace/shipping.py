@@ -19,6 +19,8 @@ _UNCLEAR = (
     r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
     r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
 )
+#: Commands by which files come to be that the source tree does not have.
+_MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
 #: Words of a setup.py that lists its files at build time.
@@ -81,6 +83,11 @@ class Shipping:
             if len(words) == len(parts):
                 found.append(posixpath.join(*words).removeprefix("./"))
         return found
+
+    @cached_property
+    def makes_files(self) -> bool:
+        """True if the build makes or installs files that are elsewhere in the source tree."""
+        return re.search(_MAKES, self._text) is not None
 
     def remedy(self, top: str) -> str:
         """How to install a folder."""

@@ -1,0 +1,57 @@
+"""LAU015: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import told
+
+NODE = "Node(package='robot_state_publisher', executable='robot_state_publisher'{})\n"
+XML = '<node pkg="robot_state_publisher" exec="robot_state_publisher">{}</node>'
+
+
+@pytest.mark.parametrize(
+    ("text", "slip"),
+    [
+        (NODE.format(""), ""),
+        (NODE.format(", parameters=[{'use_sim_time': True}]"), ""),
+        (NODE.format(", parameters=[{'robot_descripton': x}]"), "robot_descripton"),
+    ],
+)
+def test_without_a_robot(tmp_path: Path, text: str, slip: str) -> None:
+    (found,) = told(tmp_path, "LAU015", "a.launch.py", text)
+    other = f"; '{slip}' is not 'robot_description'" if slip else ""
+    assert found.message == f"robot_state_publisher has no parameter robot_description{other}"
+
+
+def test_in_xml(tmp_path: Path) -> None:
+    text = XML.format('<param name="use_sim_time" value="true"/>')
+    assert len(told(tmp_path, "LAU015", "a.launch", text)) == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        NODE.format(", parameters=[{'robot_description': x, 'use_sim_time': True}]"),
+        "p = {'robot_description': x}\n" + NODE.format(", parameters=[p]"),
+        NODE.format(", parameters=[unknown()]"),
+        NODE.format(", parameters=[{**p}]"),
+        NODE.format(", parameters=p"),
+        NODE.format(", arguments=['arm.urdf']"),
+        NODE.format(", ros_arguments=['--params-file', 'a.yaml']"),
+    ],
+)
+def test_given_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
+    assert told(tmp_path, "LAU015", "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        XML.format('<param name="robot_description" value="x"/>'),
+        XML.format('<param from="a.yaml"/>'),
+        XML.replace("exec", "type").format(""),  # of ROS 1
+    ],
+)
+def test_calm_in_xml(tmp_path: Path, text: str) -> None:
+    assert told(tmp_path, "LAU015", "a.launch", text) == []

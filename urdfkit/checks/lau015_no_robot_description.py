@@ -1,0 +1,53 @@
+"""The robot_state_publisher is started without a robot description.
+
+In ROS 2 it takes the robot from its parameter `robot_description` and stops without it: "parameter
+must not be empty". A misspelt name of the parameter does the same.
+
+Sources:
+    robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.nearest import nearest
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+node = Node(
+    package="robot_state_publisher",
+    executable="robot_state_publisher",
+    parameters=[{"robot_descripton": "<robot/>"}],
+)
+"""
+GOOD = BAD.replace("descripton", "description")
+
+_PARAMETER = "robot_description"
+
+
+@rule(
+    "LAU015",
+    "no-robot-description",
+    Severity.ERROR,
+    needs=(Need.LAUNCH,),
+    help="give the node the parameter robot_description",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for node in subject.launch.started:
+        given = node.parameters
+        if node.package != "robot_state_publisher" or given is None or node.words:
+            continue
+        if _PARAMETER not in given:
+            slip = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
+            other = f"; '{slip}' is not '{_PARAMETER}'" if slip else ""
+            message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
+            yield Finding(Written(node.span, node.frame), message)
