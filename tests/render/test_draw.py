@@ -13,7 +13,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from tests.render.scenes import alone, colour_at, corners, link, robot, scene
-from urdfkit.render import Camera, build, draw, looking, picture
+from urdfkit.render import Camera, Scene, build, draw, looking, picture
 
 BOX = '<box size="0.4 0.2 0.3"/>'
 SIZE = (320, 200)
@@ -247,3 +247,30 @@ def test_corners_are_darker_evenly_along_their_edge() -> None:
     assert np.ptp(wall[:60]) == 0
     assert wall[0] - wall[-1] > 25
     assert np.diff(wall).max() <= 0
+
+
+def plate(strips: int) -> Scene:
+    """A square that stands across the line of sight, cut into strips of two triangles."""
+    bare = scene(link("a", '<box size="1 1 1"/>', rgba="0.5 0.5 0.5 1"))
+    up = np.linspace(0, 1, strips + 1, dtype=np.float32)
+    left = np.stack((0 * up, 0 * up, up), axis=1)
+    first, after = np.arange(strips), strips + 1
+    faces = np.concatenate(
+        (
+            np.stack((first, first + after, first + 1), axis=1),
+            np.stack((first + 1, first + after, first + after + 1), axis=1),
+        )
+    )
+    vertices = np.concatenate((left, left + np.array((1, -0.6, 0), dtype=np.float32)))
+    item = bare.items[0]._replace(vertices=vertices, faces=faces, normals=None, uv=None)
+    return bare._replace(items=(item,))
+
+
+@pytest.mark.parametrize("orthographic", [False, True])
+def test_slivers_look_like_the_plane_that_they_lie_in(orthographic: bool) -> None:
+    """Far thinner than a pixel, they are hit beside themselves, and their corners are far away."""
+    camera = looking(
+        plate(1).points(), azimuth=60, elevation=20, size=SIZE, orthographic=orthographic
+    )
+    whole, cut = (draw(plate(n), camera, floor=False, threads=1).astype(int) for n in (1, 20_000))
+    assert np.abs(whole - cut).max() <= 2

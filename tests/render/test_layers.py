@@ -174,3 +174,17 @@ def test_a_layer_that_is_not_there_is_named() -> None:
     subject = robot('<link name="a"/>')
     with pytest.raises(NoSuchLayer, match="frames"):
         explained(build(subject), subject, ["frame"])
+
+
+@pytest.mark.parametrize(
+    ("layer", "note"),
+    [
+        ("mass", "nothing is drawn of 'mass': no link has a mass"),
+        ("inertia", "nothing is drawn of 'inertia': no link has a mass"),
+        ("contacts", "nothing is drawn of 'contacts': no links overlap"),
+        ("joints", "nothing is drawn of 'joints': no joint moves"),
+    ],
+)
+def test_a_layer_that_has_nothing_to_draw_says_why(layer: str, note: str) -> None:
+    subject = robot('<link name="a"/>', '<link name="b"/>')
+    assert explained(build(subject), subject, [layer, "frames"]).notes == (note,)

@@ -239,6 +239,8 @@ def _tell(scene: Scene) -> None:
     for mesh in scene.missing:
         text = f"drawn as a striped box: the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
         print(printable(f"note: {text} ({mesh.reason})"), file=sys.stderr)
+    for note in scene.notes:
+        print(printable(f"note: {note}"), file=sys.stderr)
     if letters := render.unwritable(label.text for label in scene.labels):
         text = f"no font here has {letters}; install one, such as fonts-noto-cjk"
         print(printable(f"note: {text}"), file=sys.stderr)

@@ -15,6 +15,8 @@ from urdfkit.render.soup import Soup
 _ALIKE = 0.94
 #: Samples further apart in depth than so many times what the slope explains are two surfaces.
 _STEP = 3.0
+#: Barycentric weights beyond which a point is far outside of a triangle.
+_FAR = np.float32(4)
 
 
 class Fragments(NamedTuple):
@@ -25,6 +27,7 @@ class Fragments(NamedTuple):
         number: (k,), of the triangle.
         weight: (k,), the part of the pixel that it covers.
         x, y: (k,), where in the picture it is shaded.
+        nearness: (k,), of one of its samples.
     """
 
     pixel: Integers
@@ -32,6 +35,7 @@ class Fragments(NamedTuple):
     weight: Floats
     x: Floats
     y: Floats
+    nearness: Floats
 
 
 class Surface(NamedTuple):
@@ -79,6 +83,7 @@ def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
         np.ones(len(plain), dtype=np.float32),
         column.astype(np.float32) + np.float32(0.5),
         (row + grid.first).astype(np.float32) + np.float32(0.5),
+        nearness.reshape(rows, samples, grid.width)[:, 0].reshape(-1)[plain],
     )
     row, column = np.divmod(mixed, grid.width)
     place = (row * samples * grid.width + column)[:, None] + np.arange(samples) * grid.width
@@ -91,10 +96,10 @@ def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
         camera,
     )
     order = np.argsort(np.concatenate((one.pixel, several.pixel)), kind="stable")
-    pixel, number, weight, x, y = (
+    pixel, number, weight, x, y, near = (
         np.concatenate((left, right))[order] for left, right in zip(one, several, strict=True)
     )
-    return Fragments(pixel + grid.first * grid.width, number, weight, x, y)
+    return Fragments(pixel + grid.first * grid.width, number, weight, x, y, near)
 
 
 def _runs(
@@ -130,6 +135,7 @@ def _runs(
         (length / samples).astype(np.float32),
         column.astype(np.float32) + across.astype(np.float32),
         (row + grid.first).astype(np.float32) + down.astype(np.float32),
+        nearness.reshape(-1)[middle],
     )
 
 
@@ -174,12 +180,16 @@ def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> 
         parts.append((x[i] - some.x) * (y[j] - some.y) - (x[j] - some.x) * (y[i] - some.y))
     area = parts[0] + parts[1] + parts[2]
     area = np.where(area == 0, np.float32(1), area)
-    # A fragment may be shaded a little outside of its triangle, but on its plane.
-    weights = [np.clip(part / area, -4, 4) for part in parts]
+    # A fragment may be shaded a little outside of its triangle, but on its plane; where that is
+    # far outside, as of a sliver, the plane is not to be trusted, but the sample is.
+    weights = [part / area for part in parts]
+    is_far = np.maximum.reduce(np.abs(weights)) > _FAR
+    weights = [np.clip(weight, -_FAR, _FAR) for weight in weights]
     total = weights[0] + weights[1] + weights[2]
     total = np.where(np.abs(total) < 0.5, np.float32(1), total)
     near = [screen.nearness[index] for index in corners]
     nearness = sum(w * n for w, n in zip(weights, near, strict=True)) / total
+    nearness = np.where(is_far, some.nearness, nearness)
     nearness = np.clip(nearness, np.minimum.reduce(near), np.maximum.reduce(near))
     weights = [np.clip(w, 0, 1) for w in weights]
     total = np.maximum(weights[0] + weights[1] + weights[2], np.float32(1e-12))

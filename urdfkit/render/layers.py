@@ -34,6 +34,14 @@ CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.95, 0.60, 0.10, 0.30)
 FRAME, ARC, BALL = 0.08, 0.075, 0.011
 #: Corners of an arc of a full turn.
 _STEPS = 72
+#: Why there is nothing to draw.
+_NOTHING = {
+    "joints": "no joint moves",
+    "mass": "no link has a mass",
+    "inertia": "no link has a mass",
+    "ellipsoids": "no link has a mass",
+    "contacts": "no links overlap",
+}
 #: Labels about inertias that are not drawn.
 _MOST = 3
 
@@ -67,16 +75,21 @@ def explained(
     size = float(np.ptp(extent, axis=0).max()) if len(extent) else 0.0
     items: list[Item] = []
     labels: list[Label] = []
+    notes: list[str] = []
     for layer in layers:
         if layer not in LAYERS:
             hint = did_you_mean(layer, list(LAYERS)) or f"; there are {', '.join(LAYERS)}"
             raise NoSuchLayer(f"there is no layer '{layer}'{hint}")
-        for thing in LAYERS[layer](scene, subject, size or 1.0, given or {}):
-            if isinstance(thing, Item):
-                items.append(thing)
-            else:
-                labels.append(thing)
-    return scene._replace(items=(*scene.items, *items), labels=(*scene.labels, *labels))
+        drawn = list(LAYERS[layer](scene, subject, size or 1.0, given or {}))
+        items += (thing for thing in drawn if isinstance(thing, Item))
+        labels += (thing for thing in drawn if isinstance(thing, Label))
+        if not drawn:
+            notes.append(f"nothing is drawn of '{layer}': {_NOTHING.get(layer, 'it has no links')}")
+    return scene._replace(
+        items=(*scene.items, *items),
+        labels=(*scene.labels, *labels),
+        notes=(*scene.notes, *notes),
+    )
 
 
 Drawn = Iterator["Item | Label"]

@@ -89,12 +89,14 @@ class Scene(NamedTuple):
         frames: where each link is, by its name.
         missing: the meshes that placeholders stand for.
         labels: words to write.
+        notes: what there was nothing of to draw, a sentence each.
     """
 
     items: tuple[Item, ...]
     frames: Mapping[str, Frame]
     missing: tuple[Missing, ...] = ()
     labels: tuple[Label, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def points(self) -> Floats:
         """All vertices of the robot in the world, (n, 3), in m; signs are no part of it."""
