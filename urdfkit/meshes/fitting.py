@@ -25,6 +25,8 @@ _ALONG_AXES = 1.03
 #: A wheel: the cosine between the axes, their distance as a part of the radius, and the part of the
 #: circle around it that its outline fills.
 _ALONG, _BESIDE, _ROUND = 0.99, 0.1, 0.95
+#: Where nothing is within the bound, a simpler shape is taken if it is worse by no more than this.
+_HARDLY_WORSE = 1.25
 
 
 class Fit(Record):
@@ -44,13 +46,16 @@ class Fit(Record):
     mesh: Mesh
     error: float
 
+    def __str__(self) -> str:
+        return f"{len(self.mesh.parts)} pieces" if self.kind == "pieces" else self.kind
+
 
 class Fits(Record):
     """The shapes that were tried.
 
     Attributes:
-        best: the simplest within the bound, else that with the smallest error.
-        tried: all of them.
+        best: the simplest within the bound, else the simplest of those with a small error.
+        tried: all of them, the simpler ones first.
         within: True if the best one is within the bound.
         why: another reason to take the best one; empty for none.
     """
@@ -89,8 +94,9 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
 def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     """The best simple shape around a mesh.
 
-    Primitives come before the hull and the hull before convex pieces, for that is what they cost
-    a physics engine; of the primitives within the bound that with the smallest error is taken.
+    Primitives come before the hull, the hull before convex pieces, and few of these before many, for
+    that is what they cost a physics engine; of the primitives within the bound that with the
+    smallest error is taken.
 
     Args:
         mesh: with at least one triangle.
@@ -112,15 +118,20 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
             good = [one for one in tried if one.error <= bound]
             if good:
                 break
-    best = min(good or tried, key=lambda one: one.error)
-    return Fits(best, tuple(tried), bool(good))
+    if good:
+        return Fits(min(good, key=lambda one: one.error), tuple(tried), within=True)
+    enough = _HARDLY_WORSE * min(one.error for one in tried)
+    best = next(one for one in tried if one.error <= enough)
+    return Fits(best, tuple(tried), within=False)
 
 
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
     lean = _judged(mesh, "hull", _NO_SIZE, Frame(), with_few_corners(shell))
     yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Frame(), shell)
-    if most > 1:
-        yield _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=most))
+    number = 1
+    while number < most:
+        number = min(2 * number, most)
+        yield _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=number))
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)

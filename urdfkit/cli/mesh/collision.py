@@ -67,9 +67,8 @@ def render(proposals: Sequence[Proposal]) -> Iterator[str]:
         if proposal.reason:
             yield from output.indented(proposal.reason)
         for fits, bound in zip(proposal.fits, proposal.bounds, strict=True):
-            tried = ", ".join(f"{one.kind} {tables.length(one.error)}" for one in fits.tried)
+            tried = ", ".join(f"{one} {tables.length(one.error)}" for one in fits.tried)
             yield from output.indented(f"sticks out by: {tried}")
             verdict = "within" if fits.within else "nothing is within"
-            taken = f"{len(fits.best.mesh.parts)} pieces" if fits.best.kind == "pieces" else ""
             why = fits.why or f"{verdict} {tables.length(bound)}"
-            yield f"  taken: {taken or fits.best.kind} ({why})"
+            yield f"  taken: {fits.best} ({why})"
