@@ -94,8 +94,8 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
 def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     """The best simple shape around a mesh.
 
-    Primitives come before the hull, the hull before convex pieces, and few of these before many, for
-    that is what they cost a physics engine; of the primitives within the bound that with the
+    Primitives come before the hull, the hull before convex pieces, and few of these before many:
+    that is what they cost a physics engine. Of the primitives within the bound that with the
     smallest error is taken.
 
     Args:
