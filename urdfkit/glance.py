@@ -177,9 +177,12 @@ def _about_sense(model: RobotModel) -> set[str]:
         codes.add("JNT037")
     names = " ".join(model.links_by_name).lower()
     if "wheel" not in names and not any("wheel" in joint.name.lower() for joint in joints):
-        codes |= {"JNT033", "JNT034"}
-    if not any(shape.kind == "cylinder" for shape in model.shapes):
-        codes |= {"JNT033", "JNT034"}
+        codes |= {"JNT033", "JNT034", "JNT043"}
+    kinds = {shape.kind for shape in model.shapes}
+    if "cylinder" not in kinds:
+        codes.add("JNT034")
+        if "mesh" not in kinds:
+            codes.add("JNT033")
     if not any(joint.kind == "revolute" for joint in joints):
         codes.add("JNT034")
     if "optical" not in names:
@@ -287,10 +290,12 @@ def _about_types(kinds: list[str]) -> set[str]:
         codes.add("JNT001")
     if "continuous" not in kinds:
         codes |= {"JNT013", "JNT021"}
+    if kinds.count("continuous") < 4:
+        codes.add("JNT043")
     if not {"floating", "planar"}.intersection(kinds):
         codes.add("JNT022")
     if sum(kind in DEGREES_OF_FREEDOM for kind in kinds) < 2:
-        codes |= {"JNT025", "JNT031"}
+        codes |= {"JNT025", "JNT031", "JNT042"}
     if "prismatic" not in kinds:
         codes |= {"JNT032", "JNT038"}
     return codes

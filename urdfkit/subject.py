@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from urdfkit.mechanics.shapes import Lump
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.meshes.measures import Measures
-    from urdfkit.model import Body, RobotModel, Shape
+    from urdfkit.model import Body, Joint, RobotModel, Shape
     from urdfkit.srdf import Srdf
     from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
@@ -257,6 +257,13 @@ class Subject:
         from urdfkit.workspace.manifest import manifest_of
 
         return infer(self.model, manifest_of(self.resolver, self.source.path))
+
+    @cached_property
+    def joint_twins(self) -> list[tuple[Joint, Joint]]:
+        """The moving joints of the left and of the right that are made to be mirror images."""
+        from urdfkit.mechanics.twins import joint_pairs
+
+        return joint_pairs(self.tree)
 
     @cached_property
     def gazebo(self) -> Conversion:

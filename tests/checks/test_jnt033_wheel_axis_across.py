@@ -1,8 +1,12 @@
 """JNT033: see the rule."""
 
+from pathlib import Path
+
 import pytest
 
+from tests import meshed
 from tests.told import messages
+from urdfkit.meshes import samples
 
 WHEEL = """\
 <link name="base"/><link name="{name}"><collision><origin rpy="{rpy}"/>
@@ -43,3 +47,30 @@ def test_the_axis_or_the_shape_lies_across() -> None:
 )
 def test_what_rolls_or_is_steered_is_calm(sound: str) -> None:
     assert messages("JNT033", sound) == []
+
+
+@pytest.mark.parametrize(
+    ("edges", "axis", "told"),
+    [
+        ((0.2, 0.05, 0.2), "1 0 0", True),
+        ((0.2, 0.05, 0.2), "0 1 0", False),
+        ((0.2, 0.05, 0.21), "1 0 0", True),
+        ((0.2, 0.05, 0.3), "1 0 0", False),  # no wheel alone
+        ((0.2, 0.19, 0.2), "1 0 0", False),  # a ball, or a drum
+    ],
+)
+def test_the_short_edge_of_a_mesh_is_its_axle(
+    edges: tuple[float, float, float], axis: str, told: bool, tmp_path: Path
+) -> None:
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+    low, high = ((s * edges[0], s * edges[1], s * edges[2]) for s in (-0.5, 0.5))
+    wheel = meshed.link(meshed.mesh("wheel.stl"), name="wheel")
+    joint = (
+        '<link name="base"/><joint name="j" type="continuous"><parent link="base"/>'
+        f'<child link="wheel"/><axis xyz="{axis}"/></joint>'
+    )
+    files = {"wheel.stl": samples.stl(samples.box(low, high))}
+    said = meshed.messages(tmp_path, "JNT033", wheel + joint, files)
+    about = "turns wheel 'wheel' about 1 0 0, and the axis of its mesh is 0 1 0"
+    assert said == ([f"joint 'j' {about}"] if told else [])

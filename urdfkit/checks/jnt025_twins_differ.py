@@ -17,15 +17,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.mechanics.joints import MOVING, bounds, effort_unit, unit
-from urdfkit.mechanics.twins import apart, numbered_pairs, pairs
+from urdfkit.mechanics.joints import bounds, effort_unit, unit
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint, Placed
-    from urdfkit.spatial import Vector
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -60,7 +57,7 @@ _RANGE_TOLERANCE = 0.05
     help="give both the right value",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for first, second in _twins(subject.tree):
+    for first, second in subject.joint_twins:
         if differences := list(_differences(first, second)):
             yield Finding(
                 second.limit.at if second.limit and first.kind == second.kind else second.at,
@@ -70,29 +67,6 @@ def check(subject: Subject) -> Iterator[Finding]:
                 confidence=Confidence.INFERRED,
                 alike="twins",
             )
-
-
-def _twins(tree: KinematicTree) -> Iterator[tuple[Joint, Joint]]:
-    joints: dict[str, Joint] = {}
-    parents: dict[str, str] = {}
-    beside: dict[str, dict[str, Vector]] = {}
-    for child, above in tree.parents.items():
-        joint = above[0] if above else None
-        if joint is None or joint.parent is None or joint.child is None:
-            continue
-        parents[child] = joint.parent.value
-        if joint.kind in MOVING and joint.name:
-            joints[joint.name] = joint
-            beside.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
-    found = pairs(joints)
-    taken = {name for pair in found for name in pair}
-    for places in beside.values():
-        free = {name: place for name, place in places.items() if name not in taken}
-        found += numbered_pairs(free) if len(free) > 1 else []
-    children = {joint.child.value: joint for joint in joints.values() if joint.child}
-    links = [(joints[a].child, joints[b].child) for a, b in found]
-    for a, b in apart([(a.value, b.value) for a, b in links if a and b], parents):
-        yield children[a], children[b]
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:

@@ -1,8 +1,9 @@
-"""A wheel turns about another axis than that of its cylinder.
+"""A wheel turns about another axis than that of its shape.
 
 It tumbles like a coin instead of rolling: the robot jumps, or does not move. Either the axis of the
 joint is wrong, or the shape is not turned as it: a cylinder of URDF stands on its z axis, and a
-wheel whose axle is y wants rpy="1.5707963 0 0".
+wheel whose axle is y wants rpy="1.5707963 0 0". Of a mesh the short edge of its bounding box is
+taken for the axle, where the other two are equal.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -11,12 +12,13 @@ Sources:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.mechanics.kinematics import direction
+from urdfkit.mechanics.shapes import AXES, Lump, Solid, solid
 from urdfkit.rules import Finding, rule
-from urdfkit.spatial import dot, rotate
+from urdfkit.spatial import Vector, dot, rotate
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -41,38 +43,64 @@ GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>'
 _OTHERS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
 
+#: A mesh is a wheel if two of its edges are as long as one another, and the third is shorter.
+_ROUND, _FLAT = 0.94, 0.75
+
+
 @rule("JNT033", "wheel-axis-across", Severity.WARNING)
 def check(subject: Subject) -> Iterator[Finding]:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
         link = links.get(joint.child.value) if joint.child else None
-        if link is None or joint.kind != "continuous":
+        if link is None or joint.kind != "continuous" or not _is_wheel(joint, link):
             continue
-        body = _tyre(joint, link)
-        if body is None:
+        tyre = _tyre(link, subject.lump)
+        if tyre is None:
             continue
+        body, axle = tyre
         x, y, z = (round(part, 3) + 0.0 for part in direction(joint))
-        a, b, c = (round(part, 3) + 0.0 for part in rotate(body.origin.rotation, (0.0, 0.0, 1.0)))
+        a, b, c = (round(part, 3) + 0.0 for part in axle)
+        what = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
         if abs(dot((x, y, z), (a, b, c))) < 0.5:
             yield Finding(
                 joint.at.child("axis") or joint.at,
                 f"joint '{joint.name}' turns wheel '{link.name}' about {x:g} {y:g} {z:g}, and the "
-                f"axis of its cylinder is {a:g} {b:g} {c:g}",
-                "write the axis of the cylinder, or turn the shapes with their <origin>",
-                related=(Related(body.at.span, "the cylinder"),),
+                f"axis of its {what} is {a:g} {b:g} {c:g}",
+                f"write the axis of the {what}, or turn the shapes with their <origin>",
+                related=(Related(body.at.span, f"the {what}"),),
                 confidence=Confidence.INFERRED,
             )
 
 
-def _tyre(joint: Joint, link: Link) -> Body | None:
-    """The flat cylinder of a wheel, about its joint; None if it is none."""
+def _is_wheel(joint: Joint, link: Link) -> bool:
     names = f"{joint.name} {link.name}".lower()
-    if "wheel" not in names or any(word in names for word in _OTHERS):
-        return None
+    return "wheel" in names and not any(word in names for word in _OTHERS)
+
+
+def _tyre(link: Link, lump: Callable[[Body], Lump | None]) -> tuple[Body, Vector] | None:
+    """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None
         if shape and shape.kind == "cylinder" and shape.radius and shape.length:
+            (body,) = bodies
             is_flat = shape.length < 1.5 * shape.radius
-            is_centred = max(map(abs, bodies[0].origin.position)) < shape.radius
-            return bodies[0] if is_flat and is_centred else None
+            is_centred = max(map(abs, body.origin.position)) < shape.radius
+            axle = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+            return (body, axle) if is_flat and is_centred else None
+        found = lump(bodies[0]) if len(bodies) == 1 else None
+        axle_of_mesh = _axle(solid(bodies, lump)) if found else None
+        if axle_of_mesh:
+            return bodies[0], axle_of_mesh
     return None
+
+
+def _axle(mesh: Solid | None) -> Vector | None:
+    """The direction in which a mesh is thin, if it is round about it and about its link."""
+    if mesh is None:
+        return None
+    bounds = mesh.bounds
+    (thin, axis), (low, i), (high, j) = sorted(zip(bounds.edges, range(3), strict=True))
+    is_centred = max(abs(bounds.center[i]), abs(bounds.center[j])) < high / 4
+    if thin > _FLAT * low or low < _ROUND * high or not is_centred:
+        return None
+    return AXES[axis]

@@ -9,7 +9,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from urdfkit.mechanics.joints import MOVING
 from urdfkit.spatial import Vector
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
+    from urdfkit.model import Joint
 
 #: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
 _WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
@@ -85,6 +91,34 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
         found += mirrored
         taken.update(name for pair in mirrored for name in pair)
     return found
+
+
+def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
+    """The moving joints that are made to be mirror images, the left one first.
+
+    By their names, or, numbered, by mirrored places on one link; the links of two hang on
+    different branches.
+    """
+    joints: dict[str, Joint] = {}
+    parents: dict[str, str] = {}
+    beside: dict[str, dict[str, Vector]] = {}
+    for child, above in tree.parents.items():
+        joint = above[0] if above else None
+        if joint is None or joint.parent is None or joint.child is None:
+            continue
+        parents[child] = joint.parent.value
+        if joint.kind in MOVING and joint.name:
+            joints[joint.name] = joint
+            beside.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
+    found = pairs(joints)
+    taken = {name for pair in found for name in pair}
+    for places in beside.values():
+        free = {name: place for name, place in places.items() if name not in taken}
+        found += numbered_pairs(free) if len(free) > 1 else []
+    children = {joint.child.value: joint for joint in joints.values() if joint.child}
+    links = [(joints[a].child, joints[b].child) for a, b in found]
+    both = apart([(a.value, b.value) for a, b in links if a and b], parents)
+    return [(children[a], children[b]) for a, b in both]
 
 
 def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:
