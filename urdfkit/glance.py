@@ -76,7 +76,9 @@ ABOUT_COMPONENTS = frozenset(
 ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024", "RCT030"))
 
 #: Silent if neither the launch file nor a plugin names a file of parameters.
-ABOUT_PARAMETERS = frozenset(f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29))
+ABOUT_PARAMETERS = frozenset(
+    f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29, 40, 41)
+)
 
 #: Silent if nothing moves, or nothing weighs.
 ABOUT_STATICS = frozenset(("DYN003", "DYN004", "DYN005", "DYN006"))

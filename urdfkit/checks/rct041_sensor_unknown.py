@@ -1,0 +1,101 @@
+"""A broadcaster publishes a sensor that the robot's `<ros2_control>` does not have.
+
+`sensor_name` is the name of a `<sensor>` in a block; the interfaces of the broadcaster begin with
+it. The controller manager finds none of them, and the broadcaster cannot be activated.
+
+Sources:
+    imu_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/imu_sensor_broadcaster/src/imu_sensor_broadcaster.cpp
+    force_torque_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/force_torque_sensor_broadcaster/src/force_torque_sensor_broadcaster.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.controllers import controllers
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.grammar import is_expression
+from urdfkit.nearest import did_you_mean
+from urdfkit.ros_control import components
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="base">
+  <inertial>
+    <mass value="3"/>
+    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
+  </inertial>
+</link>
+<link name="wheel">
+  <inertial>
+    <mass value="0.5"/>
+    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
+  </inertial>
+</link>
+<joint name="axle" type="continuous">
+  <parent link="base"/>
+  <child link="wheel"/>
+</joint>
+<ros2_control name="base" type="system">
+  <hardware>
+    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
+  </hardware>
+  <joint name="axle">
+    <command_interface name="position"/>
+    <state_interface name="position"/>
+  </joint>
+  <sensor name="imu">
+    <state_interface name="orientation.x"/>
+  </sensor>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
+  </plugin>
+</gazebo>"""
+GOOD = BAD.replace("bad.yaml", "good.yaml")
+_YAML = b"""\
+controller_manager:
+  ros__parameters:
+    imu_broadcaster:
+      type: imu_sensor_broadcaster/IMUSensorBroadcaster
+imu_broadcaster:
+  ros__parameters:
+    sensor_name: imu
+"""
+FILES = {
+    "config/bad.yaml": _YAML.replace(b"sensor_name: imu", b"sensor_name: imu_sensor"),
+    "config/good.yaml": _YAML,
+}
+
+_BROADCASTERS = (
+    "imu_sensor_broadcaster/IMUSensorBroadcaster",
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
+    "range_sensor_broadcaster/RangeSensorBroadcaster",
+    "gps_sensor_broadcaster/GPSSensorBroadcaster",
+)
+
+
+@rule("RCT041", "sensor-unknown", Severity.ERROR, help="name a <sensor> of the <ros2_control>")
+def check(subject: Subject) -> Iterator[Finding]:
+    parts = [part for component in components(subject.model) for part in component.parts]
+    sensors = {part.name for part in parts if part.kind == "sensor"}
+    if not sensors:
+        return  # the file may be that of another robot, too, and nobody start the broadcaster
+    for file, found in controllers(subject):
+        for controller in found:
+            if controller.type not in _BROADCASTERS:
+                continue
+            for value in controller.values(["sensor_name"]):
+                name = value.text
+                if name and not is_expression(name) and all(part.name != name for part in parts):
+                    yield Finding(
+                        Written(value.span),
+                        f"controller '{controller.name}' publishes the sensor '{name}', which no "
+                        f"<ros2_control> has{did_you_mean(name, sensors)}",
+                        related=(Related(file.span, "the file is named here"),),
+                    )
