@@ -170,6 +170,8 @@ class _Walk:
             missing = self._unknown_attributes(element, grammar, missing)
         for name in missing:
             self._add("URD010" if element is self._root else "URD003", element, name=name)
+        if element.text and not element.text.isspace() and not missing:
+            self._add("URD017", element)
         if grammar.any_of and not any(name in written for name in grammar.any_of):
             self._add("URD003", element, name="' or '".join(grammar.any_of))
         if element is self._root and (version := written.get("version")):

@@ -245,7 +245,10 @@ def _silent_about_gazebo(subject: Subject, silent: set[str]) -> set[str]:
 
 def _silent_about_xacro(xacro: Xacro) -> set[str]:
     about = {"XAC004": xacro.properties, "XAC005": xacro.macros, "XAC006": xacro.arguments}
-    return {"XAC003", *(code for code, things in about.items() if not things)}
+    codes = {"XAC003", *(code for code, things in about.items() if not things)}
+    if all(source.data.count(b"{") == source.data.count(b"${") for source in xacro.sources):
+        codes.add("XAC021")
+    return codes
 
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:

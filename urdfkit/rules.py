@@ -36,7 +36,7 @@ TOLD_BY_READING = frozenset(
 #: Rules that only tell where the document deviates from the grammar; imported likewise.
 TOLD_BY_GRAMMAR = frozenset(
     "URD001 URD002 URD003 URD004 URD005 URD006 URD007 URD008 URD009 URD010 URD011 URD012 "
-    "URD013 URD014 URD015 URD016".split()
+    "URD013 URD014 URD015 URD016 URD017".split()
 )
 
 #: Rules that only tell what is wrong with the mesh files; imported likewise.

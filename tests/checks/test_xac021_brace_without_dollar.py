@@ -1,0 +1,43 @@
+"""XAC021: see the rule."""
+
+import pytest
+
+from tests.told import fixed, messages
+from urdfkit import check
+from urdfkit.source import Source
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+MACRO = (
+    f'{HEAD}<xacro:property name="width" value="1"/>'
+    '<xacro:macro name="m" params="p:=a *block"><link name="${p}_link"/>INSIDE</xacro:macro>'
+    '<xacro:m p="left"><origin/></xacro:m><xacro:m p="right"><origin/></xacro:m></robot>'
+)
+
+
+@pytest.mark.parametrize(
+    ("inside", "name"),
+    [
+        ('<gazebo reference="{p}_link"/>', "p"),
+        ("<gazebo><plugin>/robot/{p}/scan</plugin></gazebo>", "p"),
+        ('<material name="grey-{width}"/>', "width"),
+        ('<material name="$ {p}"/>', "p"),
+    ],
+)
+def test_a_name_in_braces(inside: str, name: str) -> None:
+    text = MACRO.replace("INSIDE", inside)
+    (found,) = check(Source("r.urdf.xacro", text.encode()), select=["XAC021"]).diagnostics
+    assert found.message == f"xacro does not replace {{{name}}}, which has no dollar before it"
+    assert len(found.calls) == 2
+
+
+@pytest.mark.parametrize(
+    "inside", ['<a b="${p}"/>', '<a b="{other}"/>', '<a b="{{p: 1}}"/>', "<a>{}</a>"]
+)
+def test_others_are_calm(inside: str) -> None:
+    robot = f'{HEAD}<xacro:property name="p" value="1"/>{inside}</robot>'
+    assert messages("XAC021", robot, "r.urdf.xacro") == []
+
+
+def test_it_is_mended() -> None:
+    robot = f'{HEAD}<xacro:property name="p" value="1"/><link name="{{p}}_link"/></robot>'
+    assert '<link name="${p}_link"/>' in fixed("XAC021", robot, "r.urdf.xacro")

@@ -1,0 +1,69 @@
+"""Text stands where URDF has none.
+
+All values of URDF are attributes; readers pass over text between the tags. A value that is written
+as in SDF, `<origin>0 0 0.1</origin>`, is lost without a word, and a piece of a comment or a doubled
+`>` shows that something was cut or typed by mistake.
+
+Sources:
+    URDF, XML specification: http://wiki.ros.org/urdf/XML
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.grammar import owner
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.source import Source
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="arm">
+  <visual>
+    <origin>0 0 0.1</origin>
+    <geometry>
+      <box size="0.1 0.1 0.2"/>
+    </geometry>
+  </visual>
+</link>"""
+GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
+
+_TAGS = rb"<!--[\s\S]*?-->|<[^<>]*>"
+#: Characters of a text that a message shows.
+_SHOWN = 40
+
+
+@rule(
+    "URD017", "stray-text", Severity.WARNING, help="write the value as an attribute, or remove it"
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    for deviation in subject.deviations.get("URD017", ()):
+        element = deviation.element
+        text = element.text.strip().split("\n")[0].rstrip()
+        shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+        message = f"{owner(element)}: readers pass over the text '{shown}' in <{element.tag}>"
+        yield Finding(_place(element, text.encode(), subject.document.sources), message)
+
+
+def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Written | Element:
+    """Where the text stands, if it stands there word for word; else the tag around it."""
+    source, start, end = element.tag_at.inner_span
+    at = start + re.sub(_TAGS, _blank, source.data[start:end]).find(text)
+    if at < start:  # a file that is included may have it
+        if sum(one.data.count(text) for one in sources) != 1:
+            return element
+        source = next(one for one in sources if text in one.data)
+        at = source.data.index(text)
+    return Written(Span(source, at, at + len(text)), element.frame)
+
+
+def _blank(tag: re.Match[bytes]) -> bytes:
+    """As many blanks as a tag has characters, so that it is no text and places stay."""
+    return b" " * len(tag.group())

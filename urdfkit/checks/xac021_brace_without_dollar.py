@@ -1,0 +1,77 @@
+"""A name stands in braces, and the dollar before them is missing.
+
+xacro replaces `${name}` and leaves `{name}` as it is: the link is then called `{prefix}wheel`, and
+in a macro that is called twice there are two of that name. In the reference of a `<gazebo>` block
+nothing fits, and Gazebo drops the block.
+
+Sources:
+    xacro, properties: https://github.com/ros/xacro/wiki#properties-and-property-blocks
+    measured: 7 of 676 public models
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.editing.edits import rewrite
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.document import Attribute, Element
+    from urdfkit.expansion import Xacro
+    from urdfkit.subject import Subject
+
+NAME = "example.urdf.xacro"
+BAD = """\
+<robot name="cart" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="side">
+    <link name="${side}_wheel"/>
+    <joint name="{side}_axle" type="continuous">
+      <parent link="base"/>
+      <child link="${side}_wheel"/>
+      <axis xyz="0 1 0"/>
+    </joint>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:wheel side="left"/>
+</robot>
+"""
+FIXED = GOOD = BAD.replace('"{side}', '"${side}')
+
+_BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
+
+
+@rule(
+    "XAC021",
+    "brace-without-dollar",
+    Severity.WARNING,
+    needs=(Need.XACRO, Need.MODEL),
+    fixable=True,
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    known = _names(subject.xacro)
+    for element in subject.document.root.walk():
+        values: list[tuple[Element | Attribute, str]] = [(element, element.text.strip())]
+        values += [(attribute, attribute.value) for attribute in element.attributes.values()]
+        for at, value in values:
+            named = [name for name in re.findall(_BRACES, value) if name in known]
+            if named:
+                right = re.sub(_BRACES, r"${\1}", value)
+                edits = rewrite(at, right)
+                yield Finding(
+                    at,
+                    f"xacro does not replace {{{named[0]}}}, which has no dollar before it",
+                    f"write ${{{named[0]}}}",
+                    Fix(f"write {right}", edits) if edits else None,
+                )
+
+
+def _names(xacro: Xacro) -> set[str]:
+    """What an expression may name: properties, and the parameters of macros."""
+    names = {definition.name.removeprefix("**") for definition in xacro.properties}
+    for macro in xacro.macros:
+        names.update(re.findall(r"[A-Za-z_]\w*", macro.attributes.get("params", "")))
+    return names
