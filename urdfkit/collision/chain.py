@@ -7,6 +7,8 @@ The same mathematics as `urdfkit.mechanics.kinematics`, over arrays: frames are 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import NamedTuple
 
@@ -76,7 +78,8 @@ class Step(NamedTuple):
         return np.asarray(self.still + turned)
 
 
-class Chain(NamedTuple):
+@dataclass(frozen=True)
+class Chain:
     """A kinematic tree as arrays.
 
     Attributes:
@@ -92,6 +95,11 @@ class Chain(NamedTuple):
     axes: tuple[Axis, ...]
     steps: tuple[Step, ...]
     parts: tuple[int, ...]
+
+    @cached_property
+    def above(self) -> dict[int, Step]:
+        """The step that leads to each link but the roots."""
+        return {step.child: step for step in self.steps}
 
     @property
     def default(self) -> Floats:
@@ -160,11 +168,10 @@ class Chain(NamedTuple):
 
     def branches(self, first: int, second: int) -> tuple[list[Step], list[Step]]:
         """The steps to two links from the last link above both, or from the root of each."""
-        above = {step.child: step for step in self.steps}
         ways: list[list[Step]] = []
         for end in (first, second):
             way: list[Step] = []
-            while step := above.get(way[-1].parent if way else end):
+            while step := self.above.get(way[-1].parent if way else end):
                 way.append(step)
             ways.append(way[::-1])
         shared = sum(one is other for one, other in zip(*ways, strict=False))

@@ -122,10 +122,9 @@ class Still:
 
         A robot that cannot be at zero is never there: its users begin in a pose of their own.
         """
-        above = {step.child: step for step in self.chain.steps}
         for link in (meeting.small.link, meeting.large.link):
             at = self._number[link]
-            while step := above.get(at):
+            while step := self.chain.above.get(at):
                 if step.column >= 0 and self.chain.axes[step.column].default:
                     return False
                 at = step.parent
