@@ -117,6 +117,12 @@ def test_the_mass_of_a_loop_counts_although_it_is_nowhere() -> None:
     assert whole.reason == "no root leads to a, b, in a closed loop"
 
 
+def test_of_many_roots_a_few_are_named() -> None:
+    text = "".join(link(name, inertial(1, (1, 1, 1))) for name in "abcde")
+    reason = "no joint says how the roots a, b, c and 2 more stand to one another"
+    assert summarise(of(text)).weight.whole.reason == reason
+
+
 def test_how_several_roots_stand_to_one_another_nobody_says() -> None:
     ball = inertial(2, (0.1, 0.1, 0.1))
     text = link("a", ball, shape("visual", BALL)) + link("b", ball, shape("collision", BALL))

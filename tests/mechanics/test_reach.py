@@ -46,6 +46,15 @@ def test_an_arm_stretches() -> None:
     assert found.pose["j1"] == pytest.approx(-pi / 2)
 
 
+def test_a_slide_takes_the_end_that_adds_to_what_is_before_it() -> None:
+    """0.3 m and then 0.2 m more, though it slides 0.25 m the other way."""
+    slide = '<axis xyz="1 0 0"/><limit lower="-0.25" upper="0.2" effort="1" velocity="1"/>'
+    found = reach(tree(chain(("continuous", "0 0 0", Z), ("prismatic", "0.3 0 0", slide))))
+    assert found is not None
+    assert found.distance == pytest.approx(0.5, rel=1e-12)
+    assert found.pose["j1"] == 0.2
+
+
 def test_limits_hold_it_back() -> None:
     """Law of cosines at the elbow's end of 60 degrees from folded."""
     elbow = limited(pi - pi / 3, pi)
