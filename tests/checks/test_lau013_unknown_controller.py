@@ -60,6 +60,20 @@ def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, arg
 
 
 @pytest.mark.parametrize(
+    "given",
+    [
+        '<rosparam command="load" file="$(find arm)/config/c.yaml" ns="grip"/>',
+        "<rosparam>\ngrip:\n  type: effort_controllers/X\n</rosparam>",
+        '<param name="grip/type" value="effort_controllers/X"/>',
+        '<node name="n" pkg="p" type="t"><param name="/grip/type" value="a/B"/></node>',
+    ],
+)
+def test_what_the_launch_file_names_itself_is_calm(tmp_path: Path, given: str) -> None:
+    text = LOAD_1 + given + SPAWN_1.format("spawner", "grip")
+    assert told(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
+
+
+@pytest.mark.parametrize(
     "spawn",
     [
         SPAWN_2.format("'arm_controler'"),

@@ -3,7 +3,8 @@
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
 differs from the one in the YAML file, or the controller is missing there. Looked at are the YAML
 files of the package and of the packages that the launch file names; where one of these is not
-found, only slips of known names are told.
+found, only slips of known names are told. Nothing is told where the launch file itself names
+parameters, as by the `ns` of a `<rosparam>`.
 
 Sources:
     ros_control, spawner: https://github.com/ros-controls/ros_control/blob/noetic-devel/controller_manager/scripts/spawner
@@ -60,7 +61,7 @@ _MAX_FILES, _MAX_DEPTH = 200, 5
 )
 def check(subject: Subject) -> Iterator[Finding]:
     wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]
-    if not wanted:
+    if not wanted or subject.launch.names_parameters:
         return
     loaded = _loaded(subject)
     known = loaded.union(*(_defined(subject, path) for path in _package_files(subject)))

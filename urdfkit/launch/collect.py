@@ -29,6 +29,7 @@ class Collector:
         self.problems: list[Problem] = []
         self.started: list[Started] = []
         self.is_whole = True
+        self.names_parameters = False
         self.included = 0
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
@@ -81,6 +82,7 @@ class Collector:
             tuple(self.problems),
             tuple(self.started),
             self.is_whole,
+            self.names_parameters,
         )
 
 

@@ -94,6 +94,8 @@ class Launch(Record):
         problems: what is wrong with its text, under the codes of the rules that explain it.
         started: the programs that it starts.
         is_whole: False if it includes what was not read.
+        names_parameters: True if it gives parameters names that no file tells, by a namespace for
+            what is in a file, or in its own text.
     """
 
     descriptions: tuple[Description, ...]
@@ -102,6 +104,7 @@ class Launch(Record):
     problems: tuple[Problem, ...]
     started: tuple[Started, ...]
     is_whole: bool
+    names_parameters: bool
 
     @property
     def parameters(self) -> tuple[FileUse, ...]:

@@ -228,6 +228,8 @@ class _File:
     def _param(self, element: Element) -> None:
         name = (element.get("name") or "").strip()
         frame = frame_at(self.source, element.tag_at, self.frame)
+        if name.endswith("/type"):  # of a controller, in ROS 1
+            self.collector.names_parameters = True
         for key in ("command", "textfile", "value", "from"):
             attribute = element.attributes.get(key)
             if attribute is None:
@@ -312,8 +314,12 @@ class _File:
 
     def _rosparam(self, element: Element) -> None:
         attribute = element.attributes.get("file")
-        if attribute and element.get("command") in (None, "load"):
+        if element.get("command") not in (None, "load"):
+            return
+        if attribute:
             self._named_file(attribute, PARAMETERS)
+        if not attribute or "ns" in element.attributes or "param" in element.attributes:
+            self.collector.names_parameters = True
 
     def _named_file(self, attribute: Attribute, purpose: str) -> None:
         path = self._path_in(attribute)

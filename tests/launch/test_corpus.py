@@ -1,0 +1,43 @@
+"""The launch files of real robots: what is told of each, all read by hand."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, needs_corpus
+from urdfkit import check
+
+pytestmark = needs_corpus
+
+FILES = sorted(
+    file for ending in ("*.launch", "*.launch.py", "*.launch.xml") for file in CORPUS.rglob(ending)
+)
+#: Configurations of RViz that the corpus leaves out, packages that husky wants, and an argument
+#: that its launch file has lost.
+FOUND: dict[str, dict[str, int]] = {
+    "anymal_c_simple_description/launch/standalone.launch": {"LAU003": 1},
+    "gazebo_ros_demos/rrbot_description/launch/rrbot_rviz.launch": {"LAU003": 1},
+    "husky/husky_control/launch/control.launch": {"LAU004": 1},
+    "husky/husky_description/launch/description.launch": {"LAU004": 1},
+    "husky/husky_gazebo/launch/empty_world.launch": {"LAU004": 1},
+    "husky/husky_gazebo/launch/husky_playpen.launch": {"LAU004": 1},
+    "husky/husky_gazebo/launch/multi_husky_playpen.launch": {"LAU004": 1, "LAU007": 3},
+    "husky/husky_gazebo/launch/spawn_husky.launch": {"LAU004": 1},
+    "nao_robot/nao_description/launch/display.launch": {"LAU003": 1},
+    "urdf_sim_tutorial/launch/09-joints.launch": {"LAU003": 1},
+    "urdf_sim_tutorial/launch/10-head.launch": {"LAU003": 1},
+    "urdf_sim_tutorial/launch/12-gripper.launch": {"LAU003": 1},
+    "urdf_sim_tutorial/launch/13-diffdrive.launch": {"LAU003": 1},
+    "urdf_tutorial/launch/display.launch": {"LAU003": 1},
+}
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.relative_to(CORPUS).as_posix())
+def test_findings(file: Path) -> None:
+    report = check(file, select=["LAU"])
+    assert report.crashed == ()
+    found = Counter(diagnostic.code for diagnostic in report.diagnostics)
+    assert found == FOUND.get(file.relative_to(CORPUS).as_posix(), {})
