@@ -220,3 +220,43 @@ def test_a_name_that_is_given_nowhere_is_not_renamed(tmp_path: Path) -> None:
     file = edited(tmp_path, "sq", "rt", text=MACRO.replace("2 * mass", "sqrt(mass)"))
     with pytest.raises(CannotRename, match="'sqrt' is given nowhere"):
         rename(file.robot, file.page, file.offset, "x")
+
+
+LAUNCH = """\
+<launch>
+  <param name="robot_description"
+    command="$(find xacro)/xacro $(find arm)/robots/arm.xacro side:=left"/>
+  <include file="$(find arm)/launch/other.launch"/>
+</launch>
+"""
+PYTHON_LAUNCH = """\
+from launch.substitutions import Command
+package = FindPackageShare("arm")
+content = Command(["xacro ", PathJoinSubstitution([package, "robots", "arm.xacro"]), " side:=left"])
+rviz = Node(package="rviz2", arguments=["-d", PathJoinSubstitution([package, "view.rviz"])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "before", "after", "expected"),
+    [
+        ("arm.launch", LAUNCH, "robots/a", "rm.xacro", "robots/arm.xacro"),
+        ("arm.launch", LAUNCH, "$(find a", "rm)/robots", "package.xml"),
+        ("arm.launch", LAUNCH, "other", ".launch", "launch/other.launch"),
+        ("arm.launch", LAUNCH, "robot_desc", "ription", ""),
+        ("arm.launch.py", PYTHON_LAUNCH, '"robots", "a', 'rm.xacro"', "robots/arm.xacro"),
+        ("arm.launch.py", PYTHON_LAUNCH, '"view', '.rviz"', "view.rviz"),
+        ("arm.launch.py", PYTHON_LAUNCH, "from la", "unch", ""),
+    ],
+)
+def test_from_a_launch_file_to_the_files_that_it_names(
+    tmp_path: Path, file: str, text: str, before: str, after: str, expected: str
+) -> None:
+    for name in ("robots/arm.xacro", "launch/other.launch", "view.rviz"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text('<robot name="arm"/>' if "xacro" in name else "<launch/>")
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    assert before + after in text
+    here = Edited(tmp_path / "launch" / file, text.replace(before + after, f"{before}|{after}", 1))
+    found = [span.source.path for span in definitions(here.robot, here.page, here.offset)]
+    assert found == ([str(tmp_path / expected)] if expected else [])

@@ -186,3 +186,19 @@ def test_a_key_costs_less_than_100_ms_on_the_missions_model() -> None:
         times.append(time.process_time() - start)
     assert min(times) < 0.1
     assert slow_rules() == sorted(slow_rules())
+
+
+def test_a_robot_that_lacks_arguments_has_those_of_a_launch_file(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arms</name></package>")
+    (tmp_path / "arm.launch").write_text(
+        '<launch><param name="robot_description" '
+        'command="$(find xacro)/xacro $(find arms)/arm.xacro side:=left"/></launch>'
+    )
+    text = XACRO.format('<link name="$(arg side)_arm"/><link name="$(arg side)_arm"/>')
+    path = tmp_path / "arm.xacro"
+    path.write_text(text)
+    here = Edited(path, text)
+    assert here.robot.given("link") == ["left_arm"]
+    codes = {found.code for found in here.workspace.check(str(path)).diagnostics[str(path)]}
+    assert "NAM001" in codes
+    assert "XAC010" not in codes

@@ -11,6 +11,7 @@ from urdfkit.lsp.markup import Page, cursor
 from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import Name
 from urdfkit.lsp.workspace import Robot
+from urdfkit.reading import is_launch
 from urdfkit.source import Source, Span
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
@@ -68,25 +69,42 @@ def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
 
 
 def _file(robot: Robot, page: Page, offset: int) -> Source | None:
-    """The file that an include, a mesh or a texture names at a place."""
+    """The file that an include, a mesh, a texture or a launch file names at a place."""
+    name = robot.names.at(page.source, offset)
+    if name is not None and name.kind == "package":
+        return None  # the cursor is on the package
+    path = _launched if is_launch(page.source.path) else _described
+    found = path(robot, page, offset)
+    return Source(found, b"") if found else None  # opened by the editor; only the path counts
+
+
+def _launched(robot: Robot, page: Page, offset: int) -> str | None:
+    """Of the files that a launch file names around a place, the one named most closely."""
+    around = [
+        file
+        for file in robot.subject.launch.files
+        if file.exists
+        and file.span.source.path == page.source.path
+        and file.span.start <= offset <= file.span.end
+    ]
+    nearest = min(around, key=lambda file: file.span.end - file.span.start, default=None)
+    return nearest.path if nearest else None
+
+
+def _described(robot: Robot, page: Page, offset: int) -> str | None:
+    """The file that a tag of a description names."""
     here = cursor(page, offset)
     node, written = here.node, here.attribute
     if here.place != "value" or node is None or written is None or written.name != "filename":
         return None
     if node.name not in ("mesh", "texture", "xacro:include"):
         return None
-    name = robot.names.at(page.source, offset)
-    if name is not None and name.kind == "package":
-        return None  # the cursor is on the package
     value = written.value
     for found in robot.expanded(node.source, node.start, "filename"):
         value = found.value
     if node.name == "xacro:include":
         value = _FIND.sub(r"package://\1", value).replace("$(dirname)/", "")
-    located = robot.resolver.locate(value, node.source.path, robot.path)
-    if located.path is None:
-        return None
-    return Source(located.path, b"")  # opened by the editor; only the path counts
+    return robot.resolver.locate(value, node.source.path, robot.path).path
 
 
 # ------------------------------------------------------------------- renaming

@@ -20,9 +20,11 @@ from urdfkit.engine import check
 from urdfkit.errors import UrdfkitError
 from urdfkit.expansion import Xacro, expand
 from urdfkit.fixing import fix
+from urdfkit.launch.given import given
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import Names
 from urdfkit.model import RobotModel
+from urdfkit.plan import missing_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.rules import Need
@@ -159,6 +161,7 @@ class Workspace:
     def __init__(self) -> None:
         self.texts: dict[str, bytes] = {}
         self._entries: dict[str, tuple[EntryPoint, ...]] = {}
+        self._launched: dict[str, dict[str, str]] = {}
         self._configs: dict[str, tuple[Config, str]] = {}
         self._resolvers: dict[str, Resolver] = {}
         self._robots: dict[str, Robot] = {}
@@ -187,6 +190,7 @@ class Workspace:
     def look_again(self) -> None:
         """Files on disk have changed."""
         self._entries.clear()
+        self._launched.clear()
         self._configs.clear()
         self._resolvers.clear()
         self._forget_robots()
@@ -209,7 +213,7 @@ class Workspace:
         return self._configs[folder]
 
     def entries(self, path: str) -> tuple[EntryPoint, ...]:
-        """The robots that a file is part of; itself if there are none and it may be one."""
+        """The first robots that a file is part of; itself if there are none and it may be one."""
         if path not in self._entries:
             self._entries[path] = self._find_entries(path)
         return self._entries[path]
@@ -224,7 +228,23 @@ class Workspace:
         except UrdfkitError:
             return alone
         own = tuple(robot for robot in found if os.path.realpath(robot.file) == path)
-        return own or found or (() if path.endswith(_NO_ROBOTS) else alone)
+        robots = own or found or (() if path.endswith(_NO_ROBOTS) else alone)
+        return tuple(self._started(robot, config) for robot in robots[:MAX_ROBOTS])
+
+    def _started(self, robot: EntryPoint, config: Config) -> EntryPoint:
+        """A robot; one that lacks arguments, with the first that a launch file gives it."""
+        if robot.arguments or not robot.file.endswith(".xacro"):
+            return robot
+        resolver = self._resolver(config)
+        try:
+            subject = Subject(resolver.read(robot.file), resolver, config.arguments)
+        except UrdfkitError:
+            return robot
+        if names := missing_arguments(subject):
+            for one in given(robot.file, names, resolver)[:1]:
+                self._launched[robot.file] = one.arguments
+                return robot._replace(arguments=one.arguments)
+        return robot
 
     def robot(self, path: str) -> Robot:
         """The first robot that a file is part of.
@@ -257,7 +277,7 @@ class Workspace:
         config, trouble = self.config(path)
         before = set(self._files())
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
-        for root in list(roots)[:MAX_ROBOTS]:
+        for root in roots:
             try:
                 found = self._check_root(root, config, thorough=thorough)
             except UrdfkitError as error:
@@ -274,7 +294,12 @@ class Workspace:
         ignore = () if thorough else slow_rules()
         resolver = self._resolver(config)
         return check(
-            root, config=config, texts=self.texts, ignore=ignore, resolver=resolver
+            root,
+            arguments=self._launched.get(root),
+            config=config,
+            texts=self.texts,
+            ignore=ignore,
+            resolver=resolver,
         ).diagnostics
 
     def mended(self, path: str) -> dict[str, bytes]:
@@ -285,7 +310,7 @@ class Workspace:
         """
         config, _ = self.config(path)
         roots = dict.fromkeys(entry.file for entry in self.entries(path))
-        fixes = fix(*list(roots)[:MAX_ROBOTS], config=config, texts=self.texts)
+        fixes = fix(*roots, config=config, texts=self.texts)
         return {os.path.realpath(f.path): Source(f.path, f.after).data for f in fixes.files}
 
     def laid_out(self, path: str) -> bytes:
