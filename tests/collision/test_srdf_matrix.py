@@ -136,13 +136,28 @@ def compared(text: str) -> tuple[list[str], list[str], int]:
 
 def test_what_differs_is_told() -> None:
     assert compared(OLD) == (["ad"], ["ac"], 2)
-    assert compared('<robot name="r"/>') == ([], ["ab", "ac", "bd"], 0)
+    assert compared('<robot name="r"/>') == ([], ["ab", "ac"], 0)
 
 
 def test_a_link_may_be_passed_over_altogether() -> None:
     """As of MoveIt 2.5: disabled for all pairs of a link, unless enabled again."""
     text = '<disable_default_collisions link="a"/><enable_collisions link1="a" link2="c"/>'
-    assert compared(f'<robot name="r">{text}</robot>') == (["ad"], ["ac", "bd"], 1)
+    assert compared(f'<robot name="r">{text}</robot>') == (["ad"], ["ac"], 1)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "need_not_be"), [(0.0, False), (0.49, False), (0.5, True), (None, True)]
+)
+def test_who_checks_what_seldom_collides_is_right(
+    frequency: float | None, need_not_be: bool
+) -> None:
+    """Though it does where the robot begins."""
+    pair = PairResult("a", "b", Verdict.DEFAULT, True, frequency, None)
+    document, _ = read_xml(source('<robot name="r"/>'))
+    assert document is not None
+    found = compare(matrix()._replace(pairs=(pair,)), Srdf("r.srdf", document.root, robot().tree))
+    assert found.watched == ((pair,) if need_not_be else ())
+    assert pair.is_seldom != need_not_be
 
 
 # --- the robots of MoveIt's resources, whose SRDF the Setup Assistant wrote

@@ -60,6 +60,16 @@ class PairResult(NamedTuple):
     nearest: Nearest | None
 
     @property
+    def is_seldom(self) -> bool:
+        """True if they collide where the robot begins, and in less than half of the samples.
+
+        An SRDF that gives them as *Default* hides collisions that can be avoided.
+        """
+        if self.verdict is not Verdict.DEFAULT or self.frequency is None:
+            return False
+        return self.frequency < 0.5
+
+    @property
     def is_near_miss(self) -> bool:
         """True if they move against one another and do not collide, by a hair's breadth."""
         is_free = self.verdict is Verdict.NEVER and self.moves

@@ -156,12 +156,12 @@ def _lists(matrix: Matrix, comparison: Comparison | None) -> Iterator[_List]:
 
 
 def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
-    rare = [pair for pair in matrix.of(Verdict.DEFAULT) if (pair.frequency or 1) < 0.5]
+    rare = [pair for pair in matrix.pairs if pair.is_seldom]
     if rare:
-        them = "1 of the pairs" if len(rare) == 1 else f"{len(rare)} of the pairs"
         yield (
-            f"{them} that collide where the robot begins do so in few samples only. An SRDF will "
-            "not have them checked: let the robot begin elsewhere, with --pose or --joint."
+            f"{len(rare)} of the pairs that collide where the robot begins do so in few samples "
+            "only. An SRDF with them as Default has them checked nowhere: let the robot begin "
+            "elsewhere, with --pose or --joint."
         )
     if not matrix.pairs:
         yield "Nothing to compare: no two links with collision geometry hang on one another."
@@ -177,8 +177,8 @@ def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
     if comparison is not None:
         differences = len(comparison.hidden) + len(comparison.watched)
         yield (
-            f"The SRDF disables {comparison.agreed} pairs for good reason, and differs from this "
-            f"matrix in {differences or 'none'}."
+            f"The SRDF disables {counted(comparison.agreed, 'pair')} for good reason, and differs "
+            f"from this matrix in {differences or 'none'}."
         )
     if matrix.units:
         done = "applied" if matrix.applies_units else "ignored, as MoveIt does"
@@ -203,7 +203,8 @@ def _distance(nearest: Nearest | None) -> str:
         return ""
     if nearest.distance < 0:
         return f"{-1000 * nearest.distance:.1f} mm deep"
-    return f"{1000 * nearest.distance:.2g} mm apart"
+    apart = 1000 * nearest.distance
+    return f"{apart:.2g} mm apart" if apart < 100 else f"{apart:.0f} mm apart"
 
 
 def _pose(nearest: Nearest) -> str:
