@@ -93,3 +93,9 @@ def test_what_gazebo_refuses(type: str, inner: str, wanted: str) -> None:
 )
 def test_what_is_read_or_told_elsewhere(inner: str) -> None:
     assert findings("GAZ057", "camera", inner) == []
+
+
+def test_beams_that_a_quotient_left_are_cut_to_a_whole_number():
+    text = "<ray><scan><horizontal><samples>{}</samples></horizontal></scan></ray>"
+    assert findings("GAZ057", "ray", text.format("666.518518519")) == []
+    assert len(findings("GAZ057", "ray", text.format("6.6e2"))) == 1

@@ -4,6 +4,7 @@ import pytest
 
 from tests.controls import NEXT, ROBOT, transmission
 from tests.told import messages, places, told
+from urdfkit.diagnostic import Severity
 
 GOOD = ROBOT + transmission("swing")
 TYPE = "<type>transmission_interface/SimpleTransmission</type>"
@@ -41,3 +42,12 @@ def test_what_is_whole_or_not_read() -> None:
     assert told("RCT016", GOOD.replace(TYPE, ""), targets=("ros2",)) == []
     pr2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
     assert told("RCT016", ROBOT + pr2) == []
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"),
+    [((), Severity.WARNING), (("ros1",), Severity.ERROR), (("mujoco",), Severity.WARNING)],
+)
+def test_only_ros_suffers(targets: tuple[str, ...], severity: Severity) -> None:
+    (finding, *_) = told("RCT016", GOOD.replace(TYPE, ""), targets=targets)
+    assert finding.severity is severity

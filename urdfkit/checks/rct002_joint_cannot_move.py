@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog import ros_control
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import components, driven_joints, reads_transmissions
+from urdfkit.ros_control import ROS1, ROS2, components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -46,8 +46,9 @@ GOOD = BAD.replace('type="fixed"', 'type="continuous"')
 @rule(
     "RCT002",
     "joint-cannot-move",
-    Severity.ERROR,
+    Severity.WARNING,
     help="give the joint a type that moves, or leave it out",
+    by_target=dict.fromkeys((*ROS1, *ROS2), Severity.ERROR),
 )
 def check(subject: Subject) -> Iterator[Finding]:
     joints = subject.model.joints_by_name

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import driven_joints, is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, driven_joints, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -50,9 +50,10 @@ GOOD = BAD.replace(
 @rule(
     "RCT003",
     "hardware-interface-missing",
-    Severity.ERROR,
+    Severity.WARNING,
     help="write <hardwareInterface>hardware_interface/...JointInterface</hardwareInterface> "
     "into the joint",
+    by_target=dict.fromkeys(ROS1, Severity.ERROR),
 )
 def check(subject: Subject) -> Iterator[Finding]:
     if not reads_transmissions(subject.targets):

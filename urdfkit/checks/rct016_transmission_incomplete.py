@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -48,9 +48,10 @@ GOOD = BAD.replace(
 @rule(
     "RCT016",
     "transmission-incomplete",
-    Severity.ERROR,
+    Severity.WARNING,
     help="give it a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
     "<actuator>",
+    by_target=dict.fromkeys(ROS1, Severity.ERROR),
 )
 def check(subject: Subject) -> Iterator[Finding]:
     if not subject.model.transmissions or not reads_transmissions(subject.targets):

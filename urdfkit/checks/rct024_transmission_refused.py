@@ -18,7 +18,7 @@ from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import rename_element, rewrite
 from urdfkit.model import number
 from urdfkit.nearest import nearest
-from urdfkit.ros_control import is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -58,7 +58,13 @@ _COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinka
 _SLIP = 0.85
 
 
-@rule("RCT024", "transmission-refused", Severity.ERROR, fixable=True)
+@rule(
+    "RCT024",
+    "transmission-refused",
+    Severity.WARNING,
+    fixable=True,
+    by_target=dict.fromkeys(ROS1, Severity.ERROR),
+)
 def check(subject: Subject) -> Iterator[Finding]:
     if not subject.model.transmissions or not reads_transmissions(subject.targets):
         return
