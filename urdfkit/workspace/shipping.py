@@ -5,7 +5,6 @@ The answer is "yes" wherever the build file says something that is not understoo
 
 from __future__ import annotations
 
-import ast
 import os
 import posixpath
 import re
@@ -69,6 +68,8 @@ class Shipping:
     @cached_property
     def _listed(self) -> list[str]:
         """The paths and patterns that a setup.py writes out."""
+        import ast  # not needed where CMake builds
+
         try:
             nodes = list(ast.walk(ast.parse(self._text)))
         except (SyntaxError, ValueError, RecursionError, MemoryError):
