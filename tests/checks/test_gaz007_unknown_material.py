@@ -22,7 +22,9 @@ def test_the_nearest_is_written(wrong: str, right: str) -> None:
     assert fixed("GAZ007", text).count(f"<material> {right} </material>") == 1
 
 
-@pytest.mark.parametrize("name", ["Gazebo/Aluminum", "steel_brushed_with_scratches", ""])
+@pytest.mark.parametrize(
+    "name", ["Gazebo/Aluminum", "Gazebo/Chrome", "steel_brushed_with_scratches", ""]
+)
 def test_nothing_is_near(name: str) -> None:
     (found,) = told("GAZ007", BASE + block(f"<material>{name}</material>"))
     assert found.fix is None

@@ -111,3 +111,11 @@ def test_the_mission_s_model() -> None:
     (found,) = report.diagnostics
     assert found.span.text == '<joint name="base_footprint_joint" type="fixed">'
     assert "is 0.06 m below 'base_footprint'" in found.message
+
+
+def test_the_height_is_not_known_where_a_mesh_may_reach_lower() -> None:
+    wheel = LINK.format("wheel", "0 0 0", "0 0 0", '<mesh filename="wheel.stl"/>')
+    text = robot(BOX, 1.9) + wheel + JOINT.format("base_link", "0 0 0", "0 0 0", "wheel")
+    (found,) = told("TRE008", text)
+    assert found.fix is None
+    assert told("TRE008", robot(BOX, 1.9))[0].fix is not None

@@ -70,6 +70,23 @@ def test_remove_attribute(text: str, left: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("<a>\n  <b/>\n  <c/>\n</a>", "<a>\n  <c/>\n</a>"),
+        ("<a>\n  <b/> <!-- size -->\n</a>", "<a>\n  <!-- size -->\n</a>"),
+        ("<a>\n  <c/> <b/>\n</a>", "<a>\n  <c/> \n</a>"),
+        ("<a><c/>\n\n  <b/>\n\n  <c/>\n</a>", "<a><c/>\n\n  <c/>\n</a>"),
+        ("<a><c/>\n\n  <b/>\n  <c/>\n</a>", "<a><c/>\n\n  <c/>\n</a>"),
+        ("<a>\n<b/></a>", "<a>\n</a>"),
+    ],
+)
+def test_what_is_left_where_an_element_was(text: str, left: str) -> None:
+    root = read(text)
+    element = next(child for child in root.children if child.tag == "b")
+    assert after(root, edits.remove_element(element)) == left
+
+
+@pytest.mark.parametrize(
     ("written", "value", "new"),
     [("1", "2", "2"), (" 1\t2", "1 2", "1 2"), ("x", "a\"b'<&", "a&quot;b&apos;&lt;&amp;")],
 )

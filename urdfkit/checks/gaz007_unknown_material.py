@@ -47,18 +47,19 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = materials()
-    speller = Speller([name for name in known if not known[name].internal])
+    # By their last words: all begin with "Gazebo/", which would make them alike.
+    bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
+    speller = Speller(bare)
     for block in subject.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
             # Another prefix is that of a vendor's own scripts.
             if name not in known and ("/" not in name or name.lower().startswith("gazebo/")):
-                yield _finding(child, name, speller)
+                meant = speller.meant(name.rpartition("/")[2])
+                yield _finding(child, name, bare.get(meant, ""))
 
 
-def _finding(child: Element, name: str, speller: Speller) -> Finding:
-    bare = name.rpartition("/")[2]
-    right = (speller.meant(f"Gazebo/{bare}") or speller.meant(name)) if bare else ""
+def _finding(child: Element, name: str, right: str) -> Finding:
     edits = replace_text(child, right) if right and not child.get("value") else None
     return Finding(
         child,

@@ -68,13 +68,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         joints = tree.children[name] or tree.parents[name]
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
         if joints and (lowest := _lowest(tree, name, robot)):
-            height, link = lowest
+            height, link, is_known = lowest
             side = "below" if height < 0 else "above"
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
                 f"'{name}', which by convention lies on the ground",
-                fix=_lifted(joints[0], -height) if tree.children[name] == joints[:1] else None,
+                fix=_lifted(joints[0], -height)
+                if is_known and tree.children[name] == joints[:1]
+                else None,
             )
 
 
@@ -98,11 +100,13 @@ def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:
     return None if z is None else replace_value(written, f"{parts[0]} {parts[1]} {z + height:.6g}")
 
 
-def _lowest(tree: KinematicTree, footprint: str, robot: list[str]) -> tuple[float, str] | None:
+def _lowest(
+    tree: KinematicTree, footprint: str, robot: list[str]
+) -> tuple[float, str, bool] | None:
     """Height in m and link of the lowest point, unless it may be on the ground.
 
     All joints stand at zero. A mesh, or a link that is seen but has no collision, may reach lower
-    than what can be measured.
+    than what can be measured: the third value is False then.
     """
     ground = tree.frames[footprint]
     up = _column(ground.rotation, 2)
@@ -119,7 +123,7 @@ def _lowest(tree: KinematicTree, footprint: str, robot: list[str]) -> tuple[floa
                 heights.append((bottom - dot(up, ground.position), name))
     lowest = min(heights, default=(0.0, ""))
     floats = lowest[0] > TOLERANCE and not unknown
-    return lowest if floats or lowest[0] < -TOLERANCE else None
+    return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
 
 
 def _bottom(body: Body, link: Frame, up: Vector) -> float | None:

@@ -129,10 +129,19 @@ def remove_spans(spans: Iterable[Span]) -> tuple[Edit, ...]:
 
 
 def _with_line(span: Span) -> Span:
+    """A piece of a file with its line; what is left around it looks as if it had not been there."""
     source, start, end = span
     line_start, line_end = _line(source, start, end)
-    alone = not source.data[line_start:start].strip() and not source.data[end:line_end].strip()
-    return Span(source, line_start, line_end) if alone else span
+    before, after = source.data[line_start:start], source.data[end:line_end]
+    if before.strip():
+        return span
+    if after.strip():  # a comment, say, which takes its place
+        return Span(source, start, line_end - len(after.lstrip()))
+    above, _ = _line(source, line_start - 1, line_start - 1) if line_start else (0, 0)
+    _, below = _line(source, line_end, line_end)
+    if not source.data[above:line_start].strip() and not source.data[line_end:below].strip():
+        return Span(source, above, line_end)  # of two blank lines, one
+    return Span(source, line_start, line_end)
 
 
 def insert_before(element: Element, lines: Iterable[str]) -> tuple[Edit, ...]:
