@@ -51,7 +51,6 @@ ABOUT_WORDS = {
     "GAZ033": ("gz", "ignition"),
     "GAZ035": ("gz", "ignition", "ign_"),
     "GAZ063": ("static",),
-    "GAZ043": ("update_rate",),
     "GAZ044": ("update_rate",),
     "GAZ045": _LIDARS,
     "GAZ046": _LIDARS,
@@ -67,6 +66,7 @@ ABOUT_WORDS = {
     "GAZ065": ("noise",),
     "GAZ066": ("preserveFixedJoint", "disableFixedJointLumping"),
     "GAZ067": ("turnGravityOff", "gravity", "selfCollide", "self_collide"),
+    "GAZ069": ("disableFixedJointLumping",),
 }
 
 #: Silent without ``<ros2_control>``, and without ``<transmission>``.

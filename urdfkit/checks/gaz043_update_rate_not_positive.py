@@ -1,7 +1,8 @@
-"""A sensor's update rate is negative, or a camera's or lidar's is zero.
+"""A sensor's update rate is negative, or a camera's or lidar's is zero or not written.
 
-Zero means every step of the simulation, a thousand times a second: for a camera or a lidar that
-brings the simulation to a crawl. A negative rate has no meaning.
+Zero, which is also what is taken where none is written, means every step of the simulation, a
+thousand times a second: for a camera or a lidar that brings the simulation to a crawl. A negative
+rate has no meaning.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor
@@ -35,6 +36,9 @@ BAD = """\
 </gazebo>"""
 GOOD = BAD.replace(">0<", ">30<")
 
+#: In the types of sensors that are rendered, or cast rays.
+_HEAVY = ("camera", "depth", "lidar", "ray")
+
 
 @rule(
     "GAZ043",
@@ -44,10 +48,15 @@ GOOD = BAD.replace(">0<", ">30<")
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
+        is_heavy = bool(sensor.lidar) or any(word in sensor.type for word in _HEAVY)
+        if is_heavy and sensor.find("update_rate") is None:
+            message = (
+                f"{sensor.who} has no <update_rate>, and works at every step of the simulation"
+            )
+            yield Finding(sensor.at, message, "add <update_rate> with the rate of the real sensor")
         rate = sensor.number("update_rate")
         if rate is None:
             continue
-        is_heavy = bool(sensor.lidar) or "camera" in sensor.type or sensor.type == "depth"
         if rate.value < 0 or (rate.value == 0 and is_heavy):
             meaning = "has no meaning" if rate.value < 0 else "means every step of the simulation"
             yield Finding(rate, f"{sensor.who}: an update rate of {rate.value:g} Hz {meaning}")

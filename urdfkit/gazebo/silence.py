@@ -6,7 +6,7 @@ The answers are cautious: a rule that is not named as silent may still find noth
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import chain
+from itertools import chain, pairwise
 
 from urdfkit.gazebo.plugins import Use, fate
 from urdfkit.gazebo.sensors import Sensor, sensors
@@ -28,7 +28,18 @@ def about_blocks(model: RobotModel) -> set[str]:
     of_the_model = (block for block in model.gazebo if not block.get("reference"))
     if {child.tag for block in of_the_model for child in block.children} <= {"plugin", "static"}:
         codes.add("GAZ002")
+    if not _may_lose_tags(model):
+        codes.add("GAZ068")
     return codes
+
+
+def _may_lose_tags(model: RobotModel) -> bool:
+    """True if a shape has a name, or the name of a link begins with that of another one."""
+    bodies = (body for link in model.links for body in (*link.visuals, *link.collisions))
+    if any("name" in body.at.attributes for body in bodies):
+        return True
+    names = sorted(model.links_by_name)
+    return any(longer.startswith(name) for name, longer in pairwise(names))
 
 
 def about_plugins(uses: tuple[Use, ...], targets: Targets, conversion: Conversion) -> set[str]:
@@ -105,9 +116,9 @@ def _is_named_oddly(use: Use) -> bool:
     return not (use.name.isascii() and use.name.isidentifier())
 
 
-def _has_rate_of_zero(sensor: Sensor) -> bool:
+def _has_no_rate(sensor: Sensor) -> bool:
     rate = sensor.number("update_rate")
-    return rate is not None and rate.value <= 0
+    return rate is None or rate.value <= 0
 
 
 def _is_on_optical_frame(sensor: Sensor) -> bool:
@@ -127,7 +138,7 @@ _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
 
 #: Silent if no sensor is odd in this way.
 _ABOUT_SENSORS: dict[str, Callable[[Sensor], bool]] = {
-    "GAZ043": _has_rate_of_zero,
+    "GAZ043": _has_no_rate,
     "GAZ049": _is_on_optical_frame,
     "GAZ060": lambda sensor: not sensor.name.strip(),
 }
