@@ -24,12 +24,9 @@ def wheel(kind: str, name: str, joint: str = "continuous", link: str = "wheel") 
 )
 def test_a_shape_whose_name_is_its_own(kind: str, tags: str, listed: str) -> None:
     robot = BASE + wheel(kind, "tyre") + block(tags, "wheel")
-    assert messages("GAZ068", robot) == [
-        (
-            f"link 'wheel': {listed} of its <gazebo> block does not reach <{kind}> 'tyre', for what it "
-            "is called"
-        )
-    ]
+    (message,) = messages("GAZ068", robot)
+    lost = f"link 'wheel': {listed} of its <gazebo> block does not reach <{kind}> 'tyre'"
+    assert message == f"{lost}, for what it is called"
     assert [text for _, text in places("GAZ068", robot)] == ["tyre"]
     assert f'<{kind} name="wheel_tyre">' in fixed("GAZ068", robot)
 
