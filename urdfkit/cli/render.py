@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options
+from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
@@ -31,8 +32,7 @@ SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x25
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
 @click.option("--findings", is_flag=True, help="Links with errors red, with warnings orange.")
-@click.option("--joint", "joints", multiple=True, metavar="NAME=VALUE", help="In rad, deg or m.")
-@click.option("--pose", metavar="NAME", help="A pose file, or a state of the SRDF.")
+@posed
 @click.option("--turntable", metavar="FILE", help="One turn as .gif, .webp or .apng.")
 @click.option("--sweep", metavar="JOINT", help="A joint from end to end, as .gif, .webp or .apng.")
 @click.option("--diff", is_flag=True, help="Two files, or REVISION:FILE, and the difference.")
@@ -69,28 +69,27 @@ def command(words: tuple[str, ...], **values: Any) -> int:
         scene = _difference(files, values)
     else:
         robot = read_robot(values[options.FILES], values["package"], values["trust"])
-        scene = _scene(robot, values)
+        pose = positions(robot, values["joint"], values["pose"])
+        scene = _scene(robot, pose, values)
         if not scene.items:
             raise UrdfkitError(_nothing(files[0], robot))
         if values["turntable"] or values["sweep"]:
-            _animation(robot, scene, values)
+            _animation(robot, pose, scene, values)
         else:
             _picture(scene, values)
     _tell(scene)
     return 0
 
 
-def _scene(robot: Subject, values: dict[str, Any]) -> Scene:
+def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
     from urdfkit.engine import check
-    from urdfkit.poses import pose
 
-    positions = pose(robot, _joints(values["joints"]), values["pose"])
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
-    scene = render.build(robot, positions, roles)
-    scene = render.explained(scene, robot, [name for name in shown if name not in roles], positions)
+    scene = render.build(robot, pose, roles)
+    scene = render.explained(scene, robot, [name for name in shown if name not in roles], pose)
     if not values["findings"]:
         return scene
     report = check(
@@ -125,20 +124,20 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
     render.save(image, values["output"])
 
 
-def _animation(robot: Subject, scene: Scene, values: dict[str, Any]) -> None:
+def _animation(
+    robot: Subject, pose: dict[str, float], scene: Scene, values: dict[str, Any]
+) -> None:
     """A turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
-    from urdfkit.poses import pose
 
     path = values["turntable"] or values["output"]
     render.animation_format(path)
-    positions = pose(robot, _joints(values["joints"]), values["pose"])
     size, view = _size(values["size"] or MOVING), _one_view(values)
     if values["turntable"]:
         points = render.swept_circle(scene.points())
         shots = render.orbit(scene, render.looking(points, view, size=size, **_camera(values)))
     else:
-        scenes = render.sweep(scene, robot, values["sweep"], positions)
+        scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
     progress = on_terminal()
     images = render.animated(
@@ -159,21 +158,19 @@ def _difference(files: Sequence[str], values: dict[str, Any]) -> Scene:
     from urdfkit.comparison.states import read
 
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
-        before, after = (
-            _scene(
-                read(
-                    file,
-                    os.path.join(os.path.realpath(folder), name),
-                    arguments=options.arguments(values),
-                    packages=options.packages(values),
-                    targets=(),
-                    trust=values["trust"],
-                    config=None,
-                ).subject,
-                values,
-            )
-            for file, name in zip(files, ("before", "after"), strict=True)
-        )
+        scenes = []
+        for file, name in zip(files, ("before", "after"), strict=True):
+            robot = read(
+                file,
+                os.path.join(os.path.realpath(folder), name),
+                arguments=options.arguments(values),
+                packages=options.packages(values),
+                targets=(),
+                trust=values["trust"],
+                config=None,
+            ).subject
+            scenes.append(_scene(robot, positions(robot, values["joint"], values["pose"]), values))
+        before, after = scenes
         image = render.difference(
             before,
             after,
@@ -203,16 +200,6 @@ def _size(word: str) -> tuple[int, int]:
     if not (width.isdecimal() and height.isdecimal()):
         raise options.UsageError(f"--size {word}: write width and height, such as 1280x720")
     return int(width), int(height)
-
-
-def _joints(words: tuple[str, ...]) -> dict[str, str]:
-    found = {}
-    for word in words:
-        name, equals, value = word.partition("=")
-        if not (name and equals and value):
-            raise options.UsageError(f"--joint {word}: write the name, '=' and a position")
-        found[name] = value
-    return found
 
 
 def _background(word: str | None) -> Background | None:

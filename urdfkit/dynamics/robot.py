@@ -35,9 +35,6 @@ MAX_JOINTS = 150
 #: Numbers beyond this are no robot's, and their products leave the range of floating point.
 LARGEST = 1e30
 
-#: Velocities of the free-flyer.
-BASE = 6
-
 
 class Unsuitable(UrdfkitError):
     """A robot, or a question about it, that Pinocchio cannot be asked; the text says why."""
