@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.told import messages, told
+from urdfkit.diagnostic import Severity
 
 BODY = '<visual><geometry><sphere radius="1"/></geometry></visual>'
 JOINT = '<joint name="{}" type="fixed"><parent link="{}"/><child link="{}"/></joint>'
@@ -31,6 +32,15 @@ JOINT = '<joint name="{}" type="fixed"><parent link="{}"/><child link="{}"/></jo
 )
 def test_who_keeps_the_name(robot: str, message: str) -> None:
     assert messages("NAM005", robot) == [message]
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity"),
+    [((), Severity.INFO), (("ros2",), Severity.INFO), (("gz-harmonic",), Severity.WARNING)],
+)
+def test_others_take_the_name(targets: tuple[str, ...], severity: Severity) -> None:
+    (finding,) = told("NAM005", f'<link name="world">{BODY}</link>', targets=targets)
+    assert finding.severity is severity
 
 
 @pytest.mark.parametrize(

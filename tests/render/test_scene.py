@@ -83,6 +83,13 @@ def test_a_texture_of_the_urdf_is_on_every_side_of_a_box(quad: Path) -> None:
         assert {"red", "green", "blue"} <= set(quarters)
 
 
+def test_a_texture_on_a_mesh_without_coordinates_shows_its_lower_left_corner(quad: Path) -> None:
+    plain = "\n".join(line for line in QUAD.splitlines() if line[:2] not in ("vt", "us", "mt"))
+    (quad / "quad.obj").write_text(plain.replace("f 1/1 2/2 3/3 4/4", "f 1 2 3 4"))
+    paint = '<material name="m"><texture filename="quarters.png"/></material>'
+    assert seen(quad, MESH.format("") + paint) == ["blue"] * 4
+
+
 @pytest.mark.parametrize("content", [b"", b"no image", b"\x89PNG\r\n\x1a\n" + bytes(40)])
 def test_a_broken_texture_leaves_the_surface(quad: Path, content: bytes) -> None:
     (quad / "quarters.png").write_bytes(content)

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:
     from urdfkit.model import Link
@@ -32,7 +33,13 @@ BAD = """\
 GOOD = BAD.replace("world", "base")
 
 
-@rule("NAM005", "reserved-name", Severity.WARNING, help="choose another name")
+@rule(
+    "NAM005",
+    "reserved-name",
+    Severity.INFO,
+    help="choose another name",
+    by_target=dict.fromkeys((*GAZEBO, "mujoco"), Severity.WARNING),
+)
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
     children = {joint.child.value for joint in model.joints if joint.child}

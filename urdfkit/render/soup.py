@@ -20,7 +20,7 @@ class Soup(NamedTuple):
     Attributes:
         points: (n, 3), vertices in the frame of the camera.
         normals: (n, 3), unit vectors there; 0 where faces are flat.
-        uv: (n, 2), 0 where there are none; None if nothing has any.
+        uv: (n, 2), 0 where there are none; None if nothing has a texture.
         colors: (n, 4), 1 where there are none; None if nothing has any.
         faces: (m, 3), indices of the vertices.
         item: (m,), the index of the item in the scene.
@@ -44,7 +44,8 @@ def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
     ends = list(accumulate((len(item.vertices) for item in scene.items), initial=0))
     total = ends[-1]
     colored = any(item.colors is not None for item in scene.items)
-    textured = any(item.uv is not None for item in scene.items)
+    # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
+    textured = any(item.uv is not None or item.look.texture for item in scene.items)
     whole = Soup(
         np.empty((total, 3), dtype=np.float32),
         np.zeros((total, 3), dtype=np.float32),
