@@ -109,6 +109,21 @@ def test_a_two_link_arm(q: tuple[float, float]) -> None:
     assert placement[:3, 3] == exactly([length * sin(q[0]), 0, 0.145 + length * cos(q[0])])
 
 
+def test_the_whole_as_one_body_is_that_of_the_parallel_axes() -> None:
+    """All six entries of the tensor, which Pinocchio keeps in another order."""
+    odd = inertial(2, (0.3, 0.01, 0.02, 0.4, 0.03, 0.5), xyz="0.1 0.2 0.3", rpy="0.1 0.2 0.3")
+    text = link("base", inertial(3, (0.1, 0.2, 0.25))) + link("a", odd)
+    robot = dynamics(text + moving("base", "a", "revolute", "1 2 3", xyz="0.5 -0.4 0.2"))
+    pose = {"a_joint": 0.7}
+    expected = whole(robot.tree, frames(robot.tree, pose)).properties
+    found = robot.mass_properties(pose)
+    assert expected is not None
+    assert found.mass == 5
+    assert found.center == exactly(expected.center)
+    assert tuple(found.tensor) == exactly(tuple(expected.tensor))
+    assert len({round(abs(value), 6) for value in found.tensor}) == 6
+
+
 def test_a_slide_lifts_what_hangs_on_it_and_its_payload() -> None:
     text = link("base", inertial(1, (1, 1, 1))) + link("cage", inertial(4, (1, 1, 1)))
     text += link("hook", inertial(0.5, (1, 1, 1))) + joint("cage", "hook", xyz="0.3 0 0")

@@ -161,3 +161,27 @@ def test_limits_that_are_beyond_all_robots_are_no_trouble() -> None:
     loads = {load.joint: load.worst for load in statics(dynamics(text), samples=100).loads}
     assert loads["a_joint"] == pytest.approx(6 * G)
     assert loads["b_joint"] == pytest.approx(2 * G * (0.5 + 0.5))  # c stands still at its place
+
+
+def test_only_the_joints_that_are_asked_for_are_judged() -> None:
+    """Of a joint of several coordinates there is nothing to judge."""
+    ball = inertial(2, (0.1, 0.1, 0.1), xyz="0.5 0 0")
+    text = link("base") + link("a", ball) + link("b", ball) + link("c", ball)
+    text += moving("base", "a", "revolute", "0 1 0") + moving("base", "b", "revolute", "0 1 0")
+    robot = dynamics(text + moving("base", "c", "planar", "0 1 0"))
+    assert {load.joint for load in statics(robot, samples=10).loads} == {"a_joint", "b_joint"}
+    (load,) = statics(robot, samples=10, joints=["b_joint", "c_joint[1]"]).loads
+    assert load.joint == "b_joint"
+    assert load.worst == pytest.approx(2 * G * 0.5)
+
+
+def test_a_torque_that_pulls_the_other_way_is_climbed_downwards() -> None:
+    """The lever hangs at -x, so that gravity pulls its joint to the other side at zero."""
+    far = inertial(2, (0.1, 0.1, 0.1), xyz="-0.5 0 0")
+    text = link("base") + link("a") + link("b", far)
+    text += moving("base", "a", "revolute", "0 1 0")
+    text += moving("a", "b", "revolute", "0 1 0", xyz="-0.5 0 0")
+    loads = {load.joint: load for load in statics(dynamics(text), samples=0).loads}
+    assert loads["a_joint"].at_zero == pytest.approx(2 * G)
+    assert loads["a_joint"].worst == pytest.approx(2 * G)
+    assert loads["b_joint"].worst == pytest.approx(2 * G * 0.5)
