@@ -15,6 +15,7 @@ from collections.abc import Iterable
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.errors import UrdfkitError
 from urdfkit.record import Record
+from urdfkit.source import why_unreadable
 
 VERSION = 1
 
@@ -86,7 +87,7 @@ def load(path: str) -> Counter[Fingerprint]:
             }
         )
     except OSError as error:
-        raise BaselineError(f"{path}: {error.strerror}") from error
+        raise BaselineError(f"{path}: {why_unreadable(path, error)}") from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise BaselineError(f"{path}: no baseline of urdfkit ({error})") from error
 

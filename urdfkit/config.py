@@ -15,6 +15,7 @@ from urdfkit.diagnostic import Severity
 from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
+from urdfkit.source import why_unreadable
 from urdfkit.static import Any
 
 
@@ -134,7 +135,7 @@ def _table(path: str) -> dict[str, Any] | None:
         with open(path, "rb") as file:
             data = file.read()
     except OSError as error:
-        raise ConfigError(f"{path}: {error.strerror}") from error
+        raise ConfigError(f"{path}: {why_unreadable(path, error)}") from error
     own_file = os.path.basename(path) != "pyproject.toml"
     if sys.version_info >= (3, 11):
         import tomllib

@@ -70,7 +70,7 @@ class Source:
             with open(path, "rb") as file:
                 data = file.read(MAX_BYTES + 1)
         except OSError as error:
-            raise UnreadableFile(f"{path}: {_why_unreadable(path, error)}") from error
+            raise UnreadableFile(f"{path}: {why_unreadable(path, error)}") from error
         except ValueError as error:  # a NUL in the name
             raise UnreadableFile(f"{path!r}: {error}") from error
         if len(data) > MAX_BYTES:
@@ -149,8 +149,8 @@ class Source:
         return f"Source({self.path!r}, {len(self.data)} bytes)"
 
 
-def _why_unreadable(path: str, error: OSError) -> str:
-    """The reason and the remedy."""
+def why_unreadable(path: str, error: OSError) -> str:
+    """Why a file could not be opened, and the remedy."""
     if os.path.isdir(path):
         return "is a folder; name the files in it"
     if isinstance(error, PermissionError):
@@ -166,7 +166,7 @@ def _why_unreadable(path: str, error: OSError) -> str:
         return f"there is no folder '{folder}'"
     # By stems: what ends in '.urdf' is alike enough to be meant otherwise.
     alike = [other for other in beside if nearest(_stem(name), [_stem(other)])]
-    meant = nearest(name, alike, likeness=0)
+    meant = nearest(name, alike, likeness=0.01)
     return "there is no such file" + (f"; did you mean '{meant}'?" if meant else "")
 
 

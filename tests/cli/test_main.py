@@ -333,3 +333,18 @@ def test_the_width_is_that_of_the_variable(
 ) -> None:
     monkeypatch.setenv("COLUMNS", columns)
     assert output.width() == expected
+
+
+@pytest.mark.parametrize(
+    ("word", "message"),
+    [
+        ("chekc", "there is no command 'chekc'; did you mean 'check'?"),
+        (GOOD, f"there is no command '{GOOD}'; to check that file: urdfkit check {GOOD}"),
+        ("nothing", "there is no command 'nothing'"),
+    ],
+)
+def test_a_slip_in_the_name_of_a_command(
+    word: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([word]) == 2
+    assert capsys.readouterr().err == f"error: {message} (see 'urdfkit --help')\n"

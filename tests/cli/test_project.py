@@ -90,7 +90,7 @@ def test_a_slip_in_the_configuration_stops_the_check(project: Project) -> None:
     assert "urdfkit.toml: there is no setting 'selct'; did you mean 'select'?" in err
     assert project.check(".", "--isolated", "--select", "TRE006")[0] == 1
     assert project.check(".", "--config", "none.toml")[2] == (
-        "error: none.toml: No such file or directory\n"
+        "error: none.toml: there is no such file\n"
     )
 
 
@@ -137,7 +137,7 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
     assert err == "error: --write-baseline needs --baseline FILE to write to\n"
     code, out, err = project.check(".", "--baseline", "none.json")
     assert (code, out) == (2, "")
-    assert err == "error: none.json: No such file or directory\n"
+    assert err == "error: none.json: there is no such file\n"
     project.write("known.json", "[]")
     assert project.check(".", "--baseline", "known.json")[0] == 2
 

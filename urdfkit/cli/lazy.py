@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 import click
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.nearest import did_you_mean
 
 
 class MissingExtra(UrdfkitError):
@@ -34,6 +36,17 @@ class LazyGroup(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self.names)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        word = args[0]
+        if word not in self.names and not word.startswith("-"):
+            hint = did_you_mean(word, self.names)
+            if os.path.exists(word):
+                hint = f"; to check that file: {ctx.command_path} check {word}"
+            raise click.UsageError(f"there is no command '{word}'{hint}", ctx)
+        return super().resolve_command(ctx, args)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in self.names:

@@ -43,8 +43,6 @@ NAMING = {
 }
 #: Elements in which ``<link name>`` and ``<joint name>`` are uses.
 USERS = ("transmission", "ros2_control", "group", "group_state")
-
-
 #: A frame may be a link or a joint.
 _SAME_KINDS = {
     "link": ("link", "frame"),
@@ -64,7 +62,7 @@ class Name(Record):
         is_definition: True where it is given.
         node: the element that it is in.
         attribute: the name of the attribute whose whole value it is; empty elsewhere.
-        macro: of a parameter, the start of its macro's tag and the path of its file.
+        macro: of a parameter, the path of its macro's file and the start of its macro's tag.
     """
 
     kind: str

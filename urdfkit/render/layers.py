@@ -78,7 +78,10 @@ def explained(
     notes: list[str] = []
     for layer in layers:
         if layer not in LAYERS:
-            hint = did_you_mean(layer, list(LAYERS)) or f"; there are {', '.join(LAYERS)}"
+            hint = (
+                did_you_mean(layer, list(LAYERS))
+                or f"; there are visual, collision, {', '.join(LAYERS)}"
+            )
             raise NoSuchLayer(f"there is no layer '{layer}'{hint}")
         drawn = list(LAYERS[layer](scene, subject, size or 1.0, given or {}))
         items += (thing for thing in drawn if isinstance(thing, Item))
