@@ -83,8 +83,9 @@ def test_a_texture_of_the_urdf_is_on_every_side_of_a_box(quad: Path) -> None:
         assert {"red", "green", "blue"} <= set(quarters)
 
 
-def test_a_texture_on_a_mesh_without_coordinates_shows_its_lower_left_corner(quad: Path) -> None:
+def test_a_texture_on_a_mesh_without_coordinates_paints_all_of_it_alike(quad: Path) -> None:
     plain = "\n".join(line for line in QUAD.splitlines() if line[:2] not in ("vt", "us", "mt"))
+    Image.new("RGB", (4, 4), (0, 0, 255)).save(quad / "quarters.png")
     (quad / "quad.obj").write_text(plain.replace("f 1/1 2/2 3/3 4/4", "f 1 2 3 4"))
     paint = '<material name="m"><texture filename="quarters.png"/></material>'
     assert seen(quad, MESH.format("") + paint) == ["blue"] * 4
