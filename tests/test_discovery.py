@@ -266,3 +266,15 @@ def test_a_name_that_no_file_can_have_includes_nothing(tmp_path):
     (tmp_path / "r.xacro").write_bytes(b'<robot><xacro:include filename="a\0b.xacro"/></robot>')
     found = discover(str(tmp_path), Config(), Resolver())
     assert [Path(robot.file).name for robot in found.robots] == ["r.xacro"]
+
+
+def test_the_launch_files_of_a_folder_are_checked(package):
+    (package / "launch").mkdir()
+    (package / "launch" / "a.launch").write_text("<launch><group></launch>")
+    (package / "launch" / "gone.launch").symlink_to("nowhere")
+    report = check(package, select=["LAU"])
+    assert [(d.code, Path(d.span.source.path).name) for d in report.diagnostics] == [
+        ("LAU001", "a.launch")
+    ]
+    config = Config(path=str(package / "urdfkit.toml"), exclude=("launch",))
+    assert check(package, select=["LAU"], config=config).diagnostics == ()

@@ -10,9 +10,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
+from itertools import islice
 
 from urdfkit.config import Config, Robot, matches
 from urdfkit.errors import UnreadableFile
+from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -62,6 +64,14 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
     if not found.robots and not found.libraries:
         raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
     return found
+
+
+def launch_files(folder: str, config: Config) -> Iterator[str]:
+    """The launch files below a folder that can be read, sorted."""
+    for path in islice(_below(folder), MAX_FILES):
+        is_meant = is_launch(path) and not matches(config.relative(path), config.exclude)
+        if is_meant and os.path.isfile(path) and os.access(path, os.R_OK):
+            yield path
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
@@ -125,17 +135,21 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
     if not os.path.isdir(folder):
         raise UnreadableFile(f"{folder}: no such folder")
     count = 0
+    for path in _below(folder):
+        if path.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude):
+            count += 1
+            if count > MAX_FILES:
+                raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
+            yield path
+
+
+def _below(folder: str) -> Iterator[str]:
+    """The files below a folder, apart from hidden ones and from what a build makes."""
     for parent, folders, files in os.walk(folder):
         folders[:] = sorted(
             name for name in folders if not name.startswith(".") and name not in _PASSED_OVER
         )
-        for name in sorted(files):
-            path = os.path.join(parent, name)
-            if name.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude):
-                count += 1
-                if count > MAX_FILES:
-                    raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
-                yield path
+        yield from (os.path.join(parent, name) for name in sorted(files))
 
 
 def _is_description(name: str) -> bool:

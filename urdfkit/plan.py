@@ -87,10 +87,13 @@ class Plan:
             self._add_source(file)
         elif os.path.isdir(file):
             from urdfkit.config import Config
-            from urdfkit.discovery import discover
+            from urdfkit.discovery import discover, launch_files
 
-            folder = os.fspath(file)
-            self._add_found(discover(folder, self.config or Config(), self.resolver), folder)
+            folder, config = os.fspath(file), self.config or Config()
+            self._add_found(discover(folder, config, self.resolver), folder)
+            for path in launch_files(folder, config):
+                source = self.resolver.read(_spelt(path, folder))
+                self.jobs.append(Job(source, "", self.arguments, False))
         else:
             self._add_file(os.fspath(file))
 
