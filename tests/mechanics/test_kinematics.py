@@ -13,7 +13,17 @@ from tests.conftest import MODELS
 from tests.jointed import joint, mimic, robot
 from urdfkit.examples import whole_robot
 from urdfkit.loading import load, read
-from urdfkit.mechanics.kinematics import Law, UnknownLink, about, frames, laws, positions, transform
+from urdfkit.mechanics.kinematics import (
+    Law,
+    UnknownLink,
+    about,
+    direction,
+    frames,
+    laws,
+    motion,
+    positions,
+    transform,
+)
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import RobotModel
 from urdfkit.reading import read_xml
@@ -64,6 +74,19 @@ def test_numbers_that_overflow_stand_still() -> None:
     )
     assert positions(tree(text), {"a": 1.0})["c"] == 0.0
     assert len(frames(tree(text), {"a": 1.0})) == 4
+
+
+def test_a_position_that_overflows_is_zero() -> None:
+    text = robot(joint("a", "continuous"), joint("b", "continuous", mimic("a", 'multiplier="10"')))
+    assert positions(tree(text), {"a": 1e308}) == {"a": 1e308, "b": 0.0}
+
+
+def test_an_axis_that_is_not_written_is_x() -> None:
+    """So URDF has it; one without a direction counts as not written."""
+    for axis in ("", '<axis xyz="0 0 0"/>', '<axis xyz="2 0 0"/>'):
+        one = tree(robot(joint("a", "continuous", axis))).model.joints_by_name["a"]
+        assert direction(one) == (1, 0, 0)
+        assert motion(one, pi / 2).apply((0, 1, 0)) == pytest.approx((0, 0, 1))
 
 
 def test_ten_thousand_followers_in_a_row_take_no_square_of_time() -> None:
