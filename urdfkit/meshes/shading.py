@@ -53,10 +53,13 @@ def _directed(sums: Floats) -> Floats:
 def face_normals(vertices: Floats, faces: Integers) -> Floats:
     """(m, 3), unit vectors; zero for a face without area."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return _unit(np.cross(b - a, c - a))
+    return _unit(np.cross(_unit(b - a), _unit(c - a)))
 
 
 def _unit(vectors: Floats) -> Floats:
+    # About 1 large first, so that no square overflows, nor vanishes.
+    largest = np.abs(vectors).max(axis=1, keepdims=True, initial=0)
+    vectors = vectors / np.where(largest > 0, largest, 1.0)
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     return vectors / np.where(lengths > 0, lengths, 1.0)
 
