@@ -115,10 +115,11 @@ def test_what_cannot_be_written_is_said() -> None:
         encode(cube(), "a.step")
     with pytest.raises(UnwritableMesh, match="no triangles"):
         encode(Mesh(()), "a.stl")
-    broken = cube()
-    broken.parts[0].vertices[0, 0] = np.nan
-    with pytest.raises(UnwritableMesh, match="not finite"):
-        encode(broken, "a.stl")
+    for number in (np.nan, np.inf, 1e40):  # the last is infinite where numbers have 32 bits
+        broken = cube()
+        broken.parts[0].vertices[0, 0] = number
+        with pytest.raises(UnwritableMesh, match="not finite, or absurdly far away"):
+            encode(broken, "a.stl")
     lost = cube()._replace(
         parts=(cube().parts[0]._replace(material=Material("m", texture="/no/such.png")),)
     )

@@ -42,9 +42,9 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
     Raises:
         UnwritableMesh: the suffix is none of `SUFFIXES`, the mesh has no triangles or vertices
-            that are not finite, or a texture is missing.
+            that are not finite or absurdly far away, or a texture is missing.
     """
-    import numpy as np
+    from urdfkit.meshes.welding import finite
 
     suffix = os.path.splitext(name)[1].lower()
     if suffix not in _WRITERS:
@@ -52,8 +52,10 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
         raise UnwritableMesh(f"{name}: this suffix cannot be written; take one of {known}")
     if not len(mesh.faces):
         raise UnwritableMesh(f"{name}: there are no triangles to write")
-    if not np.isfinite(mesh.vertices).all():
-        raise UnwritableMesh(f"{name}: a vertex is not finite; repair the mesh first")
+    if not finite(mesh.vertices).all():
+        raise UnwritableMesh(
+            f"{name}: a vertex is not finite, or absurdly far away; repair it first"
+        )
     from urdfkit.meshes.transforms import in_metres
 
     writer = import_module(f"urdfkit.meshes.writers.{_WRITERS[suffix]}")
