@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 VERSION = 1
 
-#: Torques in N m under this are rounding.
+#: Torques in N m and places in m under this are rounding.
 NOISE = 1e-9
 
 #: More poses than this tell nothing new, and take minutes.
@@ -172,7 +172,7 @@ def standing(found: Stability | None, roots: set[str]) -> Iterator[str]:
     if found is None:
         yield "stands on no area: nothing to tip over"
         return
-    x, y, z = found.center
+    x, y, z = (0.0 if abs(value) < NOISE else value for value in found.center)
     yield f"stands on {', '.join(found.links)}"
     yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
     if found.tips:
