@@ -19,6 +19,7 @@ trimesh = pytest.importorskip("trimesh")
 import numpy as np
 
 from tests.meshes import made
+from urdfkit.meshes import load_gltf
 from urdfkit.meshes.geometry import Material, Part
 from urdfkit.meshes.load import UnloadableMesh, load_bytes
 from urdfkit.meshes.samples import gltf
@@ -439,6 +440,10 @@ def unknown_mode(content: Content) -> None:
     content["meshes"][0]["primitives"][0]["mode"] = 7
 
 
+def overlapping_rows(content: Content) -> None:
+    content["bufferViews"][0]["byteStride"] = 4
+
+
 def row_that_is_not_there(content: Content) -> None:
     content |= sparse()
     content["accessors"][0]["count"] = 3
@@ -462,6 +467,7 @@ def row_that_is_not_there(content: Content) -> None:
         (no_list, "is no valid glTF: nodes is no list"),
         (no_vector, "is no valid glTF: nodes[0].translation is not 3 numbers"),
         (unknown_mode, "is no valid glTF: there is no mode 7"),
+        (overlapping_rows, "is no valid glTF: the rows of accessors[0] overlap"),
         (row_that_is_not_there, "sparse.indices names rows that are not there"),
     ],
 )
@@ -486,6 +492,17 @@ def test_a_mesh_that_is_shown_without_end() -> None:
     content["scenes"] = [{"nodes": [*range(20_001)]}]
     with pytest.raises(UnloadableMesh, match="shows more than 20000 nodes"):
         load_bytes(json.dumps(content).encode(), "a.gltf")
+
+
+def test_one_list_that_is_shown_over_and_over(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(load_gltf, "MAX_TRIANGLES", 100)
+    surfaces, nodes = floats(), floats()
+    surfaces["meshes"][0]["primitives"] *= 26
+    nodes["nodes"] *= 26
+    nodes["scenes"][0]["nodes"] = [*range(26)]
+    for content in (surfaces, nodes):
+        with pytest.raises(UnloadableMesh, match="shows more than 100 triangles"):
+            load_bytes(json.dumps(content).encode(), "a.gltf")
 
 
 def test_numbers_in_a_file_beside_it(tmp_path: Path) -> None:

@@ -108,6 +108,8 @@ class Lists:
         stride = self._root.one_of("bufferViews", index).whole("byteStride", 0)
         row = kind.itemsize * width
         stride, start = stride or row, owner.whole("byteOffset", 0)
+        if stride < row:
+            raise NoTriangles(f"is no valid glTF: the rows of {owner.name} overlap")
         data = self.view(index)
         if count and start + stride * (count - 1) + row > len(data):
             raise NoTriangles(f"has more numbers in {owner.name} than in the view of it")

@@ -71,6 +71,7 @@ class _Reader:
         self._looks = Looks(root, self._lists, folder)
         self._meshes: dict[int, list[Part]] = {}
         self._others = 0
+        self._read = self._placed = 0
 
     def mesh(self) -> Mesh:
         parts = list(self._shown())
@@ -88,12 +89,10 @@ class _Reader:
         )
 
     def _shown(self) -> Iterator[Part]:
-        triangles = 0
         for node, matrix in self._nodes():
             for part in self._parts(node.whole("mesh")) if "mesh" in node else ():
-                triangles += len(part.faces)
-                if triangles > MAX_TRIANGLES:
-                    raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
+                self._placed += len(part.faces)
+                self._bound()
                 moved = transformed(part, matrix)
                 if np.isfinite(moved.vertices).all():
                     yield moved
@@ -149,6 +148,8 @@ class _Reader:
         else:
             corners = np.arange(len(positions))
         rows = _triangles(corners, mode)
+        self._read += len(rows)
+        self._bound()
         look = self._looks.look(primitive.whole("material")) if "material" in primitive else Look()
         uv = self._values(lists, f"TEXCOORD_{look.coordinates}", 2)
         normals = self._values(lists, "NORMAL", 3)
@@ -161,6 +162,11 @@ class _Reader:
             uv=None if uv is None else Stream(look.placed(uv), rows),
             colors=None if colors is None else Stream(colors, rows),
         )
+
+    def _bound(self) -> None:
+        """See that a short file does not show one list over and over."""
+        if max(self._read, self._placed) > MAX_TRIANGLES:
+            raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
 
     def _values(self, lists: Node, name: str, most: int) -> Floats | None:
         """(n, k), the values of the vertices by a name; None without them."""
