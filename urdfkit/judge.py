@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 #: Families of rules that look at the document or the robot in it.
 _OF_THE_DOCUMENT = frozenset("COL URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
 
+#: Rules about a package as such, whether a robot or a launch file lies in it.
+_OF_PACKAGES = frozenset(("PKG005", "PKG006"))
+
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
 #: Characters of a message: names in it may be as long as a file.
@@ -143,7 +146,7 @@ class _Run:
 def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
     """The rules that may have something to say; the others need not even be imported."""
     if is_launch(subject.source.path):
-        return [rules.get(code) for code in chosen if code.startswith("LAU") or code == "PKG005"]
+        return [rules.get(code) for code in chosen if code[:3] == "LAU" or code in _OF_PACKAGES]
     reading = subject.reading
     told = {problem.code for problem in reading.problems}
     silent = {"LAU"}
@@ -253,7 +256,7 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
 
 def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
     if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
-        return {"PKG001", "PKG002", "PKG003", "PKG004", "PKG005"}
+        return {"PKG001", "PKG002", "PKG003", "PKG004", *_OF_PACKAGES}
     from urdfkit.workspace.mentions import silent  # it compiles a regular expression
 
     return silent(sources, subject.resolver.packages)

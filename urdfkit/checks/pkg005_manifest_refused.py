@@ -23,6 +23,7 @@ from urdfkit.reading import is_launch, read_xml
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
+from urdfkit.workspace.mentions import are_in
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -71,7 +72,7 @@ _PACKAGE = re.compile(r"[A-Za-z0-9][\w-]*")
 @rule("PKG005", "manifest-refused", Severity.ERROR, help="mend the package.xml")
 def check(subject: Subject) -> Iterator[Finding]:
     file = beside(subject.source.path)
-    if file is None or not _matters(subject):
+    if file is None or not (is_launch(subject.source.path) or are_in(subject.document.sources)):
         return
     try:
         source = subject.resolver.read(file)
@@ -88,14 +89,6 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from _missing(document.root)
     yield from _tags(document.root)
     yield from _values(document.root)
-
-
-def _matters(subject: Subject) -> bool:
-    """True if the description finds files by way of packages."""
-    if is_launch(subject.source.path):
-        return True
-    sources = subject.document.sources
-    return any(b"package://" in s.data or b"$(find" in s.data for s in sources)
 
 
 def _missing(package: Element) -> Iterator[Finding]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.record import Record
 from urdfkit.source import Source, Span
@@ -38,9 +38,14 @@ class Mention(Record):
     span: Span
 
 
+def are_in(sources: Iterable[Source]) -> bool:
+    """True if texts mention packages."""
+    return any(b"package://" in source.data or b"$(find" in source.data for source in sources)
+
+
 def mentions(source: Source) -> Iterator[Mention]:
     """The packages in a text, in its order, outside of comments."""
-    if b"$(find" not in source.data and b"package://" not in source.data:
+    if not are_in((source,)):
         return
     for match in re.finditer(_MENTION, source.data):
         found = match.group(1) or match.group(3)
