@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block
-from tests.told import messages, told
+from tests.told import messages, places, told
 
 
 @pytest.mark.parametrize(
@@ -42,3 +42,17 @@ def test_a_reference_by_another_name_is_told_once(name: str) -> None:
         "reference"
     )
     assert found.help == 'write reference="base"'
+
+
+def test_of_a_block_it_is_told_once() -> None:
+    tags = "<mu1>1</mu1><mu2>1</mu2><kp>1</kp><kd>1</kd><mu1>1</mu1>"
+    robot = BASE + block(f"{tags}<static>1</static>", "")
+    said = "it belongs to a link, and this block refers to none"
+    assert messages("GAZ002", BASE + block("<mu1>1</mu1>", "")) == [
+        f"Gazebo ignores <mu1> here: {said}"
+    ]
+    said = said.replace("it belongs", "they belong")
+    assert messages("GAZ002", robot) == [f"Gazebo ignores <mu1>, <mu2>, <kp>, <kd> here: {said}"]
+    assert places("GAZ002", robot)[0][1] == "<gazebo>"
+    longer = BASE + block(f"{tags}<selfCollide>1</selfCollide>", "")
+    assert " <kd> and others here: " in messages("GAZ002", longer)[0]

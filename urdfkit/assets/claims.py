@@ -139,6 +139,12 @@ def _shared(measured: Measured) -> set[int]:
     return set(map(id, found.values()))
 
 
+def _lacks_materials(use: Use) -> bool:
+    """True if nothing else says which colour the mesh has."""
+    own = use.body.material is not None
+    return bool(use.measures.no_materials) and use.role == "visual" and not own
+
+
 def _is_open(use: Use) -> bool:
     measures = use.measures
     return use.role == "collision" and measures.hull is not None and not measures.is_closed
@@ -181,4 +187,5 @@ OF_FILES: dict[str, Callable[[Use], bool]] = {
     "MSH029": lambda use: bool(extras(use)),
     "MSH033": _is_flat,
     "MSH034": lambda use: bool(losses(use)),
+    "MSH037": _lacks_materials,
 }

@@ -36,9 +36,17 @@ BAD = """\
 GOOD = BAD.replace("<gazebo>", '<gazebo reference="wheel">')
 
 
+#: Tags of a block that a message names.
+_NAMED = 4
+
+
 @rule("GAZ002", "link-tag-without-reference", Severity.ERROR)
 def check(subject: Subject) -> Iterator[Finding]:
-    owners = {tag: extension.on for tag, extension in extensions().items()}
+    owners = {
+        tag: extension.on
+        for tag, extension in extensions().items()
+        if extension.on in ("link", "joint")
+    }
     of_model = set(copied("model"))
     for kind in ("joint", "link"):
         owners.update((tag, kind) for tag in copied(kind) if tag not in of_model)
@@ -48,16 +56,26 @@ def check(subject: Subject) -> Iterator[Finding]:
         if slip := _slip(subject.model, block):
             yield slip
             continue
-        for child in block.children:
-            owner = owners.get(child.tag)
-            if owner in ("link", "joint"):
-                yield Finding(
-                    child,
-                    f"Gazebo ignores <{child.tag}> here: it belongs to a {owner}, and this block "
-                    "refers to none",
-                    f'move it into <gazebo reference="...">, with the name of the {owner}',
-                    alike=child.tag,
-                )
+        misplaced = [(child, owner) for child in block.children if (owner := owners.get(child.tag))]
+        if misplaced:
+            yield _finding(block, misplaced)
+
+
+def _finding(block: Element, misplaced: list[tuple[Element, str]]) -> Finding:
+    """At the tag; at the block if it holds several."""
+    child, owner = misplaced[0]
+    if len(misplaced) == 1:
+        what, belongs = f"<{child.tag}>", f"it belongs to a {owner}"
+    else:
+        names = [f"<{tag}>" for tag in dict.fromkeys(child.tag for child, _ in misplaced)]
+        what = ", ".join(names[:_NAMED]) + (" and others" if len(names) > _NAMED else "")
+        belongs = f"they belong to a {owner}"
+    return Finding(
+        block if len(misplaced) > 1 else child,
+        f"Gazebo ignores {what} here: {belongs}, and this block refers to none",
+        f'write <gazebo reference="...">, with the name of the {owner}',
+        alike=child.tag,
+    )
 
 
 def _slip(model: RobotModel, block: Element) -> Finding | None:

@@ -46,6 +46,7 @@ class Measures(Record):
             as often in ``solid``, as a part of the true volume.
         inverted_bodies: closed pieces that look inwards, lie in no other one, and are no trifle.
         unit, up_axis, losses, extras, textures: as in `urdfkit.meshes.geometry.Mesh`.
+        no_materials: the files of materials that it names and that are not there.
     """
 
     triangles: int
@@ -68,6 +69,7 @@ class Measures(Record):
     losses: tuple[str, ...] = ()
     extras: tuple[str, ...] = ()
     textures: tuple[str, ...] = ()
+    no_materials: tuple[str, ...] = ()
 
     @property
     def is_closed(self) -> bool:

@@ -63,6 +63,7 @@ def measure(mesh: Mesh) -> Measures:
         losses=mesh.losses,
         extras=mesh.extras,
         textures=mesh.textures,
+        no_materials=tuple(name for name in mesh.missing if name.lower().endswith(".mtl")),
     )
 
 
