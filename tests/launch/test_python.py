@@ -162,3 +162,17 @@ def test_a_name_with_one_meaning_is_followed(package, body, found):
 def test_other_ways_to_the_robot(package, body):
     (description,) = read(package, body).descriptions
     assert Path(description.path) == package / "urdf" / "arm.xacro"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"x = {'+'.join(['a'] * 990)}\nx = {'+'.join(['b'] * 990)}\nCommand(['xacro ', x])",
+        f"x = {'[' * 150}{']' * 150}\nCommand(x)\nNode(arguments=x, parameters=x)",
+        "a = b\nb = a\nNode(package=a, arguments=b, parameters=[a])",
+        "Node()\nNode(*x, **y)\nIncludeLaunchDescription()\nCommand()\nopen()\nx.parse()",
+    ],
+    ids=["sum", "deep", "ring", "bare"],
+)
+def test_hostile_programs_are_read(text):
+    read_launch(Source("a.launch.py", text.encode()), Resolver(environment={}))

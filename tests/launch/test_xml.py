@@ -171,3 +171,18 @@ def test_what_it_starts(package):
     assert (node.package, node.executable) == ("p", "e")
     assert [word.text for word in node.words] == ["a", "b", None]
     assert [word.text for word in program.words] == ["ros2", "run"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<group>" * 5000 + "</group>" * 5000,
+        '<node name="n" pkg="p" type="t" args="' + "$(arg " * 3000 + ")" * 3000 + '"/>',
+        "<words/><tell_undeclared/><path a='b'/><level/>",
+        '<arg name="a" default="$(arg a)"/><param name="$(arg a)" value="b"/>',
+        "<nod/>" * 3000,
+    ],
+    ids=["deep", "nested", "names", "ring", "many"],
+)
+def test_hostile_files_are_read(package, text):
+    assert len(read(package, text).problems) <= 1001

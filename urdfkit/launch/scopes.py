@@ -43,10 +43,7 @@ class Scopes:
             scope = scope.outer
         values = scope.values[name.id] if scope else [None]
         first = values[0]
-        if len(values) == 1 or first is None:
-            return first
-        same = ast.dump(first)
-        return first if all(other and ast.dump(other) == same for other in values[1:]) else None
+        return first if all(_are_alike(first, other) for other in values[1:]) else None
 
     @staticmethod
     def _bound(node: ast.AST, scope: _Scope) -> _Scope:
@@ -68,6 +65,15 @@ class Scopes:
             for name in _stored(node):
                 scope.bind(name, None)
         return scope
+
+
+def _are_alike(one: ast.expr | None, other: ast.expr | None) -> bool:
+    if one is None or other is None:
+        return False
+    try:
+        return ast.dump(one) == ast.dump(other)
+    except RecursionError:  # a sum of a thousand parts
+        return False
 
 
 def _stored(node: ast.AST) -> list[str]:

@@ -27,6 +27,10 @@ from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
+#: Groups and substitutions inside one another that are followed.
+MAX_LEVELS = 50
+#: More slips of one launch file help nobody.
+MAX_PROBLEMS = 1000
 #: What launch refuses to read.
 _BROKEN = ("XML001", "XML002", "XML006", "XAC013")
 #: Stands in a word for what only running the launch file would tell.
@@ -60,6 +64,7 @@ class _File:
         self.frame = frame
         self.outer = outer
         self._ros: int | None = None
+        self._level = 0
         #: Names of arguments, those that the including file lends among them.
         self._declared: set[str] = {*lent}
         self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
@@ -83,6 +88,20 @@ class _File:
         self.collector.problems.append(problem)
 
     def _children(self, parent: Element) -> None:
+        if self._level >= MAX_LEVELS:
+            return
+        self._level += 1
+        handles = {
+            "arg": self._arg,
+            "executable": self._executable,
+            "group": self._children,
+            "include": self._include,
+            "let": self._arg,
+            "node": self._node,
+            "param": self._param,
+            "rosparam": self._rosparam,
+            "test": self._node,
+        }
         for element in parent.children:
             self._references(element, ("if", "unless"))
             if self._is_off(element):
@@ -90,9 +109,9 @@ class _File:
                 self._declared |= {e.get("name") or "" for e in arguments_in(element)}
                 continue
             self._look_at(element)
-            handle = getattr(self, f"_{element.tag.replace('-', '_')}", None)
-            if handle is not None:
+            if handle := handles.get(element.tag):
                 handle(element)
+        self._level -= 1
 
     def _is_off(self, element: Element) -> bool:
         """True if a condition says so; what cannot be known counts as on."""
@@ -109,7 +128,7 @@ class _File:
     # -------------------------------------------------------- what is wrong
 
     def _look_at(self, element: Element) -> None:
-        if self._ros is not None:
+        if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
             self.collector.problems += slips(element, self._ros, self.frame)
         self._references(element, element.attributes)
 
@@ -146,9 +165,6 @@ class _File:
 
     # ------------------------------------------------------------- elements
 
-    def _group(self, element: Element) -> None:
-        self._children(element)
-
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
         self._declared.add(name)
@@ -157,8 +173,6 @@ class _File:
             value = self.text(attribute)
             if value is not None:
                 self.values[name] = value
-
-    _let = _arg
 
     def _include(self, element: Element) -> None:
         for child in element.children:
@@ -278,8 +292,6 @@ class _File:
         self.collector.started.append(started)
         self._children(element)
 
-    _test = _node
-
     def _executable(self, element: Element) -> None:
         words = self._words(element.attributes.get("cmd"))
         started = Started("", "", words, frozenset(), element.span, self.frame)
@@ -344,17 +356,19 @@ class _File:
         """The value of an attribute; None where it cannot be known without running it."""
         return self._substituted(attribute.value, attribute.span)
 
-    def _substituted(self, text: str, span: Span) -> str | None:
+    def _substituted(self, text: str, span: Span, level: int = 0) -> str | None:
+        if level > MAX_LEVELS:
+            return None
         parts: list[str] = []
         for is_command, part in _pieces(text):
-            value = self._command(part, span) if is_command else part
+            value = self._command(part, span, level) if is_command else part
             if value is None:
                 return None
             parts.append(value)
         return "".join(parts)
 
-    def _command(self, content: str, span: Span) -> str | None:
-        inner = self._substituted(content, span)
+    def _command(self, content: str, span: Span, level: int = 0) -> str | None:
+        inner = self._substituted(content, span, level + 1)
         words = inner.split(None, 1) if inner else []
         if not words:
             return None
