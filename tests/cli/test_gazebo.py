@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -42,3 +43,20 @@ def test_what_cannot_be_done_is_said(words: list[str], capsys: pytest.CaptureFix
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("error: ")
+
+
+def test_names_are_aligned_and_do_not_steer_the_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    links = "".join(
+        f'<link name="{name}"><inertial><mass value="1"/></inertial></link>'
+        for name in ("底盘", "a\u202eb")
+    )
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{links}</robot>', encoding="utf-8")
+    assert main(["gazebo", str(tmp_path / "r.urdf")]) == 0
+    rows = capsys.readouterr().out.splitlines()
+    assert rows[2:5] == [
+        "link      mass / kg  in Gazebo",
+        "底盘              1  stays",
+        "a\\u202eb          1  stays",
+    ]

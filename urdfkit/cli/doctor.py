@@ -81,7 +81,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     if words:
         tell = _folder if os.path.isdir(near) else _file
         lines += ["", *tell(near, values, config or Config())]
-    output.write("\n".join(lines) + "\n")
+    output.page(lines)
     return 0
 
 

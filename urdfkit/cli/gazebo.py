@@ -9,6 +9,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.formats._layout import printable
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
 from urdfkit.jsontext import dumped
 
@@ -34,7 +35,7 @@ def command(
     if form == "json":
         output.write(dumped(as_json(conversion)))
     else:
-        output.write("\n".join(render(conversion)) + "\n")
+        output.page(render(conversion))
     return 0
 
 
@@ -43,11 +44,9 @@ def render(conversion: Conversion) -> Iterator[str]:
     model = conversion.model
     yield f"{len(model.links)} links become {len(conversion.links)}, by {conversion.converter.name}"
     yield ""
-    rows = [_row(conversion, link.name, link.mass) for link in model.links]
-    width = max((len(row[0]) for row in rows), default=4)
-    yield f"{'link':<{width}}  {'mass / kg':>10}  in Gazebo"
-    for name, mass, fate in rows:
-        yield f"{name:<{width}}  {mass:>10}  {fate}"
+    rows = [("link", f"{'mass / kg':>10}  in Gazebo")]
+    rows += ((printable(link.name), _row(conversion, link.name, link.mass)) for link in model.links)
+    yield from output.beside(rows)
     yield ""
     for link in conversion.links:
         yield from _link(link)
@@ -57,7 +56,7 @@ def render(conversion: Conversion) -> Iterator[str]:
     )
 
 
-def _row(conversion: Conversion, name: str, mass: float) -> tuple[str, str, str]:
+def _row(conversion: Conversion, name: str, mass: float) -> str:
     if name in conversion.dropped:
         fate = f"dropped: {conversion.dropped[name]}"
     elif name not in conversion.survivor:
@@ -66,7 +65,7 @@ def _row(conversion: Conversion, name: str, mass: float) -> tuple[str, str, str]
         fate = "stays"
     else:
         fate = f"merged into {conversion.survivor[name]}"
-    return name, f"{mass:g}" if mass else "-", fate
+    return f"{f'{mass:g}' if mass else '-':>10}  {fate}"
 
 
 def _link(link: SimulatedLink) -> Iterator[str]:

@@ -61,7 +61,7 @@ def command(
         raise first_of(error, file)
     found = find(xacro.document, address)
     inputs = xacro.inputs(found) if isinstance(found, Attribute) else ()
-    output.write("\n".join(render(found, inputs)) + "\n")
+    output.page(render(found, inputs))
     return 0
 
 

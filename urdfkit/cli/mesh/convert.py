@@ -33,5 +33,5 @@ def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
     lines = [*save(mesh, out)]
     for lost in mesh.losses:
         lines += output.indented(f"not in the mesh any more: {lost}")
-    output.write("\n".join(lines) + "\n")
+    output.page(lines)
     return 0

@@ -48,5 +48,5 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
             lines += save(Mesh((part,)), one)
     else:
         lines += save(found, path)
-    output.write("\n".join(lines) + "\n")
+    output.page(lines)
     return 0

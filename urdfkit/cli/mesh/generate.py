@@ -77,7 +77,7 @@ def command(
     if not dry_run:
         for one in made:
             one.write()
-    output.write("\n".join(render(made, undone, dry_run)) + "\n")
+    output.page(render(made, undone, dry_run))
     return int(bool(undone))
 
 

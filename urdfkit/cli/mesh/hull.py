@@ -25,5 +25,5 @@ def command(file: str, out: str | None, in_place: bool, force: bool) -> int:
     mesh = in_metres(load(file))
     found = hull(mesh)
     rows = tables.before_and_after(examine_mesh(mesh), examine_mesh(found))
-    output.write("\n".join([*tables.columns(rows), *save(found, path)]) + "\n")
+    output.page([*tables.columns(rows), *save(found, path)])
     return 0

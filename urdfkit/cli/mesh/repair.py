@@ -35,7 +35,7 @@ def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes:
     lines = [*render(done, defect)]
     if done.changed or defect or (path and path != file):
         lines += save(done.mesh, path)
-    output.write("\n".join(lines) + "\n")
+    output.page(lines)
     if not done.changed and not defect:
         return int(not done.after.is_solid)
     return int(path is None or not done.after.is_solid)

@@ -46,7 +46,7 @@ def command(
         else:
             assert error is not None
             found = to_error(mesh, error, bar)
-    output.write("\n".join([*render(found), *save(found.mesh, path)]) + "\n")
+    output.page([*render(found), *save(found.mesh, path)])
     return 0
 
 
