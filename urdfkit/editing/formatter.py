@@ -206,24 +206,21 @@ def _outline(found: list[Token], path: str) -> _Outline:
     ends: dict[int, int] = {}
     verbatim: set[int] = set()
     stack: list[int] = []
-    names: list[str] = []
     for number, token in enumerate(found):
         if token.kind is Kind.START:
             if "xml:space" in token.text and ("xml:space", "preserve") in _values(token):
                 verbatim.add(number)
             if not token.is_empty:
                 stack.append(number)
-                names.append(token.name)
                 if len(stack) > MAX_DEPTH:
                     raise UnreadableRobot(f"{path}: elements are nested too deeply to be laid out")
         elif token.kind is Kind.END:
             start = stack.pop()
-            names.pop()
             ends[start] = number
             inner = found[start + 1]
             if number == start + 2 and inner.kind is Kind.TEXT and "\n" not in inner.text:
                 verbatim.add(start)  # one space can be a value
-        elif stack and (token.kind is Kind.CDATA or (_is_text(token) and not _is_stray_in(names))):
+        elif stack and _holds_meaning(token, [found[i].name for i in stack]):
             verbatim.add(stack[-1])
     return _Outline(ends, verbatim & ends.keys())
 
@@ -236,8 +233,16 @@ def _is_blank(token: Token) -> bool:
     return token.kind is Kind.TEXT and not token.text.strip()
 
 
-def _is_text(token: Token) -> bool:
-    return token.kind is Kind.TEXT and bool(token.text.strip())
+def _holds_meaning(token: Token, path: list[str]) -> bool:
+    """True for a text that somebody may read.
+
+    Args:
+        token: any but tags.
+        path: names of the elements around it.
+    """
+    if token.kind is Kind.CDATA:
+        return True
+    return token.kind is Kind.TEXT and bool(token.text.strip()) and not _is_stray_in(path)
 
 
 def _is_stray_in(path: list[str]) -> bool:
