@@ -115,7 +115,9 @@ def test_implausible_densities(mass: float, geometry: str, density: float | None
         (6000, (0.05, 0.025, 0.065), BOX, "g"),
         (6000, (1e-9, 1e-9, 1e-9), BOX, ""),
         (80, (1, 1, 1), BOX, ""),  # 13 kg/m^3 as grams
+        (1200, (10, 5, 13), BOX, "g"),  # 200 kg/m^3 as grams
         (6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>', "mm"),
+        (42, (0.35, 0.175, 0.455), '<box size="200 300 100"/>', "mm"),  # 7000 kg/m^3
         (6, (0.05, 0.025, 0.065), BOX, ""),
         (1e-6, (1e-9, 1e-9, 1e-9), '<box size="1 1 1"/>', ""),  # no part, but not so large either
         (1000, (50, 25, 65), '<box size="20 20 20"/>', ""),  # too light, and far from 1e-9 of it
