@@ -122,3 +122,18 @@ def test_the_mission_s_model() -> None:
     )
     assert (found.span.line, found.span.text) == (63, "<collision>")
     assert found.severity is Severity.WARNING
+
+
+def test_what_has_the_origin_of_the_inertia_is_right() -> None:
+    rod = '<cylinder radius="0.1" length="0.02"/>'
+    turned = f"{pi / 2!r} 0 0"
+    inertial = (
+        f'<inertial><origin rpy="{turned}"/><mass value="1"/>'
+        '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    )
+    bodies = (shape("visual", rod), shape("collision", rod, "0 0 0", turned))
+    (found,) = told("GEO004", link("a", *bodies, inertial))
+    assert found.span.text == "<visual>"
+    assert found.help == "give the visual the <origin> of the collision"
+    (found,) = told("GEO004", link("a", *bodies))
+    assert found.span.text == "<collision>"

@@ -22,8 +22,10 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.catalog.sensors import SensorType
     from urdfkit.gazebo.sensors import Sensor
     from urdfkit.subject import Subject
+    from urdfkit.targets import Targets
 
 BAD = """\
 <link name="base">
@@ -57,10 +59,17 @@ def check(subject: Subject) -> Iterator[Finding]:
         if sensor.type not in known and not _brings_its_type(sensor, known):
             at = sensor.at.attributes.get("type", sensor.at)
             what = f"of type '{sensor.type}', which" if sensor.type else "without a type, which"
-            hint = did_you_mean(sensor.type, known)
-            yield Finding(
-                at, f"{sensor.who} is {what} no Gazebo knows{hint}", fix=_fix(sensor, known)
-            )
+            made = [name for name, one in known.items() if _is_made(one, subject.targets)]
+            hint = did_you_mean(sensor.type, made)
+            message = f"{sensor.who} is {what} no Gazebo knows{hint}"
+            yield Finding(at, message, fix=_fix(sensor, made))
+
+
+def _is_made(type: SensorType, targets: Targets) -> bool:
+    """True if a Gazebo that the robot is for makes such sensors, or none is known."""
+    gz = any(name.startswith("gz") for name in targets.names)
+    classic = any(name.startswith("classic") for name in targets.names)
+    return (type.gz and gz) or (type.classic and classic) or not (gz or classic)
 
 
 def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:

@@ -19,10 +19,12 @@ from urdfkit.assets.likeness import LEAST_OVERLAP
 from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
 from urdfkit.editing.edits import insert_first, remove_element
 from urdfkit.rules import Finding, rule
+from urdfkit.spatial import Frame
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link
+    from urdfkit.document import Element
+    from urdfkit.model import Body, Link
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -45,35 +47,47 @@ FIXED = GOOD
     "GEO004",
     "collision-far-from-visual",
     Severity.WARNING,
-    help="give the collision the <origin> of the visual",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for one in subject.likenesses.claims.get("GEO004", ()):
         link = one.link
         why = _why(link) if one.has_one_shape else ""
+        wrong, right = _sides(link)
         yield Finding(
-            link.collisions[0].at,
+            wrong.at,
             f"link '{link.name}': the bounding boxes of collision and visual have only "
             f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{why}",
-            fix=_fix(link) if why else None,
-            related=(Related(link.visuals[0].at.span, "the visual"),),
+            f"give the {wrong.at.tag} the <origin> of the {right.at.tag}",
+            _fix(wrong.at, right.at) if why else None,
+            (Related(right.at.span, f"the {right.at.tag}"),),
             confidence=Confidence.INFERRED,
             weight=1 - one.overlap,
         )
 
 
-def _fix(link: Link) -> Fix | None:
-    """The origin of the visual for the collision, which is the same shape."""
-    collision, visual = link.collisions[0].at, link.visuals[0].at
-    if collision.frame is not visual.frame:  # expressions mean something else there
+def _sides(link: Link) -> tuple[Body, Body]:
+    """The body that is probably misplaced, and the other one.
+
+    That is the collision, which nobody sees, unless its origin was written for the inertia, too.
+    """
+    collision, visual = link.collisions[0], link.visuals[0]
+    inertial = link.inertial.origin if link.inertial else Frame()
+    if Frame() != inertial == collision.origin != visual.origin:
+        return visual, collision
+    return collision, visual
+
+
+def _fix(wrong: Element, right: Element) -> Fix | None:
+    """The origin of one body for the other, which is the same shape."""
+    if wrong.frame is not right.frame:  # expressions mean something else there
         return None
-    old, new = collision.child("origin"), visual.child("origin")
-    title = "give the collision the <origin> of the visual"
+    old, new = wrong.child("origin"), right.child("origin")
+    title = f"give the {wrong.tag} the <origin> of the {right.tag}"
     if new is None:
-        return Fix("remove the <origin> of the collision", remove_element(old)) if old else None
+        return Fix(f"remove the <origin> of the {wrong.tag}", remove_element(old)) if old else None
     if old is None:
-        return Fix(title, insert_first(collision, (new.tag_at.whole_span.text,)))
+        return Fix(title, insert_first(wrong, (new.tag_at.whole_span.text,)))
     return Fix(title, (Edit(old.tag_at.whole_span, new.tag_at.whole_span.text),))
 
 
