@@ -313,3 +313,11 @@ def test_pictures_show_what_is_gone_and_what_is_new(pair: Path) -> None:
         greens = np.count_nonzero((green > 1.5 * red) & (green > 1.5 * blue))
         shown.append((reds > 5000, greens > 5000))
     assert shown == [(True, False), (False, True)]
+
+
+def test_a_rename_is_told_in_chinese(pair: Path) -> None:
+    pytest.importorskip("jinja2")
+    (pair / "b" / "arm.urdf").write_text(ARM.replace("tool", "hand"))
+    page = as_html.render(compare("a/arm.urdf", "b/arm.urdf"), language="zh")
+    assert "<code>tool</code></th><td>现名 <code>hand</code></td>" in page
+    assert '<span class="badge warning">名称</span>' in page

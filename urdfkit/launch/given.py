@@ -6,6 +6,7 @@ import ast
 import os
 from collections.abc import Collection, Iterator
 from itertools import islice
+from weakref import WeakKeyDictionary
 
 from urdfkit.document import Element, Frame
 from urdfkit.errors import UnreadableFile
@@ -22,6 +23,9 @@ from urdfkit.workspace.resolve import Resolver
 MAX_FILES = 200
 #: Sets of arguments that are taken of one robot; the UR arms have nine.
 MAX_GIVEN = 16
+
+#: Packages are read once, as all that a resolver finds.
+_READ: WeakKeyDictionary[Resolver, dict[str, list[tuple[str, Description]]]] = WeakKeyDictionary()
 
 
 class Given(Record):
@@ -66,22 +70,26 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
     return list(islice((own or others).values(), MAX_GIVEN))
 
 
-def _descriptions(robot: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
+def _descriptions(robot: str, resolver: Resolver) -> list[tuple[str, Description]]:
     """The robots that the launch files of a package start, with the path of the launch file."""
-    for source in _launch_files(robot, resolver):
-        for choice in _choices(source):
-            for description in read_launch(source, resolver, choice).descriptions:
-                yield source.path, description
-
-
-def _launch_files(robot: str, resolver: Resolver) -> Iterator[Source]:
     package = resolver.packages.enclosing(robot)
-    paths = _below(package[1]) if package else ()
-    for path in islice(paths, MAX_FILES):
+    if package is None:
+        return []
+    known = _READ.setdefault(resolver, {})
+    if package[1] not in known:
+        known[package[1]] = list(_read(package[1], resolver))
+    return known[package[1]]
+
+
+def _read(folder: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
+    for path in islice(_below(folder), MAX_FILES):
         try:
-            yield resolver.read(path)
+            source = resolver.read(path)
         except UnreadableFile:
             continue  # a dangling link, or no permission
+        for choice in _choices(source):
+            for description in read_launch(source, resolver, choice).descriptions:
+                yield path, description
 
 
 def _below(folder: str) -> Iterator[str]:
