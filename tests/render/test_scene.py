@@ -17,6 +17,7 @@ from tests.render.scenes import alone, colour_at, link, robot
 from urdfkit.loading import read
 from urdfkit.render import build, looking
 from urdfkit.render.looks import PLACEHOLDER, PLAIN
+from urdfkit.source import Source
 
 SIZE = (200, 200)
 
@@ -256,3 +257,16 @@ def test_the_effect_and_the_unit_of_a_collada_file_count(tmp_path: Path) -> None
     assert seen(tmp_path, mesh) == ["green"] * 4
     points = build(read(tmp_path / "robot.urdf")).points()
     assert np.ptp(points, axis=0) == pytest.approx((0, 1, 1))
+
+
+def test_roots_that_share_a_place_are_told_of() -> None:
+    """Nothing says how they stand to one another; what is not drawn does not matter."""
+    ball = '<visual><geometry><sphere radius="1"/></geometry></visual>'
+    two = f'<link name="a">{ball}</link><link name="b">{ball}</link>'
+
+    def notes(text: str) -> tuple[str, ...]:
+        return build(read(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()))).notes
+
+    (note,) = notes(two)
+    assert note.startswith("2 roots are drawn in one place")
+    assert notes(two.replace(ball, "", 1)) == ()

@@ -89,7 +89,7 @@ class Scene(NamedTuple):
         frames: where each link is, by its name.
         missing: the meshes that placeholders stand for.
         labels: words to write.
-        notes: what there was nothing of to draw, a sentence each.
+        notes: what there was nothing of to draw, or is not as it looks, a sentence each.
     """
 
     items: tuple[Item, ...]
@@ -144,15 +144,16 @@ def build(
                 if not found and body.shape and body.shape.kind == "mesh":
                     reason = subject.meshes.reason(body.shape) or "its triangles are nowhere"
                     absent.append((link, role, body, reason))
-    scene = Scene(tuple(items), frames)
+    roots = {subject.tree.root_of[item.link] for item in items}
+    note = f"{len(roots)} roots are drawn in one place: no joint says how they stand to one another"
+    scene = Scene(tuple(items), frames, notes=(note,) if len(roots) > 1 else ())
     if not absent:
         return scene
     least = PLACEHOLDER_SIZE * _reach(scene)
     boxes = (_placeholder(subject, link, role, body, least) for link, role, body, _ in absent)
-    return Scene(
-        (*items, *boxes),
-        frames,
-        tuple(
+    return scene._replace(
+        items=(*items, *boxes),
+        missing=tuple(
             Missing(link.name, role, _filename(body.shape), reason)
             for link, role, body, reason in absent
         ),
