@@ -433,3 +433,17 @@ def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> 
     assert problem.help == (
         f"there is no folder 'NONE' in {tmp_path}; there are seven_axes, six_axes"
     )
+
+
+@pytest.mark.parametrize(
+    ("body", "help"),
+    [
+        ("<xacro:propery name='a' value='1'/>", "did you mean 'property'?"),
+        ("<xacro:property name='w' value='1.5'/><a b='${w^2}'/>", "write ** for a power"),
+        ("<xacro:property name='w' value='0,5'/><a b='${w/2}'/>", "a value in it is text"),
+        ("<xacro:property name='w' value='5 cm'/><a b='${-w}'/>", "a value in it is text"),
+    ],
+)
+def test_what_was_meant_is_told(tmp_path: Path, body: str, help: str) -> None:
+    (problem,) = run(tmp_path, body).problems
+    assert help in problem.help

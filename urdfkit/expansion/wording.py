@@ -11,10 +11,13 @@ from urdfkit.expansion.dom import Node
 from urdfkit.expansion.errors import BrokenYaml
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.record import Record
+from urdfkit.schema import XACRO_TAGS
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
 
+#: How like a tag of xacro the name of a macro must be to be taken for a slip of it.
+_SLIP = 0.8
 #: Folders that a help lists.
 _FEW = 10
 
@@ -63,14 +66,30 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
         return Words(message, "delete the scope")
     if found := _UNKNOWN_MACRO.search(text):
         name = found.group(1)
-        known = (macro.name for macro in run.macros)
+        known = [macro.name for macro in run.macros]
+        if tag := nearest(name, XACRO_TAGS, _SLIP):
+            known.append(tag)
         help = "define the macro above its call, or include the file that does"
         if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
             help = "write <xacro:include>: xacro passes over an <include> without the prefix"
         return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+    if isinstance(cause, TypeError) and (help := _help_with_types(text)):
+        return Words(text, help)
     return _of_call(text, macro_of(error)) or Words(
         text.replace("\n", "; ") or type(cause).__name__
     )
+
+
+def _help_with_types(text: str) -> str:
+    """What to do where an expression calculates with text; empty where it does something else."""
+    if " for ^: " in text:
+        return "write ** for a power; ^ is none in Python"
+    if "operand" in text and "'str'" in text:
+        return (
+            "a value in it is text: correct its definition (a number has a decimal point, and no "
+            "comma or unit), or write float(...)"
+        )
+    return ""
 
 
 def macro_of(error: BaseException) -> Any:
