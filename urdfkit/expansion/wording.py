@@ -65,14 +65,7 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
         message = 'scope="parent" stands outside of every macro, where there is no parent'
         return Words(message, "delete the scope")
     if found := _UNKNOWN_MACRO.search(text):
-        name = found.group(1)
-        known = [macro.name for macro in run.macros]
-        if tag := nearest(name, XACRO_TAGS, _SLIP):
-            known.append(tag)
-        help = "define the macro above its call, or include the file that does"
-        if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
-            help = "write <xacro:include>: xacro passes over an <include> without the prefix"
-        return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+        return _unknown_macro(run, found.group(1))
     if isinstance(cause, TypeError) and (help := _help_with_types(text)):
         return Words(text, help)
     return _of_call(text, macro_of(error)) or Words(
@@ -128,6 +121,16 @@ def _of_call(text: str, macro: Any) -> Words | None:
         bracket = "}" if found.group(1)[1] == "{" else ")"
         return Words(f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'")
     return None
+
+
+def _unknown_macro(run: Run, name: str) -> Words:
+    known = [macro.name for macro in run.macros]
+    if tag := nearest(name, XACRO_TAGS, _SLIP):
+        known.append(tag)
+    help = "define the macro above its call, or include the file that does"
+    if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
+        help = "write <xacro:include>: xacro passes over an <include> without the prefix"
+    return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
 def _undefined_name(run: Run, text: str, name: str) -> Words:
