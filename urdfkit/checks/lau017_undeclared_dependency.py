@@ -1,0 +1,50 @@
+"""A launch file uses a package that its own `package.xml` does not declare.
+
+It works on the machine where that package happens to be. Elsewhere rosdep does not install it, and
+launch stops: "package not found". Packages that come with ROS are not told.
+
+Sources:
+    REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "bot_bringup/launch/bot.launch"
+BAD = '<launch><node name="a" pkg="bot_driver" type="a"/></launch>'
+GOOD = BAD.replace("bot_driver", "bot_control")
+FILES = {
+    "bot_bringup/package.xml": b"<package><name>bot_bringup</name>"
+    b"<exec_depend>bot_control</exec_depend></package>",
+    "bot_control/package.xml": b"<package><name>bot_control</name></package>",
+    "bot_driver/package.xml": b"<package><name>bot_driver</name></package>",
+}
+
+
+@rule("LAU017", "undeclared-dependency", Severity.INFO, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Iterator[Finding]:
+    manifest = manifest_of(subject.resolver, subject.source.path)
+    if manifest is None:
+        return
+    told = {manifest.package, *manifest.dependencies}
+    for package in subject.launch.packages:
+        is_own = package.span.source.path == subject.source.path
+        if package.searched is not None or package.name in told or not is_own:
+            continue  # LAU002, and what included files of other packages use
+        if not comes_with_ros(package.name):
+            yield Finding(
+                Written(package.span),
+                f"package '{package.name}' is used, and {manifest.path} does not declare it",
+                f"add <exec_depend>{package.name}</exec_depend> to package.xml",
+                alike="undeclared",
+            )
