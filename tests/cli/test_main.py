@@ -206,8 +206,12 @@ def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
         while len(busy(children)) < 2:
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)
-        assert process.communicate(timeout=60) == (b"", b"")
-    assert process.returncode == 130
+        try:
+            said = process.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            raise
+    assert (process.returncode, *said) == (130, b"", b"")
     with pytest.raises(ProcessLookupError):
         os.killpg(process.pid, 0)
 
