@@ -156,6 +156,15 @@ def test_reports_say_so(package: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert 'arguments.size = "big"  # or "small"\n' in capsys.readouterr().out
 
 
+def test_long_arguments_are_counted(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    sizes = ", ".join(repr(letter * 100) for letter in "abc")
+    text = PYTHON.replace('"big", "small"', sizes)
+    (package / "launch" / "arm.launch.py").write_text(text)
+    assert main(["check", str(package)]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert f"({package / 'arm.xacro'} with 3 values of size of arm.launch.py)" in said
+
+
 def test_fixes_hold_for_every_way(package: Path) -> None:
     """A fix that one way asks for, and another one that uses the place does not, is disputed."""
     (package / "launch" / "arm.launch.py").write_text(PYTHON)

@@ -14,6 +14,8 @@ from urdfkit.source import Span
 
 #: Calls of one macro, and steps of one way, that are shown.
 MAX_CALLS = 8
+#: Letters of arguments; they may be paths.
+MAX_VALUES = 160
 
 _COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
 _STEPS = {"macro": "called by <xacro:{}> at", "include": "included at", "launch": "started at"}
@@ -79,7 +81,10 @@ def _launched(report: Report) -> Iterator[str]:
     for (path, name), launches in values.items():
         files = {os.path.basename(launch) for launch in launches.values()}
         where = min(files) if len(files) == 1 else _many(len(files), "launch file")
-        yield printable(f"{path} with {name} {', '.join(launches)} of {where}")
+        what = f"{name} {', '.join(launches)}"
+        if len(what) > MAX_VALUES:
+            what = f"{len(launches)} values of {name}"
+        yield printable(f"{path} with {what} of {where}")
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:
