@@ -144,3 +144,11 @@ def test_a_mesh_of_next_to_nothing_is_left_out(tmp_path: Path) -> None:
     assert omitted == (Omitted("a", 0, f"it is smaller than {THINNEST:g} m"),)
     (small,), _ = made(robot(link("a", mesh(tmp_path / "c.stl", "2e-6 2e-6 2e-6"))))
     form(small)
+
+
+def test_a_triangle_of_three_points_in_a_row_has_no_area(tmp_path: Path) -> None:
+    row = [[1.0, 1.0, 0.0], [2.0, 1.0, 0.0], [3.0, 1.0, 0.0]]
+    good = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]]
+    (one,), _ = made(robot(link("a", mesh(stl(tmp_path / "a.stl", [row, good])))))
+    assert len(one.faces) == 1
+    assert sorted(map(tuple, one.vertices.tolist())) == sorted(map(tuple, good))

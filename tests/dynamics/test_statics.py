@@ -185,3 +185,14 @@ def test_a_torque_that_pulls_the_other_way_is_climbed_downwards() -> None:
     assert loads["a_joint"].at_zero == pytest.approx(2 * G)
     assert loads["a_joint"].worst == pytest.approx(2 * G)
     assert loads["b_joint"].worst == pytest.approx(2 * G * 0.5)
+
+
+@pytest.mark.parametrize(("lower", "upper"), [("-5", "-4.4"), ("4.4", "5"), ("1.4", "2")])
+def test_the_top_of_a_torque_is_found_a_turn_away(lower: str, upper: str) -> None:
+    """The lever is level between the limits, and at neither of them."""
+    text = link("base") + link("a", inertial(2, (0.1, 0.1, 0.1), xyz="0 0 0.5"))
+    swing = moving("base", "a", "revolute", "0 1 0")
+    text += swing.replace('lower="-3"', f'lower="{lower}"').replace('upper="3"', f'upper="{upper}"')
+    (load,) = statics(dynamics(text), samples=0).loads
+    assert load.worst == pytest.approx(2 * G * 0.5, rel=1e-9)
+    assert abs(sin(load.pose["a_joint"])) == pytest.approx(1)

@@ -213,7 +213,9 @@ def test_every_word_has_a_chinese_one() -> None:
 
 
 def test_what_is_translated_is_somewhere_used() -> None:
-    sources = [*TEMPLATES.parent.rglob("*.py"), *(ROOT / "urdfkit" / "comparison").glob("*.py")]
+    package = ROOT / "urdfkit"
+    sources = [*TEMPLATES.parent.rglob("*.py"), *(package / "comparison").glob("*.py")]
+    sources += [package / "differences.py"]
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join(Confidence)
