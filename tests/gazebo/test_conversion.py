@@ -261,3 +261,12 @@ def test_the_mission_model():
     )
     assert conversion.links[0].properties.mass == pytest.approx(8.2301)
     assert conversion.dropped == {}
+
+
+def test_a_loop_of_fixed_joints_ends():
+    joint = '<joint name="{0}{1}" type="fixed"><parent link="{0}"/><child link="{1}"/></joint>'
+    body = '<inertial><mass value="1"/></inertial><collision name="of {0}"/>'
+    text = "".join(f'<link name="{name}">{body.format(name)}</link>' for name in "abc")
+    text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
+    (link,) = Conversion(_subject(f'<robot name="r">{text}</robot>').tree).links
+    assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]

@@ -89,14 +89,17 @@ class SimulatedLink:
     @cached_property
     def _merging_order(self) -> list[Link]:
         """The links of the body as their shapes are merged: by the names of their joints."""
-        members = {link.name for link, _ in self.body.links}
+        left = {link.name for link, _ in self.body.links}  # a loop of joints ends there
         order: list[Link] = []
         stack = [self.name]
         while stack:
             name = stack.pop()
+            if name not in left:
+                continue
+            left.remove(name)
             order.append(self._tree.model.links_by_name[name])
             joints = sorted(self._tree.children[name], key=lambda one: one.name, reverse=True)
-            stack += [j.child.value for j in joints if j.child and j.child.value in members]
+            stack += [joint.child.value for joint in joints if joint.child]
         return order
 
 
