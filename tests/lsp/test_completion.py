@@ -189,6 +189,10 @@ def test_no_file_outside_is_offered(arm: Path) -> None:
         assert all(name.startswith("package://") for name in found)
 
 
+def test_python_has_no_tags(tmp_path: Path) -> None:
+    assert offers(tmp_path, 'is_small = 1 <| 2\nname = "<link name="', "a.launch.py") == {}
+
+
 # --- against the grammar and the catalogue
 
 

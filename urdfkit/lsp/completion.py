@@ -64,6 +64,8 @@ class Offer(Record):
 
 def complete(robot: Robot, page: Page, offset: int) -> list[Offer]:
     """Everything that may stand at a place, without regard to what is written of it."""
+    if page.source.path.endswith(".py"):
+        return []  # a launch file: '<' is no tag
     here = cursor(page, offset)
     before = page.source.data[:offset]
     found: Iterable[Offer] = ()

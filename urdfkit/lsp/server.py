@@ -37,7 +37,7 @@ QUIET = 0.03
 #: The files that a check may read.
 PARTS = (
     "**/{package.xml,urdfkit.toml,pyproject.toml,"
-    "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,stl,dae,obj,ply,glb,gltf}}"
+    "*.{urdf,xacro,srdf,gazebo,xml,yaml,yml,launch,launch.py,stl,dae,obj,ply,glb,gltf}}"
 )
 #: Of the thread that expands robots: xacro recurses in the depth of macros.
 _STACK = 64 * 1024 * 1024

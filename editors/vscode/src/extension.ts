@@ -47,6 +47,8 @@ async function start(): Promise<void> {
       documentSelector: [
         { language: "urdf" },
         { scheme: "file", language: "xml", pattern: ROBOTS },
+        // From a launch file to the robot that it starts.
+        { scheme: "file", language: "python", pattern: "**/*launch.py" },
         // Of controllers: what they name leads to the robot, and is renamed with it.
         { scheme: "file", language: "yaml" },
       ],
