@@ -20,6 +20,14 @@ def write(folder: Path, name: str, body: str) -> str:
     return str(path)
 
 
+CART = """<link name="base"/><link name="wheel"/>
+<joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>"""
+LAUNCH = """<launch>
+<param name="robot_description" command="xacro $(find pkg)/urdf/cart.xacro"/>
+<rosparam file="$(find pkg)/c.yaml"/>
+</launch>"""
+
+
 def include(name: str) -> str:
     return f'<xacro:include filename="{name}"/>'
 
@@ -278,3 +286,17 @@ def test_the_launch_files_of_a_folder_are_checked(package):
     ]
     config = Config(path=str(package / "urdfkit.toml"), exclude=("launch",))
     assert check(package, select=["LAU"], config=config).diagnostics == ()
+
+
+def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(package):
+    write(package, "urdf/cart.xacro", CART)
+    (package / "c.yaml").write_text(
+        "grip:\n  type: position_controllers/JointPositionController\n  joint: axel\n"
+    )
+    (package / "launch").mkdir()
+    (package / "launch" / "a.launch").write_text(LAUNCH)
+    report = check(package / "urdf", package)
+    (found,) = (d for d in report.diagnostics if d.code == "RCT013")
+    assert "joint 'axel'" in found.message
+    assert found.span.source.path == str(package / "c.yaml")
+    assert [Path(file).name for file in report.files].count("cart.xacro") == 1

@@ -282,8 +282,9 @@ def _run(
             progress=progress,
         )
 
+    chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
     return [
-        (job, _without_arguments(judge(subject, settings.chosen, settings.config), job, subject))
+        (job, _without_arguments(judge(subject, chosen, settings.config), job, subject))
         for job, subject in as_launched(job, read)
     ]
 

@@ -33,6 +33,7 @@ class Job(Record):
         frame: the launch file that asks for it, if one does.
         parameters: the files of parameters that this launch file loads.
         launched: the arguments that it lacks by itself, if a launch file gives them.
+        codes: of the rules that are asked; all if empty.
     """
 
     source: Source
@@ -42,6 +43,7 @@ class Job(Record):
     frame: Frame | None = None
     parameters: tuple[FileUse, ...] = ()
     launched: Launched | None = None
+    codes: frozenset[str] = frozenset()
 
 
 def planned(
@@ -88,12 +90,12 @@ class Plan:
         elif os.path.isdir(file):
             from urdfkit.config import Config
             from urdfkit.discovery import discover, launch_files
+            from urdfkit.glance import ABOUT_PARAMETERS
 
             folder, config = os.fspath(file), self.config or Config()
             self._add_found(discover(folder, config, self.resolver), folder)
             for path in launch_files(folder, config):
-                source = self.resolver.read(_spelt(path, folder))
-                self.jobs.append(Job(source, "", self.arguments, False))
+                self._add_launch(self.resolver.read(_spelt(path, folder)), ABOUT_PARAMETERS)
         else:
             self._add_file(os.fspath(file))
 
@@ -130,18 +132,24 @@ class Plan:
         for robot in variants if not self.arguments else ():
             self._add(source, robot.name, robot.arguments, found=False)
 
-    def _add_launch(self, source: Source) -> None:
-        """A launch file, and the robots that it describes."""
+    def _add_launch(self, source: Source, codes: frozenset[str] = frozenset()) -> None:
+        """A launch file, and the robots that it describes.
+
+        Args:
+            source: of the launch file.
+            codes: the rules that its robots are checked with; all if empty. Robots of a folder are
+                checked anyway, and only what a launch file adds to them is left.
+        """
         from urdfkit.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
         launch = read_launch(source, self.resolver, self.arguments)
-        for description in launch.descriptions:
+        for description in launch.descriptions if launch.parameters or not codes else ():
             robot = self.resolver.read(_spelt(description.path, source.path))
             common = self.config.arguments if self.config else {}
             arguments = {**common, **description.arguments}
             job = Job(robot, "", arguments, False, description.frame, launch.parameters)
-            self.jobs.append(job)
+            self.jobs.append(job._replace(codes=codes))
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
         common = self.config.arguments if self.config else {}
