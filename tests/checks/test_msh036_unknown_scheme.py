@@ -14,6 +14,12 @@ def test_a_slip_is_told_and_mended() -> None:
     assert 'filename="package://p/meshes/arm.stl"' in fixed("MSH036", text)
 
 
+def test_capitals_are_another_scheme() -> None:
+    text = mesh_link("Package://p/meshes/arm.stl")
+    assert len(messages("MSH036", text)) == 1
+    assert 'filename="package://p/meshes/arm.stl"' in fixed("MSH036", text)
+
+
 def test_one_that_is_like_none_is_told_without_a_remedy() -> None:
     assert len(messages("MSH036", mesh_link("s3://bucket/arm.stl"))) == 1
 

@@ -151,7 +151,8 @@ class Files:
                 codes.add("MSH003")
             if "\\" in mesh.at.value:
                 codes.add("MSH004")
-            if mesh.located.scheme not in ("package", "model", "absolute", "relative"):
+            scheme, is_written, _ = mesh.at.value.partition("://")
+            if is_written and scheme not in ("package", "model", "file"):
                 codes.add("MSH036")
             if ".." in mesh.located.relative:
                 codes.add("MSH006")

@@ -1,8 +1,8 @@
 """A mesh reference begins with a scheme that no reader knows.
 
-`package://`, `model://` and `file://` lead to files. A misspelt one leads nowhere: RViz and Gazebo
-write "could not load resource" and draw nothing. Meshes on the web, which RViz alone fetches, are
-left alone.
+`package://`, `model://` and `file://` lead to files. A misspelt one, or one in capitals, leads
+nowhere: RViz and Gazebo write "could not load resource" and draw nothing. Meshes on the web, which
+RViz alone fetches, are left alone.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -60,9 +60,9 @@ _REMOTE = ("http", "https", "ftp", "fuel")
 def check(subject: Subject) -> Iterator[Finding]:
     for mesh in subject.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
-        if not colon or scheme.lower() in (*_KNOWN, *_REMOTE) or "\\" in scheme:
+        if not colon or scheme in _KNOWN or scheme.lower() in _REMOTE or "\\" in scheme:
             continue
-        meant = nearest(scheme, _KNOWN)
+        meant = nearest(scheme.lower(), _KNOWN)
         edits = replace_value(mesh.literal, f"{meant}://{rest}") if meant and mesh.literal else None
         yield Finding(
             mesh.at,
