@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import UnreadableFile
-from urdfkit.launch.collect import UNKNOWN, Collector, frame_at
+from urdfkit.launch.collect import Collector, frame_at
 from urdfkit.launch.found import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Launch, Started, Word
 from urdfkit.launch.passing import (
     declares_others,
@@ -20,6 +20,7 @@ from urdfkit.launch.passing import (
     undeclared,
 )
 from urdfkit.launch.signature import USE, Signature, arguments_in, signature
+from urdfkit.launch.substitutions import Substitutions, pieces
 from urdfkit.launch.tags import dialect, slips
 from urdfkit.reading import Problem, read_xml
 from urdfkit.source import Source, Span
@@ -27,7 +28,7 @@ from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
-#: Groups and substitutions inside one another that are followed.
+#: Groups inside one another that are followed.
 MAX_LEVELS = 50
 #: More slips of one launch file help nobody.
 MAX_PROBLEMS = 1000
@@ -61,6 +62,7 @@ class _File:
         self.source = source
         self.given = dict(arguments)
         self.values: dict[str, str] = dict(arguments)
+        self.substitutions = Substitutions(collector, source, self.values)
         self.frame = frame
         self.outer = outer
         self._ros: int | None = None
@@ -265,7 +267,7 @@ class _File:
             if found is None:
                 return
             text = found.group(2)
-        command = self._substituted(text, attribute.span)
+        command = self.substitutions.text(text, attribute.span)
         if command is not None:
             self.collector.command(command, attribute.span, frame)
 
@@ -302,8 +304,8 @@ class _File:
         if attribute is None:
             return ()
         written: list[str] = []
-        for is_command, part in _pieces(attribute.value):
-            value = self._command(part, attribute.span) if is_command else part
+        for is_command, part in pieces(attribute.value):
+            value = self.substitutions.command(part, attribute.span) if is_command else part
             # An argument that is empty unless somebody gives it stands for a word, too.
             written.append(value or _UNKNOWN_WORD)
         text = "".join(written)
@@ -333,6 +335,10 @@ class _File:
         if not attribute or "ns" in element.attributes or "param" in element.attributes:
             self.collector.names_parameters = True
 
+    def text(self, attribute: Attribute) -> str | None:
+        """The value of an attribute; None where it cannot be known without running it."""
+        return self.substitutions.text(attribute.value, attribute.span)
+
     def _named_file(self, attribute: Attribute, purpose: str) -> None:
         path = self._path_in(attribute)
         if path is not None:
@@ -349,58 +355,3 @@ class _File:
         return os.path.normpath(
             os.path.join(os.path.dirname(os.path.abspath(self.source.path)), text)
         )
-
-    # -------------------------------------------------------- substitutions
-
-    def text(self, attribute: Attribute) -> str | None:
-        """The value of an attribute; None where it cannot be known without running it."""
-        return self._substituted(attribute.value, attribute.span)
-
-    def _substituted(self, text: str, span: Span, level: int = 0) -> str | None:
-        if level > MAX_LEVELS:
-            return None
-        parts: list[str] = []
-        for is_command, part in _pieces(text):
-            value = self._command(part, span, level) if is_command else part
-            if value is None:
-                return None
-            parts.append(value)
-        return "".join(parts)
-
-    def _command(self, content: str, span: Span, level: int = 0) -> str | None:
-        inner = self._substituted(content, span, level + 1)
-        words = inner.split(None, 1) if inner else []
-        if not words:
-            return None
-        command, rest = words[0], words[1].strip() if len(words) > 1 else ""
-        if command in ("find", "find-pkg-share", "find-pkg-prefix"):
-            # Only the file in the package matters; that xacro itself is installed does not.
-            found = self.collector.package(rest, self.source, span)
-            return found if found is not None else f"{UNKNOWN}/{rest}"
-        if command in ("arg", "var"):
-            return self.values.get(rest)
-        if command == "dirname":
-            return os.path.dirname(os.path.abspath(self.source.path))
-        if command in ("optenv", "env"):
-            default = rest.split(None, 1)
-            return default[1].strip("'\"") if len(default) > 1 else None
-        return None  # eval, anon, exec-in-pkg, command
-
-
-def _pieces(text: str) -> Iterator[tuple[bool, str]]:
-    """The text outside of ``$(...)``, and the contents of those, nested ones kept whole."""
-    start = position = 0
-    while (opening := text.find("$(", position)) >= 0:
-        depth, end = 0, opening
-        for end in range(opening, len(text)):
-            depth += {"(": 1, ")": -1}.get(text[end], 0)
-            if text[end] == ")" and depth == 0:
-                break
-        else:
-            break
-        if opening > start:
-            yield False, text[start:opening]
-        yield True, text[opening + 2 : end]
-        start = position = end + 1
-    if start < len(text):
-        yield False, text[start:]
