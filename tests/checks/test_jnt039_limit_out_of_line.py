@@ -23,6 +23,12 @@ def arm(*limits: Limits, kind: str = "revolute") -> str:
 REST: tuple[Limits, ...] = (("80", "3"), ("40", "2"), ("10", "4"))
 
 
+def test_a_wheel_is_not_compared_with_an_arm() -> None:
+    wheel = joint("wheel", "continuous", limit("0", "0", "100", "1000"))
+    rest = [joint(f"j{i}", "revolute", limit("-1", "1", "10", "0.5")) for i in range(4)]
+    assert messages("JNT039", robot(wheel, *rest)) == []
+
+
 @pytest.mark.parametrize(
     ("odd", "said"),
     [

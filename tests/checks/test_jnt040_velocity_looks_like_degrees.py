@@ -34,6 +34,12 @@ def test_degrees(velocities: tuple[str, ...], suspects: list[str]) -> None:
     assert found == [f"joint '{name}'" for name in suspects]
 
 
+def test_a_wheel_whose_ends_are_none_may_be_fast() -> None:
+    wheels = [joint(f"j{i}", "revolute", limit("-1e9", "1e9", velocity=v)) for i, v in
+              enumerate(("73", "92"))]  # fmt: skip
+    assert told("JNT040", robot(*wheels)) == []
+
+
 def test_the_fix_is_the_same_speed_in_radians() -> None:
     (found,) = told("JNT040", arm("225"))
     assert found.message == (

@@ -3,8 +3,8 @@
 It is 200 times the largest effort of the other joints, or 20 times the largest velocity; or as
 much below the smallest. That is a unit (N mm, degrees per second, turns per minute), a slipped
 decimal point, or a number written until somebody looks the right one up. Controllers and planners
-believe it: one joint jerks, or holds all others up. Joints that turn are compared with such, and
-slides with slides; where several joints share the odd number, it is taken for meant.
+believe it: one joint jerks, or holds all others up. Joints with ends are compared with such,
+slides with slides and wheels with wheels; where several joints share the odd number, it is taken for meant.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -58,9 +58,8 @@ _OTHERS = 3
 )
 def check(subject: Subject) -> Iterator[Finding]:
     joints = [joint for joint in subject.model.joints if joint.kind in MOVING and joint.limit]
-    slides = [joint for joint in joints if joint.kind == "prismatic"]
-    turning = [joint for joint in joints if joint.kind != "prismatic"]
-    for alike in (slides, turning):
+    for kind in MOVING:  # wheels are other motors than arms
+        alike = [joint for joint in joints if joint.kind == kind]
         for of, times in _TIMES.items():
             yield from _odd(alike, of, times)
 

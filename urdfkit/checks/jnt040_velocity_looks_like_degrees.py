@@ -16,7 +16,7 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import radians
+from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.document import Attribute
@@ -48,6 +48,9 @@ _NAMED = frozenset((90, 120, 135, 150, 180, 225, 270, 360))
 #: Numbers that stand for "fast enough".
 _ROUND = frozenset((50, 100, 200, 300, 400, 500, 1000))
 
+#: Between the ends of a joint of an arm, in rad.
+_TURNS = 8 * pi
+
 #: The fastest of the other joints of an arm, in rad/s.
 _WALK = 10.0
 
@@ -63,7 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = [
         (joint, joint.limit.velocity)
         for joint in subject.model.joints
-        if joint.kind == "revolute" and joint.limit and joint.limit.velocity
+        if joint.kind == "revolute" and joint.limit and joint.limit.velocity and not _spins(joint)
     ]
     suspects = [(joint, velocity) for joint, velocity in known if _is_suspect(velocity.value)]
     numbers = {velocity.value for _, velocity in suspects}
@@ -72,6 +75,14 @@ def check(subject: Subject) -> Iterator[Finding]:
     for joint, velocity in suspects:
         if len(numbers) > 1 or is_slow or velocity.value in _NAMED:
             yield _finding(joint, velocity)
+
+
+def _spins(joint: Joint) -> bool:
+    """True for a wheel or roller: its ends are too far apart to be ends."""
+    limit = joint.limit
+    if limit is None or limit.lower is None or limit.upper is None:
+        return False
+    return limit.upper.value - limit.lower.value > _TURNS
 
 
 def _is_suspect(velocity: float) -> bool:
