@@ -4,7 +4,8 @@ It is 200 times the largest effort of the other joints, or 20 times the largest 
 much below the smallest. That is a unit (N mm, degrees per second, turns per minute), a slipped
 decimal point, or a number written until somebody looks the right one up. Controllers and planners
 believe it: one joint jerks, or holds all others up. Joints with ends are compared with such,
-slides with slides and wheels with wheels; where several joints share the odd number, it is taken for meant.
+slides with slides and wheels with wheels; where several joints share the odd number, it is taken
+for meant.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
