@@ -30,7 +30,7 @@ SIGNATURES = {
     "expand": "file arguments packages trust".split(),
     "find_rule": ["word"],
     "fix": "files unsafe force generate_meshes options".split(),
-    "format_files": "files width force config".split(),
+    "format_files": "files width force check config".split(),
     "load": "file arguments packages trust".split(),
     "read": "file arguments packages trust cache progress".split(),
 }

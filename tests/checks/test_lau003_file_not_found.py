@@ -35,22 +35,6 @@ def test_what_the_build_may_make_is_calm(tmp_path: Path, cmake: str) -> None:
     assert len(told(tmp_path, "LAU003", "a.launch", text, {"CMakeLists.txt": ""})) == 1
 
 
-@pytest.mark.parametrize(
-    ("files", "count"),
-    [
-        ({}, 0),
-        ({"CMakeLists.txt": "install(DIRECTORY config launch DESTINATION x)"}, 0),
-        ({"CMakeLists.txt": "install(DIRECTORY conf launch DESTINATION x)"}, 1),
-        ({"config/b.yaml": ""}, 1),
-    ],
-)
-def test_a_copy_without_a_whole_folder_is_calm(
-    tmp_path: Path, files: dict[str, str], count: int
-) -> None:
-    text = '<rosparam file="$(find arm)/config/a.yaml"/>'
-    assert len(told(tmp_path, "LAU003", "a.launch", text, files)) == count
-
-
 def test_a_path_that_waits_for_an_argument_is_calm(tmp_path: Path) -> None:
     text = '<arg name="arm" default=""/><rosparam file="$(find arm)/$(arg arm).yaml"/>'
     assert told(tmp_path, "LAU003", "a.launch", text) == []

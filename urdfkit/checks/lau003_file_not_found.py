@@ -1,8 +1,7 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch. What the build of a package may make is not told, nor a folder of it that is
-absent as a whole: such packages are copies of a part.
+file stops the launch. What the build of a package may make is not told.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -44,12 +43,6 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _may_be_made(subject: Subject, path: str) -> bool:
-    """True if a build may make a file, or if its folder is lacking in a copy of a part."""
+    """True if a build may make a file, or put it there from elsewhere."""
     home = subject.resolver.packages.enclosing(path)
-    if home is None:
-        return False
-    name, folder = home
-    shipping = Shipping(folder, name)
-    top = os.path.relpath(path, folder).partition(os.sep)[0]
-    is_part = not os.path.exists(os.path.join(folder, top)) and shipping.mentions(top)
-    return shipping.makes_files or is_part
+    return home is not None and Shipping(home[1], home[0]).makes_files

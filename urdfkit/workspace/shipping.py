@@ -85,10 +85,6 @@ class Shipping:
                 found.append(posixpath.join(*words).removeprefix("./"))
         return found
 
-    def mentions(self, top: str) -> bool:
-        """True if the build file names a folder, or if there is no build file."""
-        return not self.file or re.search(rf"\b{re.escape(top)}\b", self._text) is not None
-
     @cached_property
     def makes_files(self) -> bool:
         """True if the build makes or installs files that are elsewhere in the source tree."""
