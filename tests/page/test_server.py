@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import re
 import shutil
@@ -21,6 +22,11 @@ from tests.page.browsers import browser, needs_browser
 
 for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
     pytest.importorskip(module)
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.page import server
+from urdfkit.page.state import Wish
+from urdfkit.page.words import Words
 
 BASE = MODELS / "good" / "mobile_base"
 
@@ -189,3 +195,31 @@ def test_a_port_that_is_taken_is_said(viewer: Running, capfd: pytest.CaptureFixt
     assert main(["view", str(viewer.robot), "--no-open", "--port", port]) == 2
     assert f"port {port} of 127.0.0.1" in capfd.readouterr().err
     assert main(["view", "none.urdf", "--no-open"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (UnreadableFile("r.urdf: there is no such file"), "r.urdf: there is no such file"),
+        (ValueError("boom"), "urdfkit failed with ValueError: boom"),
+    ],
+)
+def test_what_fails_is_told_once_and_does_not_end_the_viewer(
+    error: Exception, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = str(MODELS / "good" / "gripper.urdf")
+
+    async def follow() -> tuple[str, int, str]:
+        viewer = server.Viewer(Wish(file, {}, {}), Words())
+        with monkeypatch.context() as broken:
+            broken.setattr(server, "read", fail)
+            await viewer.refresh()
+            await viewer.refresh()
+        message, revision = viewer.error, viewer.revision
+        await viewer.refresh()
+        return message, revision, viewer.error
+
+    def fail(_: Wish) -> None:
+        raise error
+
+    assert asyncio.run(follow()) == (told, 2, "")

@@ -83,10 +83,12 @@ class Viewer:
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
-        except UrdfkitError as error:  # the file is gone; it may come back
-            if self.error == str(error):
+        except Exception as error:  # a file that is gone may come back; nor may a bug end this
+            is_bug = not isinstance(error, UrdfkitError)
+            what = f"urdfkit failed with {type(error).__name__}: {error}" if is_bug else str(error)
+            if self.error == what:
                 return
-            self.error = str(error)
+            self.error = what
         self._tell()
 
     async def _complete(self, state: State) -> None:
