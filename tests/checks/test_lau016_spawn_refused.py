@@ -14,7 +14,6 @@ MODEL = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="{}"/>'
 @pytest.mark.parametrize(
     ("node", "message"),
     [
-        (CREATE.format("'-topic', 'robot_description', '-entity', 'r'"), "create has no option"),
         (CREATE.format("'-name', 'r'"), "create needs -file or -param or -string or -topic"),
         (CREATE.format("'-topic', '/a/robot_descripton'"), "'robot_descripton' is not 'robot_d"),
         (CREATE.format("'-file', '/no/such/robot.sdf'"), "'/no/such/robot.sdf' does not exist"),
@@ -51,6 +50,7 @@ def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
         CREATE.format("'-topic', 'robot_description', '-name', 'r', '-z', '-0.5'"),
         CREATE.format("'-topic', topic, '--name=r', '-allow-renaming', 'true'"),
         CREATE.format("*more"),
+        CREATE.format("'-topic', 't', '-entity', 'r'"),  # which LAU018 tells
         CREATE.format("") + "\n" + CREATE.format("'-file', x, '--ros-args', '-q'"),
         CREATE.format("'-topic', 'robot_description_sim'"),
         CREATE.format("").replace("]", "], parameters=[{'topic': 'x'}]"),
