@@ -9,6 +9,7 @@ import pytest
 from tests.checks.test_rct013_controllers_name_unknown_joint import controller
 from tests.controls import GZ, ROBOT, control, driven, plugin
 from urdfkit import Diagnostic, check
+from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.examples import whole_robot
 
 SENSOR = '<sensor name="imu"><state_interface name="orientation.x"/></sensor>'
@@ -34,6 +35,8 @@ def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
         "did you mean 'imu'?"
     )
     assert (found.span.line, found.span.text) == (4, "imuu")
+    # A driver may export what the description does not name, as that of a robot with sonars.
+    assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,8 @@
 """A broadcaster publishes a sensor that the robot's `<ros2_control>` does not have.
 
 `sensor_name` is the name of a `<sensor>` in a block; the interfaces of the broadcaster begin with
-it. The controller manager finds none of them, and the broadcaster cannot be activated.
+it. The controller manager finds none of them, and the broadcaster cannot be activated, unless the
+driver of the hardware brings sensors along that the description does not name.
 
 Sources:
     imu_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/imu_sensor_broadcaster/src/imu_sensor_broadcaster.cpp
@@ -13,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.controllers import controllers
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean
 from urdfkit.ros_control import components
@@ -80,7 +81,7 @@ _BROADCASTERS = (
 )
 
 
-@rule("RCT041", "sensor-unknown", Severity.ERROR, help="name a <sensor> of the <ros2_control>")
+@rule("RCT041", "sensor-unknown", Severity.WARNING, help="name a <sensor> of the <ros2_control>")
 def check(subject: Subject) -> Iterator[Finding]:
     parts = [part for component in components(subject.model) for part in component.parts]
     sensors = {part.name for part in parts if part.kind == "sensor"}
@@ -98,4 +99,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                         f"controller '{controller.name}' publishes the sensor '{name}', which no "
                         f"<ros2_control> has{did_you_mean(name, sensors)}",
                         related=(Related(file.span, "the file is named here"),),
+                        confidence=Confidence.INFERRED,
                     )
