@@ -11,6 +11,7 @@ import numpy as np
 import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh
+from urdfkit.meshes import solids
 from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.fitting import fit
 from urdfkit.meshes.geometry import Mesh
@@ -81,16 +82,26 @@ def test_what_lies_inside_does_not_stick_out() -> None:
     )
 
 
-def test_what_is_not_convex_is_cut_and_the_smallest_error_wins() -> None:
+def test_what_is_not_convex_is_cut_into_no_more_pieces_than_it_takes() -> None:
     parts = [trimesh.creation.box((1, 0.2, 0.2)), trimesh.creation.box((0.2, 0.2, 1))]
     parts[1].apply_translation((-0.4, 0, 0.4))
     bracket = trimesh.boolean.union(parts, engine="manifold")
-    found = fit(as_mesh(bracket), 0.06, most=4)
+    found = fit(as_mesh(bracket), 0.06, most=8)
     assert found.best.kind == "pieces"
     assert found.within
-    strict = fit(as_mesh(bracket), 1e-9, most=1)
-    assert not strict.within
-    assert strict.best.error == min(one.error for one in strict.tried)
+    assert len(found.best.mesh.parts) == 2
+
+
+def test_of_what_is_beyond_the_bound_the_simplest_is_taken_that_is_hardly_worse() -> None:
+    dented = solids.box((1, 1, 1)) - solids.ball(0.3, (0, 0, 0.5))
+    for away, kind in ((0.31, "box"), (0.45, "hull")):  # of the corner that is cut off below
+        cut = dented.trim_by_plane((1, 1, 1), away - 3**0.5 / 2)
+        found = fit(solids.as_mesh(cut), 1e-9, most=1)
+        assert not found.within
+        assert found.best.kind == kind
+        errors = {one.kind: one.error for one in found.tried}
+        assert errors["box"] == pytest.approx(away, rel=0.01)
+        assert 0.25 < errors["hull"] < 0.3
 
 
 def test_shapes_contain_the_mesh() -> None:

@@ -25,6 +25,8 @@ _ALONG_AXES = 1.03
 #: A wheel: the cosine between the axes, their distance as a part of the radius, and the part of the
 #: circle around it that its outline fills.
 _ALONG, _BESIDE, _ROUND = 0.99, 0.1, 0.95
+#: Convex pieces that may do where more of them are within the bound.
+_FEW = (2, 4)
 #: Where nothing is within the bound, a simpler shape is taken if it is worse by no more than this.
 _HARDLY_WORSE = 1.25
 
@@ -128,10 +130,15 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
     lean = _judged(mesh, "hull", _NO_SIZE, Frame(), with_few_corners(shell))
     yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Frame(), shell)
-    number = 1
-    while number < most:
-        number = min(2 * number, most)
-        yield _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=number))
+    if most > 1:
+        many = _in_pieces(mesh, most)
+        if many.error <= bound:  # else fewer will not do either
+            yield from (_in_pieces(mesh, number) for number in _FEW if number < most)
+        yield many
+
+
+def _in_pieces(mesh: Mesh, most: int) -> Fit:
+    return _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=most))
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)
