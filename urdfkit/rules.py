@@ -48,7 +48,7 @@ TOLD_BY_FILES = frozenset(
 #: Rules that only tell what is doubtful about the triangles of meshes; imported likewise.
 TOLD_BY_MESHES = frozenset(
     "MSH012 MSH015 MSH016 MSH017 MSH019 MSH020 MSH021 MSH022 MSH023 MSH028 MSH029 MSH031 MSH032 "
-    "MSH033 MSH034 MSH037".split()
+    "MSH033 MSH034 MSH037 MSH038".split()
 )
 
 #: Rules that only tell what is doubtful about masses and inertias; imported likewise.

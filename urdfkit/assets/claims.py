@@ -29,6 +29,9 @@ DENSE_SHARED = 5_000
 #: A part this many m long is no part of a robot, if the rest of it is this many times smaller.
 HUGE, HUGE_RATIO = 10.0, 20.0
 
+#: A mesh that is shorter, in m, is no part of a robot; and the scale from which on it is to blame.
+GRAIN, SHRINKING = 0.001, 0.01
+
 #: A mesh that begins this many times its own length away from its link is misplaced, from this
 #: distance in m on.
 FAR_RATIO, FAR = 3.0, 0.3
@@ -55,6 +58,8 @@ def claims(measured: Measured) -> dict[str, list[Use]]:
     for use in measured.uses:
         if looks_like_millimetres(use, span):
             found.setdefault("MSH012", []).append(use)
+        elif is_shrunk(use):
+            found.setdefault("MSH038", []).append(use)
         elif _is_far(use) and not _has_neighbour(use, measured):
             found.setdefault("MSH032", []).append(use)
         if id(use) in shared:
@@ -89,6 +94,11 @@ def looks_like_millimetres(use: Use, span: float) -> bool:
         span: the size of the rest of the robot in m.
     """
     return use.longest > HUGE and 0 < HUGE_RATIO * span < use.longest
+
+
+def is_shrunk(use: Use) -> bool:
+    """True for a mesh that its scale makes a grain, and that without it were a part."""
+    return max(map(abs, use.shape.scale)) <= SHRINKING and 0 < use.longest < GRAIN
 
 
 def distance(use: Use) -> float:
