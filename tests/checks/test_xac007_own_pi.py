@@ -11,7 +11,6 @@ from tests.xacros import told, xacro
     [
         ("PI", "3.1415926", "5.4e-08"),
         ("M_PI", "3.14159", "2.7e-06"),
-        ("pi", "3.14", "1.6e-03"),
         ("my_pi", "3.142", "4.1e-04"),
         ("half_turn", "3.14159", "2.7e-06"),
     ],
@@ -24,6 +23,14 @@ def test_fewer_digits(name: str, value: str, off: str) -> None:
     (edit,) = found.fix.edits
     assert (edit.span.text, edit.text) == (value, "${pi}")
     assert not found.fix.safe
+
+
+def test_one_that_is_called_pi_goes() -> None:
+    mended = fixed(
+        "XAC007", xacro('<xacro:property name="pi" value="3.14"/>\n<link name="a${pi}"/>')
+    )
+    assert "xacro:property" not in mended
+    assert '<link name="a${pi}"/>' in mended
 
 
 @pytest.mark.parametrize(

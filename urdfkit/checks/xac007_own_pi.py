@@ -15,11 +15,13 @@ from collections.abc import Iterator
 from math import pi
 
 from urdfkit.diagnostic import Edit, Fix, Severity
+from urdfkit.editing.edits import remove_spans
 from urdfkit.model import number
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.expansion.run import Definition
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -53,9 +55,15 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         off = abs(value - pi)
         if off < _CERTAIN or (off < _NAMED and re.search(_NAME, definition.name)):
-            span = definition.tag.attribute_spans()["value"]
             yield Finding(
                 Written(definition.tag.span, definition.frame),
                 f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi",
-                fix=Fix("use the built-in pi", (Edit(span, "${pi}"),)),
+                fix=Fix("use the built-in pi", _edits(definition)),
             )
+
+
+def _edits(definition: Definition) -> tuple[Edit, ...]:
+    """The property becomes ${pi}; one called so would stand for itself, and goes."""
+    if definition.name == "pi":
+        return remove_spans([definition.tag.whole_span])
+    return (Edit(definition.tag.attribute_spans()["value"], "${pi}"),)
