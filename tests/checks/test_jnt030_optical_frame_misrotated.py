@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import fixed, messages
+from tests.told import fixed, messages, told
 
 ROBOT = """\
 <link name="{camera}"/><link name="{optical}"/>
@@ -12,6 +12,12 @@ ROBOT = """\
 
 def robot(rpy: str, camera: str = "camera_link", optical: str = "camera_optical_frame") -> str:
     return ROBOT.format(rpy=rpy, camera=camera, optical=optical)
+
+
+def test_a_camera_of_gazebo_is_not_turned_away() -> None:
+    camera = '<gazebo reference="camera_optical_frame"><sensor name="s" type="camera"/></gazebo>'
+    (found,) = told("JNT030", robot("0 0 0") + camera)
+    assert found.fix is None
 
 
 @pytest.mark.parametrize(

@@ -55,9 +55,15 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"joint '{joint.name}': '{joint.child.value}' looks {_way(rotation)} from "
                 f"'{joint.parent.value}'; an optical frame looks forwards, its x to the right",
                 'write rpy="-1.5707963 0 -1.5707963"',
-                _fix(joint),
+                None if _sees_along(joint.child.value, subject) else _fix(joint),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _sees_along(link: str, subject: Subject) -> bool:
+    """True if a sensor of Gazebo is on a link: it looks along x, and would be turned away."""
+    blocks = (block for block in subject.model.gazebo if block.get("reference") == link)
+    return any(block.child("sensor") for block in blocks)
 
 
 def _is_of_one_camera(above: str, below: str) -> bool:
