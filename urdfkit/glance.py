@@ -106,8 +106,7 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     codes |= _about_gazebo(model)
     if not model.ros2_controls:
         codes |= ABOUT_COMPONENTS
-    if not model.transmissions:
-        codes |= ABOUT_TRANSMISSIONS
+    codes |= _about_transmissions(model)
     if not any(root.inertial for root in tree.roots):
         codes.add("TRE007")
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
@@ -135,6 +134,15 @@ def names_parameters(model: RobotModel) -> bool:
     """True if a plugin names a file of parameters."""
     plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
     return any(plugin.child("parameters") for plugin in plugins)
+
+
+def _about_transmissions(model: RobotModel) -> set[str]:
+    if not model.transmissions:
+        return set(ABOUT_TRANSMISSIONS)
+    names = [transmission.get("name") for transmission in model.transmissions]
+    moved = [joint.get("name") for one in model.transmissions for joint in one.all("joint")]
+    is_plain = len({*names}) == len(names) and len({*moved}) == len(moved)
+    return {"RCT030"} if is_plain else set()
 
 
 def _about_statics(model: RobotModel, tree: KinematicTree) -> set[str]:

@@ -22,7 +22,7 @@ def bodies(text: str, preserved: tuple[str, ...] = ()) -> list[tuple[str, list[s
     """The joint above each body and its links."""
     return [
         (body.joint.name if body.joint else "", [one.name for one, _ in body.links])
-        for body in rigid_bodies(subject(text).tree, preserved)
+        for body in rigid_bodies(subject(text).tree, frozenset(preserved))
     ]
 
 

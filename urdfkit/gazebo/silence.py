@@ -5,8 +5,8 @@ The answers are cautious: a rule that is not named as silent may still find noth
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from itertools import chain, pairwise
+from collections.abc import Callable, Collection
+from itertools import chain
 
 from urdfkit.gazebo.plugins import Use, fate
 from urdfkit.gazebo.sensors import Sensor, sensors
@@ -34,12 +34,18 @@ def about_blocks(model: RobotModel) -> set[str]:
 
 
 def _may_lose_tags(model: RobotModel) -> bool:
-    """True if a shape has a name, or the name of a link begins with that of another one."""
+    """True if a shape has a name, or a link that Gazebo merges begins with the name of another."""
     bodies = (body for link in model.links for body in (*link.visuals, *link.collisions))
     if any("name" in body.at.attributes for body in bodies):
         return True
-    names = sorted(model.links_by_name)
-    return any(longer.startswith(name) for name, longer in pairwise(names))
+    merged = {joint.child.value for joint in model.joints if joint.child and joint.kind == "fixed"}
+    merged &= {block.get("reference") or "" for block in model.gazebo}
+    return any(_begins_with_another(name, model.links_by_name) for name in merged)
+
+
+def _begins_with_another(name: str, others: Collection[str]) -> bool:
+    """True if one of some names begins a name; of a very long one that is not looked for."""
+    return len(name) > 200 or any(name[:end] in others for end in range(1, len(name)))
 
 
 def about_plugins(uses: tuple[Use, ...], targets: Targets, conversion: Conversion) -> set[str]:

@@ -45,6 +45,9 @@ def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
     >>> leading("640.0", whole=True), leading("1e2", whole=True)
     (('640', ''), ('1', 'e2'))
     """
+    plain = text if whole else text.removeprefix("-").replace(".", "", 1)
+    if plain.isascii() and plain.isdecimal():  # as most are: no pattern need be compiled
+        return text, ""
     found = re.match(_INTEGER if whole else _FLOAT, text, re.IGNORECASE)
     if found is None:
         return "", ""

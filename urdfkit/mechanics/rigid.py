@@ -5,7 +5,7 @@ Gazebo, MuJoCo, Drake and Pinocchio merge them; what matters to a simulator is t
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from functools import lru_cache
 
 from urdfkit.mechanics.inertia import ZERO, MassProperties, combined, rotated
 from urdfkit.mechanics.tree import KinematicTree
@@ -60,7 +60,10 @@ def properties_of(link: Link, frame: Frame) -> MassProperties:
     return MassProperties(link.mass, own.position, rotated(tensor, own.rotation))
 
 
-def rigid_bodies(tree: KinematicTree, preserved: Collection[str] = ()) -> tuple[RigidBody, ...]:
+@lru_cache(maxsize=2)  # of one robot, several ask
+def rigid_bodies(
+    tree: KinematicTree, preserved: frozenset[str] = frozenset()
+) -> tuple[RigidBody, ...]:
     """The rigid bodies of a model, each before those that hang on it.
 
     A link in a closed loop that no root leads to is in no body.

@@ -79,4 +79,6 @@ def silent(sources: tuple[Source, ...], packages: Packages) -> set[str]:
         codes.add("PKG002")
     if not ("CMakeLists.txt" in files or "setup.py" in files):
         codes.add("PKG003")
+    if "CMakeLists.txt" in files or "setup.py" not in files:
+        codes.add("PKG006")
     return codes
