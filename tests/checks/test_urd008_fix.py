@@ -22,7 +22,7 @@ def test_all_tags_of_a_link_go_into_one_new_block_behind_it() -> None:
         == """\
 <robot name="example">
 <link name="wheel">
-   <!-- rubber -->
+  <!-- rubber -->
   <collision><geometry><sphere radius="1"/></geometry></collision>
 </link>
 <gazebo reference="wheel">

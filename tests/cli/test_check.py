@@ -232,7 +232,9 @@ def test_a_terminal_has_colours_and_its_own_width(bad: str) -> None:
 
     parent, child = pty.openpty()
     fcntl.ioctl(child, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 50, 0, 0))
-    environment = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR")}
+    environment = {
+        k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR", "COLUMNS")
+    }
     subprocess.run(
         [sys.executable, "-m", "urdfkit", "check", bad, "--select", "TRE006"],
         check=False,

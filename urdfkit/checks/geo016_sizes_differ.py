@@ -8,7 +8,7 @@ lets no planner find a way; one that is too small is never touched.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
-    Measured: of 579 public robots, nine have such a link, eight of them by a scale.
+    measured: of 579 public robots, nine have such a link, eight of them by a scale.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ for the collision. Meshes that programs turn in different ways are left to MSH01
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
-    Measured: no maintained one of 579 public robots has it, but for meshes of glTF.
+    measured: no maintained one of 579 public robots has it, but for meshes of glTF.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ coordinates interchanged, or an `<origin>` that was left at zero while the shape
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     Gazebo Classic, inertia: https://classic.gazebosim.org/tutorials?tut=inertia
-    Measured: of 1300 public descriptions, 42 have a link whose centre a sign would bring inside.
+    measured: of 1300 public descriptions, 42 have a link whose centre a sign would bring inside.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ for meant.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
-    Measured: in 1300 public descriptions Baxter's head_pan has it, and one joint of an IRB 6700.
+    measured: in 1300 public descriptions Baxter's head_pan has it, and one joint of an IRB 6700.
 """
 
 from __future__ import annotations

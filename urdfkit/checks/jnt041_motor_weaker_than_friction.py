@@ -9,7 +9,7 @@ Drake take them as they are.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
-    Measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N m.
+    measured: of 1300 public descriptions one hand has it, with friction of 5 and effort of 0.7 N m.
 """
 
 from __future__ import annotations

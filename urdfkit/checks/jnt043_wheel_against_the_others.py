@@ -7,7 +7,7 @@ right ones are left alone.
 
 Sources:
     ros2_controllers, diff_drive_controller: https://control.ros.org/rolling/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
-    Measured: of 1300 public descriptions none has it.
+    measured: of 1300 public descriptions none has it.
 """
 
 from __future__ import annotations

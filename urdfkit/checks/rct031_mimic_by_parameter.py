@@ -22,10 +22,17 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="hand"/>
-<link name="left_finger"/>
-<link name="right_finger"/>
+_LINK = """\
+<link name="{}">
+  <inertial>
+    <mass value="0.1"/>
+    <inertia ixx="1e-4" ixy="0" ixz="0" iyy="1e-4" iyz="0" izz="1e-4"/>
+  </inertial>
+</link>
+"""
+BAD = (
+    "".join(map(_LINK.format, ("hand", "left_finger", "right_finger")))
+    + """\
 <joint name="left" type="prismatic">
   <parent link="hand"/>
   <child link="left_finger"/>
@@ -52,6 +59,7 @@ BAD = """\
     <state_interface name="position"/>
   </joint>
 </ros2_control>"""
+)
 GOOD = BAD.replace(
     'velocity="0.2"/>\n</joint>\n<ros2',
     'velocity="0.2"/>\n  <mimic joint="left"/>\n</joint>\n<ros2',
