@@ -18,6 +18,7 @@ from urdfkit.workspace.beside import srdf_files
 if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.expansion import Xacro
+    from urdfkit.model import Body
     from urdfkit.source import Source
     from urdfkit.targets import Targets
 
@@ -183,10 +184,20 @@ def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
         told |= _told_by_meshes(subject, chosen)
     if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
         told |= subject.masses.told
-    both = any(link.visuals and link.collisions for link in subject.model.links)
-    if both and not rules.TOLD_BY_LIKENESSES.isdisjoint(chosen):
+    if not rules.TOLD_BY_LIKENESSES.isdisjoint(chosen) and _may_be_unlike(subject):
         told.update(subject.likenesses.claims)
     return told
+
+
+def _may_be_unlike(subject: Subject) -> bool:
+    """True if a link may be both seen and touched, as far as its mesh files are there."""
+
+    def may_be_solid(bodies: Iterable[Body]) -> bool:
+        return any(body.shape and not (is_lost and body.shape.filename) for body in bodies)
+
+    is_lost = not any(mesh.facts for mesh in subject.files.meshes)
+    links = subject.model.links
+    return any(may_be_solid(link.visuals) and may_be_solid(link.collisions) for link in links)
 
 
 def _silent_about_robot(subject: Subject, chosen: Collection[str]) -> set[str]:

@@ -12,11 +12,11 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
-from importlib import import_module
 
 from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import RuleError, UnknownRule
+from urdfkit.libraries import load
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.source import Span
@@ -293,14 +293,14 @@ def get(code: str) -> Rule:
     module = _modules[code]
     if code in _foreign:
         return _foreign_rule(code, module)
-    found = import_module(module).check
+    found = load(module).check
     assert isinstance(found, Rule)
     return found
 
 
 def _foreign_rule(code: str, module: str) -> Rule:
     try:
-        found = getattr(import_module(module), "check", None)
+        found = getattr(load(module), "check", None)
     except Exception as error:
         raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
     named = module.rpartition(".")[2]

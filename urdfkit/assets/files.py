@@ -185,6 +185,8 @@ class Files:
     @cached_property
     def ignored(self) -> list[MeshReference]:
         """The references to files that git leaves out of the repository that they lie in."""
+        if not self._each_file:
+            return []
         from urdfkit.workspace.gitignore import Ignored
 
         ignored = Ignored()

@@ -10,8 +10,8 @@ parts that formats share.
 from __future__ import annotations
 
 import os
-from importlib import import_module
 
+from urdfkit.libraries import load
 from urdfkit.static import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -38,5 +38,5 @@ def get(name: str) -> Render:
     """
     if name not in names():
         raise KeyError(name)
-    render: Render = import_module(f"urdfkit.formats.{name}").render
+    render: Render = load(f"urdfkit.formats.{name}").render
     return render
