@@ -66,9 +66,12 @@ def test_which_rules_have_nothing_to_say(tmp_path: Path) -> None:
         return silent(sources, Resolver(environment={}).packages)
 
     own, other = b"package://arm/a.stl", b"package://hand/a.stl"
-    assert codes(own) == {"PKG001", "PKG002", "PKG003"}, "nothing says what is installed"
-    assert codes(other) == {"PKG002", "PKG003"}
-    (arm / "CMakeLists.txt").write_text("")
+    nothing = {"PKG002", "PKG003", "PKG006"}
+    assert codes(own) == {"PKG001", *nothing}, "nothing says what is installed"
+    assert codes(other) == nothing
+    (arm / "setup.py").write_text("")
     assert codes(own) == {"PKG001"}
-    assert codes(own + b" " + other) == set()
+    (arm / "CMakeLists.txt").write_text("")
+    assert codes(own) == {"PKG001", "PKG006"}
+    assert codes(own + b" " + other) == {"PKG006"}
     assert codes(own, tmp_path / "loose") == {"PKG001", "PKG002", "PKG003"}
