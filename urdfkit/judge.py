@@ -195,8 +195,8 @@ def _may_be_unlike(subject: Subject) -> bool:
     def may_be_solid(bodies: Iterable[Body]) -> bool:
         return any(body.shape and not (is_lost and body.shape.filename) for body in bodies)
 
-    is_lost = not any(mesh.facts for mesh in subject.files.meshes)
-    links = subject.model.links
+    links = [link for link in subject.model.links if link.visuals and link.collisions]
+    is_lost = bool(links) and not any(mesh.facts for mesh in subject.files.meshes)
     return any(may_be_solid(link.visuals) and may_be_solid(link.collisions) for link in links)
 
 

@@ -127,8 +127,9 @@ class Subject:
         return Reading(xacro.document, xacro.problems, xacro)
 
     def problems(self, code: str) -> list[Problem]:
-        """What reading met that a rule explains."""
-        return [problem for problem in self.reading.problems if problem.code == code]
+        """What reading met that a rule explains, in a description or a launch file."""
+        read = self.launch if is_launch(self.source.path) else self.reading
+        return [problem for problem in read.problems if problem.code == code]
 
     @property
     def xacro(self) -> Xacro:

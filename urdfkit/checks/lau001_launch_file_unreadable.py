@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.rules import Finding, Need, rule, told
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -31,5 +31,4 @@ GOOD = "<launch/>"
     help="mend the file; the place is where reading stopped",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for problem in subject.launch.told("LAU001"):
-        yield Finding(Written(problem.span, problem.frame), problem.message)
+    yield from told(subject, "LAU001")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.rules import Finding, Need, rule, told
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -39,5 +39,4 @@ FILES = {"world.launch": b'<launch><arg name="with_gui" default="true"/></launch
     help="pass an argument that the file has",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for slip in subject.launch.told("LAU007"):
-        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)
+    yield from told(subject, "LAU007")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.rules import Finding, Need, rule, told
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -26,5 +26,4 @@ GOOD = BAD.replace('pkg="rviz"', 'pkg="rviz" type="rviz"')
 
 @rule("LAU009", "attribute-missing", Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
-    for slip in subject.launch.told("LAU009"):
-        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)
+    yield from told(subject, "LAU009")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.rules import Finding, Need, rule, told
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -28,5 +28,4 @@ GOOD = BAD.replace("respwan", "respawn")
 
 @rule("LAU010", "unknown-tag-or-attribute", Severity.WARNING, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
-    for slip in subject.launch.told("LAU010"):
-        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)
+    yield from told(subject, "LAU010")

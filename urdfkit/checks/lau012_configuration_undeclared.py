@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.rules import Finding, Need, rule, told
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -41,5 +41,4 @@ GOOD = BAD.replace('"side"', '"side", default="left"')
     help="declare it",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for slip in subject.launch.told("LAU012"):
-        yield Finding(Written(slip.span, slip.frame), slip.message, slip.help)
+    yield from told(subject, "LAU012")

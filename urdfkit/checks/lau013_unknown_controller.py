@@ -13,8 +13,8 @@ Sources:
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
+from itertools import islice
 
 from urdfkit.controllers import controllers as in_files
 from urdfkit.controllers import read
@@ -48,8 +48,8 @@ arm_controller:
 
 #: How like another a name must be to be a slip of it: most end in ``_controller``.
 _SLIP = 0.9
-#: Files of a package that are looked at, and folders in one another.
-_MAX_FILES, _MAX_DEPTH = 200, 5
+#: Files of a package that are looked at, and folders in which they are looked for.
+_MAX_FILES, _MAX_FOLDERS = 200, 2000
 
 
 @rule(
@@ -105,18 +105,8 @@ def _package_files(subject: Subject) -> Iterator[str]:
         if package.searched is None and not comes_with_ros(package.name):
             folders.add(subject.resolver.package(package.name, subject.source.path))
     for folder in sorted(folders):
-        yield from _yaml_files(folder)
-
-
-def _yaml_files(folder: str) -> Iterator[str]:
-    count = 0
-    for parent, folders, files in os.walk(folder):
-        is_deep = parent[len(folder) :].count(os.sep) >= _MAX_DEPTH
-        folders[:] = [] if is_deep else sorted(name for name in folders if name[0] != ".")
-        for file in sorted(files):
-            count += 1
-            if file.endswith((".yaml", ".yml")) and count <= _MAX_FILES:
-                yield os.path.join(parent, file)
+        files = subject.resolver.folders.files_below(folder, _MAX_FOLDERS)
+        yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)
 
 
 def _defined(subject: Subject, path: str) -> set[str]:

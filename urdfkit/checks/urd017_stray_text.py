@@ -57,10 +57,10 @@ def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Writte
     source, start, end = element.tag_at.inner_span
     at = start + re.sub(_TAGS, _blank, source.data[start:end]).find(text)
     if at < start:  # a file that is included may have it
-        if sum(one.data.count(text) for one in sources) != 1:
+        texts = {one: re.sub(_TAGS, _blank, one.data) for one in sources}
+        if sum(bare.count(text) for bare in texts.values()) != 1:
             return element
-        source = next(one for one in sources if text in one.data)
-        at = source.data.index(text)
+        source, at = next((one, bare.find(text)) for one, bare in texts.items() if text in bare)
     return Written(Span(source, at, at + len(text)), element.frame)
 
 

@@ -186,7 +186,8 @@ class _Page:
         places = [self._near(step.span, diagnostic) for step in way[:MAX_CALLS]]
         text = call.element if call.message == diagnostic.message else call.message
         where = ", from ".join(places)
-        return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4)
+        # A path that is longer than a line begins there nevertheless.
+        return "    " + self.wrap(f"{where}: {text}" if where else text, indent=6, used=4).lstrip()
 
     def _steps(self, way: Sequence[Step]) -> Iterator[str]:
         for number, step in enumerate(way):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from urdfkit.document import Frame
 from urdfkit.reading import Problem
 from urdfkit.record import Record
@@ -110,7 +108,3 @@ class Launch(Record):
     def parameters(self) -> tuple[FileUse, ...]:
         """The files of parameters that it loads."""
         return tuple(file for file in self.files if file.purpose == PARAMETERS)
-
-    def told(self, code: str) -> Iterator[Problem]:
-        """What is wrong with its text that one rule explains."""
-        return (problem for problem in self.problems if problem.code == code)

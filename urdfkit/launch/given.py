@@ -19,8 +19,8 @@ from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
 
-#: Launch files of a package that are read.
-MAX_FILES = 200
+#: Launch files of a package that are read, and folders in which they are looked for.
+MAX_FILES, MAX_FOLDERS = 200, 2000
 #: Sets of arguments that are taken of one robot; the UR arms have nine.
 MAX_GIVEN = 16
 
@@ -82,7 +82,8 @@ def _descriptions(robot: str, resolver: Resolver) -> list[tuple[str, Description
 
 
 def _read(folder: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
-    for path in islice(_below(folder), MAX_FILES):
+    files = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    for path in islice(files, MAX_FILES):
         try:
             source = resolver.read(path)
         except UnreadableFile:
@@ -90,12 +91,6 @@ def _read(folder: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
         for choice in _choices(source):
             for description in read_launch(source, resolver, choice).descriptions:
                 yield path, description
-
-
-def _below(folder: str) -> Iterator[str]:
-    for parent, folders, files in os.walk(folder):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
-        yield from (os.path.join(parent, name) for name in sorted(files) if is_launch(name))
 
 
 def _choices(source: Source) -> Iterator[dict[str, str]]:

@@ -20,8 +20,8 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 _SLIP = 0.8
 #: The end of the name of a launch file that begins with an expression.
 _COMPUTED = re.compile(rb"[)}]([\w.-]*\.launch[\w.]*)")
-#: Files that are looked into for one that includes another.
-MAX_FILES = 500
+#: Files that are looked into for one that includes another, and folders of them.
+MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
 def is_slip(name: str, known: Iterable[str]) -> bool:
@@ -88,21 +88,16 @@ def is_included(path: str, resolver: Resolver) -> bool:
     """True if another launch file of the package names this one: arguments may come from there."""
     home = resolver.packages.enclosing(path)
     folder = home[1] if home else os.path.dirname(os.path.abspath(path))
-    name = os.path.basename(path).encode()
-    count = 0
-    for parent, folders, files in os.walk(folder):
-        folders[:] = sorted(folder for folder in folders if not folder.startswith("."))
-        for file in sorted(files):
-            other = os.path.join(parent, file)
-            if not is_launch(other) or file.encode() == name:
-                continue
-            count += 1
-            if count > MAX_FILES:
-                return True
-            try:
-                text = resolver.read(other).data
-            except UnreadableFile:
-                continue
-            if name in text or any(map(name.endswith, _COMPUTED.findall(text))):
-                return True
-    return False
+    name = os.path.basename(path)
+    beside = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    others = [file for file in beside if os.path.basename(file) != name]
+    return len(others) > MAX_FILES or any(_names(name.encode(), one, resolver) for one in others)
+
+
+def _names(name: bytes, other: str, resolver: Resolver) -> bool:
+    """True if a launch file names another one, or the end of what it puts together is its name."""
+    try:
+        text = resolver.read(other).data
+    except UnreadableFile:
+        return False
+    return name in text or any(map(name.endswith, _COMPUTED.findall(text)))

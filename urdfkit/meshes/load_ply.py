@@ -56,8 +56,8 @@ def _read(data: bytes) -> Mesh:
         raise NoTriangles("holds no triangles")
     rows = np.asarray(found.faces, dtype=np.int64)
 
-    def stream(values: object) -> Stream | None:
-        if values is None or len(values) != len(found.vertices):  # type: ignore[arg-type]
+    def stream(values: Any) -> Stream | None:
+        if values is None or len(values) != len(found.vertices):
             return None
         return Stream(np.asarray(values, dtype=np.float64), rows)
 
