@@ -55,6 +55,11 @@ class Fix(Record):
     edits: tuple[Edit, ...]
     safe: bool = False
 
+    @classmethod
+    def of(cls, title: str, edits: tuple[Edit, ...] | None) -> Fix | None:
+        """The fix that makes some edits; None where they cannot be made."""
+        return cls(title, edits) if edits else None
+
 
 class Related(Record):
     """Another place that explains a finding."""

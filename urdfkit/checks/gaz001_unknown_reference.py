@@ -68,4 +68,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _fix(reference: Attribute, meant: str) -> Fix | None:
     edits = replace_value(reference, meant)
-    return Fix(f"rename '{reference.value}' to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename '{reference.value}' to '{meant}'", edits)

@@ -80,5 +80,5 @@ def _slip(element: Element, right: str) -> Finding:
         element,
         f"Gazebo knows no <{element.tag}>, and ignores it",
         f"did you mean <{right}>?",
-        Fix(f"rename it to <{right}>", edits) if edits else None,
+        Fix.of(f"rename it to <{right}>", edits),
     )

@@ -91,7 +91,7 @@ def _wrong_number(child: Element, text: str, name: str) -> Iterator[Finding]:
         message = f"{name}: Gazebo reads {read}, for a comma ends the number"
         right = text.replace(",", ".")
         edits = replace_text(child, right) if child.text.strip() == text else None
-        fix = Fix(f"write {right}", edits) if edits else None
+        fix = Fix.of(f"write {right}", edits)
         yield Finding(child, message, f"write {right}", fix)
     elif rest:
         message = f"{name}: Gazebo reads {read} and passes over '{rest}'"

@@ -65,5 +65,5 @@ def _finding(child: Element, name: str, right: str) -> Finding:
         child,
         f"Gazebo has no material '{name}'" if name else "<material> names no material",
         f"did you mean '{right}'?" if right else "",
-        Fix(f"write {right}", edits) if edits else None,
+        Fix.of(f"write {right}", edits),
     )

@@ -68,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.title} reads <{element.tag}> in {_NAMES[found.other.generation]}, and "
             f"nothing of that name in {_NAMES[use.plugin.generation]}",
             f"write <{new}>" if new else _advice(found.item, use.plugin),
-            Fix(f"rename it to <{new}>", edits) if edits else None,
+            Fix.of(f"rename it to <{new}>", edits),
         )
 
 

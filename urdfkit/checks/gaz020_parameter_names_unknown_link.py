@@ -69,4 +69,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _fix(reference: Reference, meant: str) -> Fix | None:
     at, name = reference.item.at, reference.name
     edits = rewrite(at, meant) if reference.item.text == name else None
-    return Fix(f"rename '{name}' to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename '{name}' to '{meant}'", edits)

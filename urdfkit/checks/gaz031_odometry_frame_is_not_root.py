@@ -89,7 +89,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _fix(written: list[Item], root: str) -> Fix | None:
     edits = rewrite(written[0].at, root) if written else None
-    return Fix(f"name the root link '{root}'", edits) if edits else None
+    return Fix.of(f"name the root link '{root}'", edits)
 
 
 def _place(use: Use, written: list[Item]) -> Element | Attribute:

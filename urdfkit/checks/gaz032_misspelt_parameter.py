@@ -55,6 +55,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             element,
             f"{use.title} does not read <{element.tag}>",
             f"did you mean <{name}>?",
-            Fix(f"rename it to <{name}>", edits) if edits else None,
+            Fix.of(f"rename it to <{name}>", edits),
             alike=use.filename,
         )

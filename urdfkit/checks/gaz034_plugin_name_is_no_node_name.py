@@ -61,5 +61,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.title} becomes a ROS 2 node, whose name has letters, digits and underscores "
             "only, and no digit first",
             f"write '{good}'",
-            Fix(f"rename it to '{good}'", edits) if edits else None,
+            Fix.of(f"rename it to '{good}'", edits),
         )

@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 name,
                 f"{use.title}: the library has no class of that name, but {' and '.join(classes)}",
                 f'write name="{classes[0]}"',
-                Fix(f"name the class {classes[0]}", edits) if edits else None,
+                Fix.of(f"name the class {classes[0]}", edits),
             )
 
 

@@ -84,4 +84,4 @@ def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
 def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
     kind, meant = sensor.at.attributes.get("type"), nearest(sensor.type, known, _SLIP)
     edits = replace_value(kind, meant) if kind and meant else None
-    return Fix(f"write {meant}", edits) if edits else None
+    return Fix.of(f"write {meant}", edits)

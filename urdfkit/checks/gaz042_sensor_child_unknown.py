@@ -76,4 +76,4 @@ def _finding(child: Element, who: str, known: Iterable[str]) -> Finding:
 def _fix(child: Element, known: Iterable[str]) -> Fix | None:
     meant = nearest(child.tag, known, _SLIP)
     edits = rename_element(child, meant) if meant else None
-    return Fix(f"rename it to <{meant}>", edits) if edits else None
+    return Fix.of(f"rename it to <{meant}>", edits)

@@ -76,5 +76,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 last,
                 f"{sensor.who}: {count:g} beams over {span:g} rad, {more}",
                 f"write {text}",
-                Fix(f"write {text}", edits) if edits else None,
+                Fix.of(f"write {text}", edits),
             )

@@ -73,7 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     angle,
                     f"{sensor.who}: {angle.value:g} rad is more than a full turn",
                     f"if degrees were meant, write {text}",
-                    Fix(f"write {text}", edits) if edits else None,
+                    Fix.of(f"write {text}", edits),
                     confidence=Confidence.INFERRED,
                 )
         yield from _turned_far(sensor)
@@ -93,6 +93,6 @@ def _turned_far(sensor: Sensor) -> Iterator[Finding]:
                 pose,
                 f"{sensor.who}: <pose> turns it by {most:g} rad, more than a full turn",
                 f"if degrees were meant, write {right}",
-                Fix(f"write {right}", edits) if edits else None,
+                Fix.of(f"write {right}", edits),
                 confidence=Confidence.INFERRED,
             )

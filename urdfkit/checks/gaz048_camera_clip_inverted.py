@@ -55,4 +55,4 @@ def check(subject: Subject) -> Iterator[Finding]:
         if near and far and near.value >= far.value:
             message = f"{sensor.who}: near {near.value:g} m is not below far {far.value:g} m"
             edits = swap(near.at, far.at)
-            yield Finding(near, message, fix=Fix("swap the two", edits) if edits else None)
+            yield Finding(near, message, fix=Fix.of("swap the two", edits))

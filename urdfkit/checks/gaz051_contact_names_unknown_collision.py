@@ -86,4 +86,4 @@ def _called(collision: Element) -> tuple[str, ...]:
 
 def _fix(named: Element, meant: str) -> Fix | None:
     edits = replace_text(named, meant) if meant else None
-    return Fix(f"write {meant}", edits) if edits else None
+    return Fix.of(f"write {meant}", edits)

@@ -56,6 +56,4 @@ def check(subject: Subject) -> Iterator[Finding]:
                 hint = f"if degrees were meant, write {text}" if value > 0 else ""
                 message = f"{sensor.who}: a field of view of {value:g} rad is not within 0 to 2 pi"
                 edits = rewrite(element, text) if value > 0 else None
-                yield Finding(
-                    element, message, hint, Fix(f"write {text}", edits) if edits else None
-                )
+                yield Finding(element, message, hint, Fix.of(f"write {text}", edits))

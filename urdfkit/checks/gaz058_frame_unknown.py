@@ -98,4 +98,4 @@ def _is_of_ros1(use: Use) -> bool:
 
 def _fix(at: Element | Attribute, name: str, meant: str) -> Fix | None:
     edits = rewrite(at, meant)
-    return Fix(f"rename '{name}' to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename '{name}' to '{meant}'", edits)

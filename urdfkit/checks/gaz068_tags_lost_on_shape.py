@@ -95,6 +95,6 @@ def _finding(shape: Element, link: str, top: str, tags: list[Element]) -> Findin
         message = f"{lost} is lost: Gazebo merges it into '{top}', whose name its own begins with"
         return Finding(tags[0], message, "give the link a name that begins otherwise")
     edits = replace_value(name, f"{link}_{name.value}") if link == top else None
-    fix = Fix(f"rename it to '{link}_{name.value}'", edits) if edits else None
+    fix = Fix.of(f"rename it to '{link}_{name.value}'", edits)
     message = f"{lost} does not reach <{shape.tag}> '{name.value}', for what it is called"
     return Finding(name, message, fix=fix, related=related, alike="named")

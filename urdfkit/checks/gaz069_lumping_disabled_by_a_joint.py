@@ -59,6 +59,6 @@ def check(subject: Subject) -> Iterator[Finding]:
                 yield Finding(
                     tag,
                     f"joint '{joint.name}' becomes a revolute joint without play in Gazebo",
-                    fix=Fix("write <preserveFixedJoint>", edits) if edits else None,
+                    fix=Fix.of("write <preserveFixedJoint>", edits),
                     alike="lumping",
                 )

@@ -51,4 +51,4 @@ def _fix(attribute: Attribute) -> Fix | None:
     """The same numbers without their signs."""
     text = " ".join(part.lstrip("-") for part in attribute.value.split())
     edits = replace_value(attribute, text)
-    return Fix(f'write {attribute.name}="{text}"', edits) if edits else None
+    return Fix.of(f'write {attribute.name}="{text}"', edits)

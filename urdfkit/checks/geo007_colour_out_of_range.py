@@ -66,7 +66,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
         material.rgba,
         f"{name}: {wrong} is not between 0 and 1",
         title,
-        Fix(title, edits) if edits else None,
+        Fix.of(title, edits),
     )
 
 

@@ -76,7 +76,7 @@ def _in_kilograms(weighed: Weighed) -> Fix | None:
     if edits and weighed.fits(weighed.expected, 3):
         tensor = replacement(weighed, scaled(weighed.tensor, 1e-3))
         edits = (*edits, *tensor.edits) if tensor else None
-    return Fix(f"write {weighed.mass / 1000:g} kg", edits) if edits else None
+    return Fix.of(f"write {weighed.mass / 1000:g} kg", edits)
 
 
 def _advice(weighed: Weighed) -> str:

@@ -65,4 +65,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _renamed(kind: Attribute, meant: str) -> Fix | None:
     edits = replace_value(kind, meant)
-    return Fix(f'write type="{meant}"', edits) if edits else None
+    return Fix.of(f'write type="{meant}"', edits)

@@ -65,4 +65,4 @@ def _swapped(limit: Limit) -> Fix | None:
     if lower is None or upper is None:
         return None
     edits = swap(lower, upper)
-    return Fix("swap lower and upper", edits) if edits else None
+    return Fix.of("swap lower and upper", edits)

@@ -70,4 +70,4 @@ def _normalized(axis: Placed[Vector], norm: float) -> Fix | None:
     assert isinstance(axis.at, Attribute)
     value = " ".join(f"{part / norm + 0.0:.10g}" for part in axis.value)  # + 0.0: no -0
     edits = replace_value(axis.at, value)
-    return Fix(f'write xyz="{value}"', edits) if edits else None
+    return Fix.of(f'write xyz="{value}"', edits)

@@ -96,4 +96,4 @@ def _in_radians(rpy: Attribute, angles: tuple[float, ...]) -> Fix | None:
         for angle, text in zip(angles, rpy.value.split(), strict=True)
     ]
     edits = replace_value(rpy, " ".join(texts))
-    return Fix(f'write rpy="{" ".join(texts)}"', edits) if edits else None
+    return Fix.of(f'write rpy="{" ".join(texts)}"', edits)

@@ -74,4 +74,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _snapped(axis: Placed[Vector], meant: str) -> Fix | None:
     assert isinstance(axis.at, Attribute)
     edits = replace_value(axis.at, meant)
-    return Fix(f'write xyz="{meant}"', edits) if edits else None
+    return Fix.of(f'write xyz="{meant}"', edits)

@@ -97,4 +97,4 @@ def _fix(joint: Joint) -> Fix | None:
     origin = joint.at.child("origin")
     rpy = origin.attributes.get("rpy") if origin else None
     edits = replace_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None
-    return Fix("turn it as an optical frame", edits) if edits else None
+    return Fix.of("turn it as an optical frame", edits)

@@ -98,7 +98,7 @@ def _finding(joint: Joint, velocity: Placed[float]) -> Finding:
         velocity,
         f"joint '{joint.name}' may turn at {velocity.value:g} rad/s; that looks like degrees per "
         f"second, {float(right):.3g} rad/s",
-        fix=Fix("write the velocity in radians per second", tuple(edits)) if edits else None,
+        fix=Fix.of("write the velocity in radians per second", edits),
         confidence=Confidence.INFERRED,
         alike="velocity",
     )

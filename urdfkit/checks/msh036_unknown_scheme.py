@@ -68,5 +68,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             mesh.at,
             f"{mesh.who} begins with '{scheme}://', which no reader knows",
             f"did you mean '{meant}://'?" if meant else "",
-            Fix(f"write {meant}://", edits) if edits else None,
+            Fix.of(f"write {meant}://", edits),
         )

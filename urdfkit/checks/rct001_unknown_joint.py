@@ -75,7 +75,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _fix(name: Attribute, meant: str) -> Fix | None:
     edits = replace_value(name, meant)
-    return Fix(f"rename '{name.value}' to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename '{name.value}' to '{meant}'", edits)
 
 
 def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:

@@ -134,7 +134,7 @@ def _is_default(kind: Element) -> bool:
 
 def _fix(at: Element | Attribute, meant: str) -> Fix | None:
     edits = rewrite(at, meant)
-    return Fix(f"write {meant}", edits) if edits else None
+    return Fix.of(f"write {meant}", edits)
 
 
 def _slip(name: str, standard: list[str]) -> str:

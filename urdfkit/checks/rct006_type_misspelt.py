@@ -68,4 +68,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _fix(kind: Attribute, known: list[str]) -> Fix | None:
     meant = nearest(kind.value, known)
     edits = replace_value(kind, meant) if meant else None
-    return Fix(f"write {meant}", edits) if edits else None
+    return Fix.of(f"write {meant}", edits)

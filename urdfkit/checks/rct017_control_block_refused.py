@@ -88,7 +88,7 @@ def _joints_of_actuator(block: Element) -> Iterator[Finding]:
 def _renamed(child: Element, known: Iterable[str]) -> Fix | None:
     meant = nearest(child.tag, known, _SLIP)
     edits = rename_element(child, meant) if meant else None
-    return Fix(f"rename it to <{meant}>", edits) if edits else None
+    return Fix.of(f"rename it to <{meant}>", edits)
 
 
 def _named(block: Element) -> Iterator[Element]:

@@ -75,4 +75,4 @@ def _finding(element: Element, child: Element, known: Iterable[str]) -> Finding:
     message = f"{who} in <ros2_control> has no <{child.tag}>{did_you_mean(child.tag, known)}"
     meant = nearest(child.tag, known, _SLIP)
     edits = rename_element(child, meant) if meant else None
-    return Finding(child, message, fix=Fix(f"rename it to <{meant}>", edits) if edits else None)
+    return Finding(child, message, fix=Fix.of(f"rename it to <{meant}>", edits))

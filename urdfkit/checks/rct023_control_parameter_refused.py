@@ -75,6 +75,6 @@ def _judged(who: str, element: Element) -> Iterator[Finding]:
             yield Finding(element, message, "write a number")
     elif meant := nearest(name.value, ("initial_value",), _SLIP):
         edits = replace_value(name, meant)
-        fix = Fix(f"rename it to {meant}", edits) if edits else None
+        fix = Fix.of(f"rename it to {meant}", edits)
         message = f"{who}: parameter '{name.value}' is nearly '{meant}'"
         yield Finding(name, message, f"write {meant}", fix)

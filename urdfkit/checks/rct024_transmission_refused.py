@@ -84,14 +84,14 @@ def _type(transmission: Element) -> Iterator[Finding]:
     full = [one for one in known if one.endswith(f"/{name}")]
     if full and element:
         edits = rewrite(element, full[0])
-        fix = Fix(f"write {full[0]}", edits) if edits else None
+        fix = Fix.of(f"write {full[0]}", edits)
         message = (
             f"transmission '{transmission.get('name') or ''}': type '{name}' lacks its package"
         )
         yield Finding(element, message, f"write {full[0]}", fix)
     elif element and meant and abs(len(meant) - len(name)) <= 2:
         edits = rewrite(element, meant)
-        fix = Fix(f"write {meant}", edits) if edits else None
+        fix = Fix.of(f"write {meant}", edits)
         message = f"transmission '{transmission.get('name') or ''}': type '{name}' is nearly"
         yield Finding(element, f"{message} '{meant}'", f"write {meant}", fix)
 
@@ -115,7 +115,7 @@ def _children(element: Element, name: str) -> Iterator[Finding]:
         meant = nearest(child.tag, known, _SLIP) if child.tag not in known else None
         if meant:
             edits = rename_element(child, meant)
-            fix = Fix(f"rename it to <{meant}>", edits) if edits else None
+            fix = Fix.of(f"rename it to <{meant}>", edits)
             message = f"transmission '{name}': <{element.tag}> has no <{child.tag}>"
             yield Finding(child, f"{message}; did you mean '{meant}'?", "mend the tag", fix)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):

@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         meant = _meant(name, known) if name and name not in known else None
         if component.plugin and meant and not name.startswith("fake_"):
             edits = rewrite(component.plugin, meant)
-            fix = Fix(f"write {meant}", edits) if edits else None
+            fix = Fix.of(f"write {meant}", edits)
             message = f"{component.called}: hardware '{name}' is nearly '{meant}'"
             yield Finding(component.plugin, message, f"write {meant}", fix)
 

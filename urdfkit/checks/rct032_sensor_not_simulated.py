@@ -73,5 +73,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 name,
                 f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
                 + hint,
-                fix=Fix(f"rename it to '{meant}'", edits) if edits else None,
+                fix=Fix.of(f"rename it to '{meant}'", edits),
             )

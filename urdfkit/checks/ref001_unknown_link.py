@@ -69,7 +69,7 @@ def _fix(joint: Joint, link: Attribute, meant: str) -> Fix | None:
     """The remedy: another name, or the link that is always the same."""
     if meant:
         edits = replace_value(link, meant)
-        return Fix(f"rename '{link.value}' to '{meant}'", edits) if edits else None
+        return Fix.of(f"rename '{link.value}' to '{meant}'", edits)
     if link.value != "world" or from_macro(joint.at):
         return None
     return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))

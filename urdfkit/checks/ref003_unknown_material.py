@@ -85,7 +85,7 @@ def _fix(uses: list[Attribute], meant: str) -> Fix | None:
         if made is None:
             return None
         edits.update(dict.fromkeys(made))
-    return Fix(f"rename it to '{meant}'", tuple(edits)) if edits else None
+    return Fix.of(f"rename it to '{meant}'", tuple(edits))
 
 
 def _uses_without_colour(

@@ -68,4 +68,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _renamed(leader: Attribute, meant: str) -> Fix | None:
     edits = replace_value(leader, meant) if meant else None
-    return Fix(f"rename '{leader.value}' to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename '{leader.value}' to '{meant}'", edits)

@@ -71,4 +71,4 @@ def _is_free_flyer(attribute: Attribute) -> bool:
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
     meant = Speller(known).meant(attribute.value)
     edits = replace_value(attribute, meant) if meant else None
-    return Fix(f"rename it to '{meant}'", edits) if edits else None
+    return Fix.of(f"rename it to '{meant}'", edits)

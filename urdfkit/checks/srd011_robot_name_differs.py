@@ -45,5 +45,5 @@ def check(subject: Subject) -> Iterator[Finding]:
     if name is not None and name.value != subject.model.name:
         message = f"the SRDF is of robot '{name.value}', the description of '{subject.model.name}'"
         edits = replace_value(name, subject.model.name) if subject.model.name else None
-        fix = Fix(f"write '{subject.model.name}' in the SRDF", edits) if edits else None
+        fix = Fix.of(f"write '{subject.model.name}' in the SRDF", edits)
         yield Finding(name, message, fix=fix)

@@ -62,6 +62,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         else:
             what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
         message = f"<{slip.parent.tag}> has no {what}; did you mean '{slip.meant}'?"
-        fix = Fix(f"rename it to {slip.meant}", edits) if edits else None
+        fix = Fix.of(f"rename it to {slip.meant}", edits)
         at = Written(edits[0].span) if edits else slip.at
         yield Finding(at, message, fix=fix)

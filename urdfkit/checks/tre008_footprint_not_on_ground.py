@@ -83,7 +83,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _lifted(joint: Joint, height: float) -> Fix | None:
     """The joint below the footprint, higher by that much in m."""
     edits = _higher(joint.at, height)
-    return Fix(f"lift the robot by {height:.6g} m", edits) if edits else None
+    return Fix.of(f"lift the robot by {height:.6g} m", edits)
 
 
 def _higher(joint: Element, height: float) -> tuple[Edit, ...] | None:

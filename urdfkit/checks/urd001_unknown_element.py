@@ -58,7 +58,7 @@ def _fix(element: Element, meant: str) -> Fix | None:
     """Another name, or nothing in the place of an element that holds nothing."""
     if meant:
         edits = rename_element(element, meant)
-        return Fix(f"rename <{element.tag}> to <{meant}>", edits) if edits else None
+        return Fix.of(f"rename <{element.tag}> to <{meant}>", edits)
     if element.children or element.text.strip():
         return None  # what somebody wrote there may belong elsewhere
     return Fix(f"remove the <{element.tag}>", remove_element(element))

@@ -64,7 +64,7 @@ def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
         f"{owner(element)}: <{element.tag}> has no attribute '{attribute.name}'; "
         f"did you mean '{meant}'?",
         f"rename it to {meant}",
-        Fix(f"rename {attribute.name} to {meant}", edits) if edits else None,
+        Fix.of(f"rename {attribute.name} to {meant}", edits),
     )
 
 

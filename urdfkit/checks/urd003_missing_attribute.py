@@ -50,5 +50,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             attribute,
             f"{message}, but '{attribute.name}', which URDF does not know",
             f"rename {attribute.name} to {meant}",
-            Fix(f"rename {attribute.name} to {meant}", edits) if edits else None,
+            Fix.of(f"rename {attribute.name} to {meant}", edits),
         )

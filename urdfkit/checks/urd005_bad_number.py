@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             attribute,
             f"{owner(element)}: {attribute.name} of <{element.tag}> {reason}",
             title,
-            Fix(title, edits) if edits else None,
+            Fix.of(title, edits),
             alike=reason,
         )
 

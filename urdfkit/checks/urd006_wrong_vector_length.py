@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             attribute,
             f"{owner(element)}: {name} of <{element.tag}> has {count}, not {bound}",
             title,
-            Fix(title, edits) if edits else None,
+            Fix.of(title, edits),
         )
 
 

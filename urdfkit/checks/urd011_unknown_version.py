@@ -40,5 +40,5 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield Finding(
             attribute,
             f"version '{attribute.value}' of URDF does not exist; {known} do",
-            fix=Fix(f'write version="{VERSIONS[0]}"', edits) if edits else None,
+            fix=Fix.of(f'write version="{VERSIONS[0]}"', edits),
         )

@@ -44,5 +44,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{owner(element)}: URDF has no <{element.tag}>, and the <{meant}> that it seems to be "
             "is missing",
             title,
-            Fix(title, edits) if edits else None,
+            Fix.of(title, edits),
         )

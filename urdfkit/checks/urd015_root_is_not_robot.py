@@ -43,5 +43,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             element,
             f"the root element is <{element.tag}>, not <robot>",
             "rename it to <robot>" if edits else "",
-            Fix(f"rename <{element.tag}> to <robot>", edits) if edits else None,
+            Fix.of(f"rename <{element.tag}> to <robot>", edits),
         )

@@ -64,4 +64,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _fix(element: Element) -> Fix | None:
     edits = rename_element(element, f"xacro:{element.tag}")
-    return Fix(f"write <xacro:{element.tag}>", edits) if edits else None
+    return Fix.of(f"write <xacro:{element.tag}>", edits)

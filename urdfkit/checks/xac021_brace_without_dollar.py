@@ -65,7 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     at,
                     f"xacro does not replace {{{named[0]}}}, which has no dollar before it",
                     f"write ${{{named[0]}}}",
-                    Fix(f"write {right}", edits) if edits else None,
+                    Fix.of(f"write {right}", edits),
                 )
 
 

@@ -199,7 +199,7 @@ def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
             if edit is None:
                 return None
             edits += edit
-    return Fix(f"write {written(tensor)}", tuple(edits)) if edits else None
+    return Fix.of(f"write {written(tensor)}", tuple(edits))
 
 
 def as_solid(weighed: Weighed) -> str:
