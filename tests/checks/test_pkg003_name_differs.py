@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import CORPUS, needs_corpus
 from urdfkit import Diagnostic, check
 
 ROBOT = """<robot name="r"><link name="base">
@@ -41,8 +40,3 @@ def test_another_name(tmp_path: Path, file: str, build: str) -> None:
 )
 def test_the_same_name_or_none_that_is_written_out(tmp_path: Path, build: str) -> None:
     assert told(tmp_path, build) == []
-
-
-@needs_corpus
-def test_real_packages_are_called_alike() -> None:
-    assert check(CORPUS, select=["PKG003"]).diagnostics == ()
