@@ -150,7 +150,7 @@ def _region(span: Span) -> dict[str, int]:
         "startLine": line,
         "startColumn": column,
         "endLine": end_line,
-        "endColumn": max(end_column, column) if line == end_line else end_column,
+        "endColumn": end_column,
     }
 
 
