@@ -15,6 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.mechanics.shapes import shaped
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -28,10 +29,7 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace('"0 0.001', '"0.001 0.001')
-FILES = {
-    "arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-    b"endloop\nendfacet\nendsolid\n"
-}
+FILES = {"arm.stl": PLATE}
 
 
 @rule("GEO005", "zero-scale", Severity.ERROR, help="write three factors other than 0")

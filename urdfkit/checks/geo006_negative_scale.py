@@ -16,6 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.mechanics.shapes import shaped
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -30,10 +31,7 @@ BAD = """\
   </collision>
 </link>"""
 GOOD = BAD.replace("right_arm.stl", "left_arm.stl").replace(' scale="1 -1 1"', "")
-FILES = {
-    "left_arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\n"
-    b"vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
-}
+FILES = {"left_arm.stl": PLATE}
 
 #: Places that the finding lists beside the first.
 _MAX_RELATED = 20

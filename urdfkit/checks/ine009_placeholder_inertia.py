@@ -16,6 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.inertials.diagnosis import together, values
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -36,10 +37,7 @@ BAD = """\
 GOOD = BAD.replace('="1" ixy', '="0.012" ixy').replace(
     '="1" iyz="0" izz="1"', '="0.011" iyz="0" izz="0.002"'
 )
-FILES = {
-    "arm.stl": b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-    b"endloop\nendfacet\nendsolid\n"
-}
+FILES = {"arm.stl": PLATE}
 
 
 @rule(

@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.document import Attribute
 from urdfkit.editing.edits import replace_value
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -30,17 +31,6 @@ BAD = """\
 </link>"""
 GOOD = BAD.replace("file:///home/student/arm_description", "package://arm_description")
 FIXED = GOOD
-PLATE = b"""\
-solid plate
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid plate
-"""
 FILES = {
     "package.xml": b"<package><name>arm_description</name></package>",
     "meshes/forearm.stl": PLATE,

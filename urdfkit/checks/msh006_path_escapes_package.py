@@ -14,6 +14,7 @@ import posixpath
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -28,17 +29,6 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("arm_description/../hand/hand", "arm_description/meshes/hand")
-PLATE = b"""\
-solid plate
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid plate
-"""
 FILES = {
     "arm_description/package.xml": b"<package><name>arm_description</name></package>",
     "arm_description/meshes/hand.stl": PLATE,

@@ -20,6 +20,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.meshes.facts import BY_SUFFIX
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -33,17 +34,6 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("forearm.stl", "hand.stl")
-PLATE = b"""\
-solid plate
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid plate
-"""
 FILES = {
     "forearm.stl": b"ISO-10303-21;\nHEADER;\n",
     "hand.stl": PLATE,

@@ -15,6 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.meshes.facts import Kind
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -28,17 +29,6 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("empty", "plate")
-PLATE = b"""\
-solid plate
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid plate
-"""
 
 FILES = {"meshes/empty.stl": b"", "meshes/plate.stl": PLATE}
 

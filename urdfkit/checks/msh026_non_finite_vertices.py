@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -26,17 +27,6 @@ BAD = """\
   </visual>
 </link>"""
 GOOD = BAD.replace("spike", "plate")
-PLATE = b"""\
-solid plate
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid plate
-"""
 
 FILES = {
     "meshes/spike.stl": PLATE.replace(b"1 0 0", b"nan 0 0"),

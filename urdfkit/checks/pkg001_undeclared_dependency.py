@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import insert_after, insert_last
 from urdfkit.errors import PackageNotFound
+from urdfkit.meshes.samples import PLATE
 from urdfkit.reading import read_xml
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
@@ -38,21 +39,11 @@ BAD = """\
 </robot>
 """
 GOOD = BAD.replace("package://bot_meshes/", "package://bot_description/")
-_TRIANGLE = b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-"""
 FILES = {
     "bot_description/package.xml": b"<package><name>bot_description</name></package>",
-    "bot_description/base.stl": _TRIANGLE,
+    "bot_description/base.stl": PLATE,
     "bot_meshes/package.xml": b"<package><name>bot_meshes</name></package>",
-    "bot_meshes/base.stl": _TRIANGLE,
+    "bot_meshes/base.stl": PLATE,
 }
 FIXED_FILES = {
     "bot_description/package.xml": b"<package><name>bot_description</name>"

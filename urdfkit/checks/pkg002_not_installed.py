@@ -15,6 +15,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.mentions import of_package
@@ -34,22 +35,12 @@ BAD = """\
 </robot>
 """
 GOOD = BAD.replace("meshes/", "models/")
-_TRIANGLE = b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-"""
 FILES = {
     "package.xml": b"<package><name>bot_description</name></package>",
     "CMakeLists.txt": b"project(bot_description)\n"
     b"install(DIRECTORY urdf models DESTINATION share/${PROJECT_NAME})\n",
-    "meshes/base.stl": _TRIANGLE,
-    "models/base.stl": _TRIANGLE,
+    "meshes/base.stl": PLATE,
+    "models/base.stl": PLATE,
 }
 
 

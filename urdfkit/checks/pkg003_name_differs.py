@@ -17,6 +17,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnreadableFile
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.source import Source, Span
 from urdfkit.static import TYPE_CHECKING
@@ -38,16 +39,7 @@ GOOD = BAD.replace("package://bot_description", "..")
 FILES = {
     "package.xml": b"<package><name>bot_description</name></package>",
     "CMakeLists.txt": b"cmake_minimum_required(VERSION 3.8)\nproject(bot_descripton)\n",
-    "meshes/base.stl": b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-""",
+    "meshes/base.stl": PLATE,
 }
 
 #: Where each build file gives the name, as far as it is written out.

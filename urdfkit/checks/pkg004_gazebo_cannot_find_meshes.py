@@ -19,6 +19,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.gazebo.paths import survey
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.source import Source, Span
 from urdfkit.static import TYPE_CHECKING
@@ -48,16 +49,7 @@ GOOD = BAD.replace("package://bot_description/meshes", "../meshes")
 FILES = {
     "package.xml": b'<package format="3"><name>bot_description</name></package>',
     "launch/sim.launch.py": b"IncludeLaunchDescription(share('ros_gz_sim') / 'gz_sim.launch.py')\n",
-    "meshes/base.stl": b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-""",
+    "meshes/base.stl": PLATE,
 }
 
 _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")

@@ -18,6 +18,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Severity
 from urdfkit.document import Element
 from urdfkit.errors import UnreadableFile
+from urdfkit.meshes.samples import PLATE
 from urdfkit.nearest import nearest
 from urdfkit.reading import is_launch, read_xml
 from urdfkit.rules import Finding, Written, rule
@@ -51,16 +52,7 @@ _MANIFEST = b"""\
 """
 FILES = {
     "package.xml": _MANIFEST,
-    "meshes/base.stl": b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-""",
+    "meshes/base.stl": PLATE,
 }
 
 #: What reading calls a text that is no XML.

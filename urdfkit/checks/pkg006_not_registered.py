@@ -20,6 +20,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnreadableFile
+from urdfkit.meshes.samples import PLATE
 from urdfkit.reading import is_launch
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.source import Source, Span
@@ -52,16 +53,7 @@ FILES = {
 </package>
 """,
     "setup.py": b"setup(data_files=[('share/bot_description/meshes', ['meshes/base.stl'])])\n",
-    "meshes/base.stl": b"""solid
-facet normal 0 0 1
-outer loop
-vertex 0 0 0
-vertex 1 0 0
-vertex 0 1 0
-endloop
-endfacet
-endsolid
-""",
+    "meshes/base.stl": PLATE,
 }
 
 _INDEX = "share/ament_index/resource_index/packages"

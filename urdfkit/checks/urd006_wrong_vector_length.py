@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import owner
+from urdfkit.meshes.samples import PLATE
 from urdfkit.rules import Finding, rule
 from urdfkit.schema import LENGTHS, RGBA
 from urdfkit.static import TYPE_CHECKING
@@ -33,10 +34,7 @@ BAD = """\
 </link>"""
 GOOD = BAD.replace('"0.001"', '"0.001 0.001 0.001"').replace('"1 0 0"', '"1 0 0 1"')
 FIXED = GOOD
-FILES = {
-    "meshes/base.stl": b"solid base\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
-    b"vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid base\n"
-}
+FILES = {"meshes/base.stl": PLATE}
 
 
 @rule(

@@ -7,6 +7,19 @@ from struct import pack
 
 from urdfkit.spatial import Vector
 
+#: One triangle as a text STL.
+PLATE = b"""\
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid plate
+"""
+
 #: The triangles of a box, by its eight corners: bit 2 of a number is x, bit 1 is y, bit 0 is z.
 BOX = (
     (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1),
