@@ -5,8 +5,8 @@ from __future__ import annotations
 import ast
 import os
 from collections.abc import Collection, Iterator
+from functools import lru_cache
 from itertools import islice
-from weakref import WeakKeyDictionary
 
 from urdfkit.document import Element, Frame
 from urdfkit.errors import UnreadableFile
@@ -23,9 +23,6 @@ from urdfkit.workspace.resolve import Resolver
 MAX_FILES, MAX_FOLDERS = 200, 2000
 #: Sets of arguments that are taken of one robot; the UR arms have nine.
 MAX_GIVEN = 16
-
-#: Packages are read once, as all that a resolver finds.
-_READ: WeakKeyDictionary[Resolver, dict[str, list[tuple[str, Description]]]] = WeakKeyDictionary()
 
 
 class Given(Record):
@@ -57,7 +54,8 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
     real = os.path.realpath(robot)
     own: dict[tuple[tuple[str, str], ...], Given] = {}
     others: dict[tuple[str, ...], Given] = {}
-    for launch, description in _descriptions(robot, resolver):
+    package = resolver.packages.enclosing(robot)
+    for launch, description in _descriptions(package[1], resolver) if package else ():
         arguments = description.arguments
         if not arguments.keys() >= set(needed):
             continue
@@ -70,15 +68,10 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
     return list(islice((own or others).values(), MAX_GIVEN))
 
 
-def _descriptions(robot: str, resolver: Resolver) -> list[tuple[str, Description]]:
+@lru_cache(maxsize=1)  # the robots of a package are asked for one after the other
+def _descriptions(folder: str, resolver: Resolver) -> tuple[tuple[str, Description], ...]:
     """The robots that the launch files of a package start, with the path of the launch file."""
-    package = resolver.packages.enclosing(robot)
-    if package is None:
-        return []
-    known = _READ.setdefault(resolver, {})
-    if package[1] not in known:
-        known[package[1]] = list(_read(package[1], resolver))
-    return known[package[1]]
+    return tuple(_read(folder, resolver))
 
 
 def _read(folder: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
