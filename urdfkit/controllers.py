@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from urdfkit.diagnostic import Related
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import nearest
@@ -64,6 +65,11 @@ class ParameterFile(Record):
     path: str
     found: str | None
     element: Element | None = None
+
+    @property
+    def note(self) -> Related:
+        """For a finding in the file."""
+        return Related(self.span, "the file is named here")
 
 
 def parameter_files(subject: Subject) -> list[ParameterFile]:

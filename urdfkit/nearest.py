@@ -74,6 +74,11 @@ class Speller:
         self._known = known if len(known) <= self.MAX_KNOWN else ()
         self._found: dict[str, str] = {}
 
+    def hint(self, word: str) -> str:
+        """``; did you mean 'arm'?``, or nothing if the name is no slip."""
+        found = self.meant(word)
+        return f"; did you mean '{found}'?" if found else ""
+
     def meant(self, word: str) -> str:
         """The known name of which a name is a slip; empty if there is none."""
         if word not in self._found:

@@ -137,6 +137,12 @@ def parameter(element: Element, name: str) -> Element | None:
     return None
 
 
+def called(transmission: Element) -> str:
+    """A transmission, for messages."""
+    name = transmission.get("name")
+    return f"transmission '{name}'" if name else "a transmission"
+
+
 def is_of_pr2(transmission: Element) -> bool:
     """True for the older form that only the PR2's own controller manager reads."""
     kind = transmission.get("type")

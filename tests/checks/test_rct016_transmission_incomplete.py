@@ -21,7 +21,7 @@ ACTUATOR = '<actuator name="m"><mechanicalReduction>1</mechanicalReduction></act
             'name="t" type="SimpleTransmission">',
             "transmission 't' has no <type> (the attribute does not count)",
         ),
-        ('name="t"', "", "transmission '' has no name"),
+        ('name="t"', "", "a transmission has no name"),
         (ACTUATOR, "", "transmission 't' has no <actuator>"),
         ('<actuator name="m">', "<actuator>", "transmission 't' has no name in its <actuator>"),
         (

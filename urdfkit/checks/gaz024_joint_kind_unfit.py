@@ -14,41 +14,26 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
 from urdfkit.gazebo.drives import drive_of, driven
+from urdfkit.gazebo.samples import WHEELED
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-_WHEEL = """\
-<link name="{side}_wheel">
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="{side}_joint" type="revolute">
-  <parent link="base"/>
-  <child link="{side}_wheel"/>
-  <origin xyz="0 {y} 0"/>
-  <axis xyz="0 1 0"/>
-  <limit lower="-3" upper="3" effort="10" velocity="10"/>
-</joint>
-"""
-BAD = f"""\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-{_WHEEL.format(side="left", y=0.17)}{_WHEEL.format(side="right", y=-0.17)}<gazebo>
+GOOD = (
+    WHEELED
+    + """\
+<gazebo>
   <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
     <leftJoint>left_joint</leftJoint>
     <rightJoint>right_joint</rightJoint>
   </plugin>
 </gazebo>"""
-GOOD = BAD.replace("revolute", "continuous").replace('lower="-3" upper="3" ', "")
+)
+BAD = GOOD.replace("continuous", "revolute").replace(
+    "</joint>", '  <limit lower="-3" upper="3" effort="10" velocity="10"/>\n</joint>'
+)
 
 
 @rule(

@@ -16,8 +16,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.drives import Kind, Wheel, between, dot, drive_of, given, pairs, wheels
+from urdfkit.gazebo.drives import Kind, Wheel, drive_of, given, pairs, wheels
+from urdfkit.gazebo.samples import WHEELED
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.spatial import dot, minus
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -28,32 +30,10 @@ if TYPE_CHECKING:
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05
 
-_WHEEL = """\
-<link name="{side}_wheel">
-  <collision>
-    <origin rpy="1.5707963 0 0"/>
-    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="{side}_joint" type="continuous">
-  <parent link="base"/>
-  <child link="{side}_wheel"/>
-  <origin xyz="0 {y} 0"/>
-  <axis xyz="0 1 0"/>
-</joint>
-"""
-BAD = f"""\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}<gazebo>
+BAD = (
+    WHEELED
+    + """\
+<gazebo>
   <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
     <leftJoint>left_joint</leftJoint>
     <rightJoint>right_joint</rightJoint>
@@ -61,6 +41,7 @@ BAD = f"""\
     <wheelDiameter>0.1</wheelDiameter>
   </plugin>
 </gazebo>"""
+)
 GOOD = BAD.replace("<wheelDiameter>0.1<", "<wheelDiameter>0.2<")
 
 
@@ -80,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _size(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
-    radii = [wheel.radius for wheel in found if wheel.radius is not None]
+    radii = [radius for wheel in found if (radius := wheel.rolling.radius) is not None]
     size = given(use, kind.size) if kind.size else None
     if size is None or not radii or max(radii) > (1 + TOLERANCE) * min(radii):
         return
@@ -94,13 +75,14 @@ def _separation(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
     distance = given(use, kind.separation) if kind.separation else None
     if distance is None:
         return
-    for left, right in pairs(found):
-        if abs(dot(left.axis, right.axis)) < 0.999:
+    for wheel, other in pairs(found):
+        left, right = wheel.rolling, other.rolling
+        if not left.is_parallel(right):
             continue
-        apart = abs(dot(between(left.origin, right.origin), left.axis))
         if left.hub is None or right.hub is None:
             return
-        track = abs(dot(between(left.hub, right.hub), left.axis))
+        apart = abs(dot(minus(left.origin, right.origin), left.axis))
+        track = abs(dot(minus(left.hub, right.hub), left.axis))
         if kind.slips and distance[1] > track:
             return
         if _differ(distance[1], track) and _differ(distance[1], apart):

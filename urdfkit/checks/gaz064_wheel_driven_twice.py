@@ -14,34 +14,17 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.gazebo.drives import drive_of, driven
 from urdfkit.gazebo.plugins import Reference
+from urdfkit.gazebo.samples import WHEELED
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-_WHEEL = """\
-<link name="{side}_wheel">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<joint name="{side}_joint" type="continuous">
-  <parent link="base"/>
-  <child link="{side}_wheel"/>
-  <origin xyz="0 {y} 0"/>
-  <axis xyz="0 1 0"/>
-</joint>
-"""
-BAD = f"""\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}<gazebo>
+BAD = (
+    WHEELED
+    + """\
+<gazebo>
   <plugin name="drive" filename="libgazebo_ros_diff_drive.so">
     <leftJoint>left_joint</leftJoint>
     <rightJoint>left_joint</rightJoint>
@@ -49,6 +32,7 @@ BAD = f"""\
     <wheelDiameter>0.2</wheelDiameter>
   </plugin>
 </gazebo>"""
+)
 GOOD = BAD.replace("<rightJoint>left", "<rightJoint>right")
 
 

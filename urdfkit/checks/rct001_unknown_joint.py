@@ -18,12 +18,12 @@ from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_value
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
-from urdfkit.ros_control import components, driven_joints, reads_transmissions
+from urdfkit.ros_control import called, components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
+    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -63,18 +63,17 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if subject.is_part:  # the file that includes it has the joint
             return
-        meant = speller.meant(name.value)
+        hint = speller.hint(name.value)
         yield Finding(
             name,
-            f"{owner} names joint '{name.value}', which is not in the model"
-            + (f"; did you mean '{meant}'?" if meant else ""),
-            fix=_fix(name, meant) if meant else None,
+            f"{owner} names joint '{name.value}', which is not in the model{hint}",
+            fix=_fix(name, speller.meant(name.value)),
         )
     yield from _not_in_block(subject)
 
 
 def _fix(name: Attribute, meant: str) -> Fix | None:
-    edits = replace_value(name, meant)
+    edits = replace_value(name, meant) if meant else None
     return Fix.of(f"rename '{name.value}' to '{meant}'", edits)
 
 
@@ -87,7 +86,7 @@ def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:
     if subject.model.transmissions and reads_transmissions(subject.targets):
         for element, transmission in driven_joints(subject.model):
             if "name" in element.attributes:
-                yield element.attributes["name"], _called(transmission)
+                yield element.attributes["name"], called(transmission)
 
 
 def _not_in_block(subject: Subject) -> Iterator[Finding]:
@@ -100,12 +99,7 @@ def _not_in_block(subject: Subject) -> Iterator[Finding]:
                 if name and name.value not in listed and not is_expression(name.value):
                     yield Finding(
                         name,
-                        f"{_called(transmission)} names joint '{name.value}', "
+                        f"{called(transmission)} names joint '{name.value}', "
                         f"which {component.called} does not list",
                         "list the joint in the same block, or correct the name",
                     )
-
-
-def _called(transmission: Element) -> str:
-    name = transmission.get("name")
-    return f"transmission '{name}'" if name else "a transmission"

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.catalog import ros_control
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import ROS1, ROS2, components, driven_joints, reads_transmissions
+from urdfkit.ros_control import ROS1, ROS2, called, components, driven_joints, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -69,7 +69,7 @@ def _driven(subject: Subject) -> Iterator[tuple[Element, str]]:
     if subject.model.transmissions and reads_transmissions(subject.targets):
         for element, transmission in driven_joints(subject.model):
             if not _is_of_a_vendor(element):
-                yield element, f"transmission '{transmission.get('name') or ''}'"
+                yield element, called(transmission)
 
 
 def _is_of_a_vendor(joint: Element) -> bool:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import ROS1, driven_joints, is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, called, driven_joints, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -64,7 +64,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         misplaced = any(_has_interface(actuator) for actuator in transmission.all("actuator"))
         yield Finding(
             joint,
-            f"transmission '{transmission.get('name') or ''}': joint '{joint.get('name') or ''}' "
+            f"{called(transmission)}: joint '{joint.get('name') or ''}' "
             "has no <hardwareInterface>"
             + ("; the one in <actuator> does not count" if misplaced else ""),
         )

@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import components
+from urdfkit.ros_control import called, components
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -72,7 +72,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             if plugin is None or not plugin.text.strip():
                 yield Finding(
                     transmission,
-                    f"transmission '{transmission.get('name') or ''}' names no <plugin>",
+                    f"{called(transmission)} names no <plugin>",
                     "write <plugin>transmission_interface/SimpleTransmission</plugin> into it",
                 )
 

@@ -16,7 +16,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.samples import ARM, CONTROL
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import Speller
 from urdfkit.placed_yaml import Value
@@ -27,28 +28,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
-  </inertial>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-</joint>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 _YAML = b"""\
 controller_manager:
@@ -86,14 +66,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             for value in values:
                 if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
                     continue
-                meant = speller.meant(value.text)
-                if is_of_robot or meant or not any_known:
+                hint = speller.hint(value.text)
+                if is_of_robot or hint or not any_known:
                     yield Finding(
                         Written(value.span),
                         f"controller '{controller.name}' names joint '{value.text}', "
-                        "which is not in the model"
-                        + (f"; did you mean '{meant}'?" if meant else ""),
-                        related=(Related(file.span, "the file is named here"),),
+                        f"which is not in the model{hint}",
+                        related=(file.note,),
                     )
 
 

@@ -17,11 +17,12 @@ from collections.abc import Callable, Iterator
 from urdfkit.catalog.ros_control import Measure
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.gazebo.drives import Rolling, between, dot, rolling
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.drives import Rolling, rolling
+from urdfkit.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.model import length, number
 from urdfkit.rules import Finding, Written, rule
-from urdfkit.spatial import Vector
+from urdfkit.spatial import Vector, dot, minus
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -30,66 +31,11 @@ if TYPE_CHECKING:
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05
 
-_WHEEL = """\
-<link name="{side}_wheel">
-  <collision>
-    <origin rpy="1.5707963 0 0"/>
-    <geometry><cylinder radius="0.1" length="0.04"/></geometry>
-  </collision>
-  <inertial>
-    <mass value="0.2"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="{side}_joint" type="continuous">
-  <parent link="base"/>
-  <child link="{side}_wheel"/>
-  <origin xyz="0 {y} 0"/>
-  <axis xyz="0 1 0"/>
-</joint>
-"""
-BAD = f"""\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-{_WHEEL.format(side="left", y=0.15)}{_WHEEL.format(side="right", y=-0.15)}\
-<ros2_control name="base" type="system">
-  <hardware>
-    <plugin>gz_ros2_control/GazeboSimSystem</plugin>
-  </hardware>
-  <joint name="left_joint">
-    <command_interface name="velocity"/>
-    <state_interface name="position"/>
-  </joint>
-  <joint name="right_joint">
-    <command_interface name="velocity"/>
-    <state_interface name="position"/>
-  </joint>
-</ros2_control>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-_YAML = b"""\
-controller_manager:
-  ros__parameters:
-    drive:
-      type: diff_drive_controller/DiffDriveController
-drive:
-  ros__parameters:
-    left_wheel_names: [left_joint]
-    right_wheel_names: [right_joint]
-    wheel_separation: 0.3
-    wheel_radius: 0.1
-"""
 FILES = {
-    "config/bad.yaml": _YAML.replace(b"0.3", b"0.2"),
-    "config/good.yaml": _YAML,
+    "config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"),
+    "config/good.yaml": DRIVE,
 }
 
 
@@ -109,7 +55,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     f"controller '{controller.name}': {measure.parameter} is {value:g} m, "
                     f"and in the model it is {real[0]:.4g} m",
                     f"write {real[0]:.4g}",
-                    related=(Related(file.span, "the file is named here"),),
+                    related=(file.note,),
                     weight=abs(value - real[0]),
                 )
 
@@ -128,14 +74,12 @@ def _real(measure: Measure, controller: Controller, subject: Subject) -> list[fl
         alike = radii and max(radii) <= (1 + TOLERANCE) * min(radii)
         return radii[:1] if alike else []
     if measure.kind == "wheelbase":
-        x, y, _ = between(_centre(sides[0]), _centre(sides[1]))
+        x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
         return [length((x, y, 0.0))]
     if measure.kind == "track":
         return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
     left, right = sides[0][0], sides[1][0]
-    if abs(dot(left.axis, right.axis)) < 0.999:
-        return []
-    return _distances(left, right, left.axis)
+    return _distances(left, right, left.axis) if left.is_parallel(right) else []
 
 
 def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[Rolling]:
@@ -157,7 +101,7 @@ def _centre(wheels: list[Rolling]) -> Vector:
 
 def _distances(a: Rolling, b: Rolling, along: Vector | None = None) -> list[float]:
     """Between the tyres and between the joints of two wheels; along a direction if there is one."""
-    apart = [between(a.origin, b.origin)]
+    apart = [minus(a.origin, b.origin)]
     if a.hub and b.hub:
-        apart.insert(0, between(a.hub, b.hub))
+        apart.insert(0, minus(a.hub, b.hub))
     return [abs(dot(way, along)) if along else length(way) for way in apart]

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
-from urdfkit.ros_control import reads_transmissions
+from urdfkit.ros_control import called, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -67,9 +67,6 @@ def check(subject: Subject) -> Iterator[Finding]:
     more = f" and {len(others)} more" if others else ""
     yield Finding(
         first,
-        f"transmission '{first.get('name') or ''}'{more}: nothing in ROS 2 reads it",
-        related=tuple(
-            Related(other.span, f"transmission '{other.get('name') or ''}'")
-            for other in others[:_MAX_RELATED]
-        ),
+        f"{called(first)}{more}: nothing in ROS 2 reads it",
+        related=tuple(Related(other.span, called(other)) for other in others[:_MAX_RELATED]),
     )

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import ROS1, is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, called, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -59,8 +59,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for transmission in subject.model.transmissions:
         missing = [] if is_of_pr2(transmission) else _missing(transmission)
         if missing:
-            name = transmission.get("name") or ""
-            yield Finding(transmission, f"transmission '{name}' has no {' and no '.join(missing)}")
+            message = f"{called(transmission)} has no {' and no '.join(missing)}"
+            yield Finding(transmission, message)
 
 
 def _missing(transmission: Element) -> list[str]:

@@ -18,7 +18,7 @@ from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import rename_element, rewrite
 from urdfkit.model import number
 from urdfkit.nearest import nearest
-from urdfkit.ros_control import ROS1, is_of_pr2, reads_transmissions
+from urdfkit.ros_control import ROS1, called, is_of_pr2, reads_transmissions
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -74,7 +74,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _type(transmission)
         yield from _count(transmission)
         for element in (transmission, *transmission.children):
-            yield from _children(element, transmission.get("name") or "")
+            yield from _children(element, called(transmission))
 
 
 def _type(transmission: Element) -> Iterator[Finding]:
@@ -85,15 +85,13 @@ def _type(transmission: Element) -> Iterator[Finding]:
     if full and element:
         edits = rewrite(element, full[0])
         fix = Fix.of(f"write {full[0]}", edits)
-        message = (
-            f"transmission '{transmission.get('name') or ''}': type '{name}' lacks its package"
-        )
+        message = f"{called(transmission)}: type '{name}' lacks its package"
         yield Finding(element, message, f"write {full[0]}", fix)
     elif element and meant and abs(len(meant) - len(name)) <= 2:
         edits = rewrite(element, meant)
         fix = Fix.of(f"write {meant}", edits)
-        message = f"transmission '{transmission.get('name') or ''}': type '{name}' is nearly"
-        yield Finding(element, f"{message} '{meant}'", f"write {meant}", fix)
+        message = f"{called(transmission)}: type '{name}' is nearly '{meant}'"
+        yield Finding(element, message, f"write {meant}", fix)
 
 
 def _count(transmission: Element) -> Iterator[Finding]:
@@ -103,22 +101,22 @@ def _count(transmission: Element) -> Iterator[Finding]:
     for tag in ("joint", "actuator"):
         found = transmission.all(tag)
         if kind in _COUNTS and found and len(found) != _COUNTS[kind]:  # RCT016 tells of none
-            message = f"transmission '{transmission.get('name') or ''}': a {kind} has"
-            wanted = f"{_COUNTS[kind]} <{tag}>, and this one {len(found)}"
+            wanted = f"a {kind} has {_COUNTS[kind]} <{tag}>, and this one {len(found)}"
             help = "write a transmission for each joint" if kind == "SimpleTransmission" else ""
-            yield Finding(found[-1], f"{message} {wanted}", help)
+            yield Finding(found[-1], f"{called(transmission)}: {wanted}", help)
 
 
-def _children(element: Element, name: str) -> Iterator[Finding]:
+def _children(element: Element, who: str) -> Iterator[Finding]:
+    """Slips in the names of elements, and what is no ratio of a gear."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
         meant = nearest(child.tag, known, _SLIP) if child.tag not in known else None
         if meant:
             edits = rename_element(child, meant)
             fix = Fix.of(f"rename it to <{meant}>", edits)
-            message = f"transmission '{name}': <{element.tag}> has no <{child.tag}>"
-            yield Finding(child, f"{message}; did you mean '{meant}'?", "mend the tag", fix)
+            message = f"{who}: <{element.tag}> has no <{child.tag}>; did you mean '{meant}'?"
+            yield Finding(child, message, "mend the tag", fix)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
             shown = child.text.strip() or "empty"
-            message = f"transmission '{name}': the ratio is {shown}, and must be a number other"
-            yield Finding(child, f"{message} than 0", "write the ratio of the gear, such as 50")
+            message = f"{who}: the ratio is {shown}, and must be a number other than 0"
+            yield Finding(child, message, "write the ratio of the gear, such as 50")

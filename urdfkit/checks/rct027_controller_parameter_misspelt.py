@@ -15,7 +15,8 @@ from collections.abc import Iterator
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.catalog.ros_control import parameters
 from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.samples import ARM, CONTROL
 from urdfkit.nearest import nearest
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.source import Span
@@ -24,28 +25,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
-  </inertial>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="shoulder" type="continuous">
-  <parent link="base"/>
-  <child link="arm"/>
-</joint>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 _YAML = b"""\
 controller_manager:
@@ -74,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                     Written(span),
                     f"controller '{controller.name}': '{word}' is nearly '{meant}'",
                     f"write {meant}",
-                    related=(Related(file.span, "the file is named here"),),
+                    related=(file.note,),
                 )
 
 

@@ -13,7 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.samples import CONTROL
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Written, rule
@@ -23,18 +24,17 @@ if TYPE_CHECKING:
     from urdfkit.placed_yaml import Value
     from urdfkit.subject import Subject
 
-BAD = """\
+BAD = (
+    """\
 <link name="base">
   <inertial>
     <mass value="3"/>
     <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
   </inertial>
 </link>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+"""
+    + CONTROL
+)
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 _YAML = b"""\
 controller_manager:
@@ -73,7 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 Written(value.span),
                 f"controller '{controller.name}' sends the transform to '{name}': {message}",
                 f"name the root link '{root}'",
-                related=(Related(file.span, "the file is named here"),),
+                related=(file.note,),
             )
 
 

@@ -59,6 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:
         return
     simulated = {sensor.name for sensor in sensors(subject.model)}
+    speller = Speller(simulated)
     for component in components(subject.model):
         if component.hardware not in hardware():
             continue
@@ -66,12 +67,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             name = part.at.attributes.get("name")
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue
-            meant = Speller(simulated).meant(name.value)
-            hint = f"; did you mean '{meant}'?" if meant else ""
+            meant, hint = speller.meant(name.value), speller.hint(name.value)
             edits = replace_value(name, meant) if meant else None
+            message = (
+                f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
+            )
             yield Finding(
                 name,
-                f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
-                + hint,
+                f"{message}{hint}",
                 fix=Fix.of(f"rename it to '{meant}'", edits),
             )

@@ -17,7 +17,8 @@ from collections.abc import Iterator
 
 from urdfkit.catalog.ros_control import controllers as catalogue
 from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Related, Severity
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.samples import ARM, CONTROL
 from urdfkit.ros_control import components
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
@@ -25,37 +26,21 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>
-<ros2_control name="base" type="system">
+BAD = (
+    ARM
+    + """\
+<ros2_control name="arm" type="system">
   <hardware>
     <plugin>gz_ros2_control/GazeboSimSystem</plugin>
   </hardware>
-  <joint name="axle">
+  <joint name="shoulder">
     <command_interface name="position"/>
     <state_interface name="position"/>
   </joint>
 </ros2_control>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+"""
+    + CONTROL
+)
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 _YAML = b"""\
 controller_manager:
@@ -64,7 +49,7 @@ controller_manager:
       type: joint_trajectory_controller/JointTrajectoryController
 arm:
   ros__parameters:
-    joints: [axle]
+    joints: [shoulder]
     command_interfaces: [position]
     state_interfaces: [position]
 """
@@ -100,7 +85,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                         f"controller '{controller.name}' needs the {' and the '.join(missing)} of "
                         f"joint '{value.text}', whose state interfaces are: "
                         + (", ".join(sorted(has)) or "none"),
-                        related=(Related(file.span, "the file is named here"),),
+                        related=(file.note,),
                     )
 
 

@@ -14,7 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.controllers import controllers
-from urdfkit.diagnostic import Confidence, Related, Severity
+from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.gazebo.samples import ARM, CONTROL
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean
 from urdfkit.ros_control import components
@@ -24,28 +25,14 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
-  </inertial>
-</link>
-<link name="wheel">
-  <inertial>
-    <mass value="0.5"/>
-    <inertia ixx="0.001" ixy="0" ixz="0" iyy="0.001" iyz="0" izz="0.001"/>
-  </inertial>
-</link>
-<joint name="axle" type="continuous">
-  <parent link="base"/>
-  <child link="wheel"/>
-</joint>
-<ros2_control name="base" type="system">
+BAD = (
+    ARM
+    + """\
+<ros2_control name="arm" type="system">
   <hardware>
     <plugin>gz_ros2_control/GazeboSimSystem</plugin>
   </hardware>
-  <joint name="axle">
+  <joint name="shoulder">
     <command_interface name="position"/>
     <state_interface name="position"/>
   </joint>
@@ -53,11 +40,9 @@ BAD = """\
     <state_interface name="orientation.x"/>
   </sensor>
 </ros2_control>
-<gazebo>
-  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
-    <parameters>/home/student/arm_description/config/bad.yaml</parameters>
-  </plugin>
-</gazebo>"""
+"""
+    + CONTROL
+)
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 _YAML = b"""\
 controller_manager:
@@ -98,6 +83,6 @@ def check(subject: Subject) -> Iterator[Finding]:
                         Written(value.span),
                         f"controller '{controller.name}' publishes the sensor '{name}', which no "
                         f"<ros2_control> has{did_you_mean(name, sensors)}",
-                        related=(Related(file.span, "the file is named here"),),
+                        related=(file.note,),
                         confidence=Confidence.INFERRED,
                     )

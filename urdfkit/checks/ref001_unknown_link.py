@@ -47,21 +47,18 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.links_by_name
     speller = Speller(known)
     for joint in subject.model.joints:
-        for role, element in (
-            ("parent", joint.at.child("parent")),
-            ("child", joint.at.child("child")),
-        ):
+        for role in ("parent", "child"):
+            element = joint.at.child(role)
             link = element.attributes.get("link") if element else None
             if link is None or link.value in known or is_expression(link.value):
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return
-            meant = speller.meant(link.value)
+            hint = speller.hint(link.value)
             yield Finding(
                 link,
-                f"joint '{joint.name}': {role} link '{link.value}' is not in the model"
-                + (f"; did you mean '{meant}'?" if meant else ""),
-                fix=_fix(joint, link, meant),
+                f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
+                fix=_fix(joint, link, speller.meant(link.value)),
             )
 
 

@@ -114,5 +114,4 @@ def _is_filled(material: Element) -> bool:
 def _hint(name: str, speller: Speller) -> str:
     if name.startswith("Gazebo/"):
         return "; Gazebo's own materials work in <gazebo reference> only"
-    meant = speller.meant(name)
-    return f"; did you mean '{meant}'?" if meant else ""
+    return speller.hint(name)

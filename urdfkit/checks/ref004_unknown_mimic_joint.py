@@ -57,12 +57,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):
             continue
-        meant = speller.meant(leader.value)
+        hint = speller.hint(leader.value)
         yield Finding(
             leader,
-            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model"
-            + (f"; did you mean '{meant}'?" if meant else ""),
-            fix=_renamed(leader, meant),
+            f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
+            fix=_renamed(leader, speller.meant(leader.value)),
         )
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import hypot
 
 from urdfkit.gazebo.plugins import Reference, Use
 from urdfkit.model import number
 from urdfkit.record import Record
-from urdfkit.spatial import Frame, Vector, rotate
+from urdfkit.spatial import Frame, Vector, dot, minus, rotate
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -73,42 +74,52 @@ _MOVERS = {
 }
 
 
-class Wheel(Record):
-    """A wheel that a drive plugin turns.
+#: Cosine of the angle between axles up to which they count as parallel.
+_PARALLEL = 0.999
 
-    Attributes:
-        reference: the parameter that names its joint.
-        joint: its joint.
-        side: ``left`` or ``right``; empty if the parameter does not say.
-        axis: of its joint in the frame of the root, of length 1.
-        hub: the centre of its tyre in the frame of the root if the shape tells, else None.
-        radius: in m, if the shape tells.
-        origin: of its joint in the frame of the root.
-    """
-
-    reference: Reference
-    joint: Joint
-    side: str
-    axis: Vector
-    hub: Vector | None
-    radius: float | None
-    origin: Vector
+#: In m: wheels nearer to each other than this are not left and right.
+_APART = 0.01
 
 
 class Rolling(Record):
     """A wheel in the frame of the root, when all joints are at zero.
 
     Attributes:
-        axis: of its joint, of length 1.
+        joint: that turns it.
+        axis: of the joint, of length 1.
         hub: the centre of its tyre if the shape tells, else None.
         radius: in m, if the shape tells.
-        origin: of its joint.
+        origin: of the joint.
     """
 
+    joint: Joint
     axis: Vector
     hub: Vector | None
     radius: float | None
     origin: Vector
+
+    @property
+    def center(self) -> Vector:
+        """Of the tyre, as far as the shape tells."""
+        return self.hub or self.origin
+
+    def is_parallel(self, other: Rolling) -> bool:
+        """True if two wheels turn about the same direction, in either sense."""
+        return abs(dot(self.axis, other.axis)) >= _PARALLEL
+
+
+class Wheel(Record):
+    """A wheel that a drive plugin turns.
+
+    Attributes:
+        reference: the parameter that names its joint.
+        side: ``left`` or ``right``; empty if the parameter does not say.
+        rolling: where it is, and how it turns.
+    """
+
+    reference: Reference
+    side: str
+    rolling: Rolling
 
 
 def drive_of(use: Use) -> Kind | None:
@@ -138,7 +149,7 @@ def wheels(use: Use, tree: KinematicTree) -> Iterator[Wheel]:
             continue
         side = "left" if "left" in name else "right" if "right" in name else ""
         if found := rolling(joint, tree):
-            yield Wheel(reference, joint, side, *found)
+            yield Wheel(reference, side, found)
 
 
 def rolling(joint: Joint, tree: KinematicTree) -> Rolling | None:
@@ -148,7 +159,7 @@ def rolling(joint: Joint, tree: KinematicTree) -> Rolling | None:
     if frame is None or axis is None or joint.child is None:
         return None
     hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
-    return Rolling(rotate(frame.rotation, axis), hub, radius, frame.position)
+    return Rolling(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
 
 
 def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
@@ -156,6 +167,30 @@ def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
     left = [wheel for wheel in found if wheel.side == "left"]
     right = [wheel for wheel in found if wheel.side == "right"]
     yield from zip(left, right, strict=False)
+
+
+def wrong_sides(left: Rolling, right: Rolling) -> tuple[str, str] | None:
+    """Why a drive does not take a robot where it is told to, and the remedy; None if it does.
+
+    A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
+    of a wheel points that rolls so.
+
+    Args:
+        left: what the drive takes for the left wheel.
+        right: what it takes for the right one.
+    """
+    to_left = dot(minus(left.center, right.center), left.axis)
+    if not left.is_parallel(right) or abs(to_left) < _APART:
+        return None
+    first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
+    if dot(left.axis, right.axis) < 0:
+        message = f"the axes of {first} and {second} point in opposite directions, so that going "
+        return f"{message}straight turns the robot", "turn the axis of one of the joints"
+    if to_left > 0:
+        return None
+    message = f"the left joint {first} is {-to_left:.3g} m to the right of {second} as the robot "
+    remedy = "interchange the joints, or turn both axes"
+    return f"{message}rolls, so that it turns the wrong way", remedy
 
 
 def given(use: Use, name: str) -> tuple[Element | Attribute, float] | None:
@@ -174,34 +209,24 @@ def given(use: Use, name: str) -> tuple[Element | Attribute, float] | None:
     return None if default is None else (use.at, default)
 
 
-def dot(a: Vector, b: Vector) -> float:
-    """The scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def between(a: Vector, b: Vector) -> Vector:
-    """From ``b`` to ``a``."""
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
 def _unit(vector: Vector) -> Vector | None:
-    length = dot(vector, vector) ** 0.5
+    length = hypot(*vector)
     return (vector[0] / length, vector[1] / length, vector[2] / length) if length > 1e-9 else None
 
 
 def _tyre(link: Link, frame: Frame, axis: Vector) -> tuple[Vector | None, float | None]:
     """Centre and radius of a wheel whose one collision is a sphere, or a cylinder on the axle."""
-    if len(link.collisions) != 1 or link.collisions[0].shape is None:
+    if len(link.collisions) != 1:
         return None, None
     body = link.collisions[0]
-    shape = link.collisions[0].shape
-    if shape.kind not in ("cylinder", "sphere") or not shape.radius:
+    shape = body.shape
+    if shape is None or shape.kind not in ("cylinder", "sphere") or not shape.radius:
         return None, None
     along = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
-    if shape.kind == "cylinder" and abs(dot(along, axis)) < 0.999:
+    if shape.kind == "cylinder" and abs(dot(along, axis)) < _PARALLEL:
         return None, None
-    off_axle = between(body.origin.position, _scaled(axis, dot(body.origin.position, axis)))
-    if dot(off_axle, off_axle) > 1e-8:
+    off_axle = minus(body.origin.position, _scaled(axis, dot(body.origin.position, axis)))
+    if hypot(*off_axle) > 1e-4:
         return None, None
     return frame.apply(body.origin.position), shape.radius
 

@@ -13,7 +13,7 @@ from urdfkit.mechanics.kinematics import frames
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.model import Body
 from urdfkit.record import Record
-from urdfkit.spatial import Frame, Vector
+from urdfkit.spatial import Frame, Vector, dot, minus
 
 #: In m: bodies farther apart than this are of no interest.
 NEAR = 0.001
@@ -81,12 +81,12 @@ def _box(link: str, frame: Frame, body: Body) -> _Box | None:
 
 def _gap(one: _Box, other: _Box) -> float:
     """A lower bound of the distance of two boxes, in m: along their own axes only."""
-    way = tuple(b - a for a, b in zip(one.frame.position, other.frame.position, strict=True))
+    way = minus(other.frame.position, one.frame.position)
     gap = hypot(*way) - one.radius - other.radius
     if gap >= NEAR:
         return gap
     for axis in (*_axes(one.frame), *_axes(other.frame)):
-        apart = abs(_dot(axis, way)) - _reach(one, axis) - _reach(other, axis)
+        apart = abs(dot(axis, way)) - _reach(one, axis) - _reach(other, axis)
         gap = max(gap, apart)
     return gap
 
@@ -100,8 +100,4 @@ def _axes(frame: Frame) -> tuple[Vector, ...]:
 def _reach(box: _Box, axis: Vector) -> float:
     """How far a box extends from its middle along a unit vector."""
     parts = zip(box.half, _axes(box.frame), strict=True)
-    return sum(half * abs(_dot(axis, own)) for half, own in parts)
-
-
-def _dot(a: tuple[float, ...], b: tuple[float, ...]) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return sum(half * abs(dot(axis, own)) for half, own in parts)
