@@ -69,11 +69,9 @@ def check(subject: Subject) -> Iterator[Finding]:
                 continue
             meant, hint = speller.meant(name.value), speller.hint(name.value)
             edits = replace_value(name, meant) if meant else None
-            message = (
-                f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
-            )
             yield Finding(
                 name,
-                f"{message}{hint}",
+                f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
+                + hint,
                 fix=Fix.of(f"rename it to '{meant}'", edits),
             )
