@@ -26,8 +26,10 @@ SUFFIXES = (".urdf", ".xacro")
 #: Of files that descriptions include.
 _INCLUDED = (*SUFFIXES, ".gazebo", ".trans", ".xml")
 _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
-_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
-_INCLUDE = re.compile(rb"""<xacro:include\b[^>]*?\bfilename\s*=\s*["']([^"']+)["']""")
+#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
+_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
+_MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
+_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
@@ -291,5 +293,5 @@ class IncludeGraph:
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
         data = _COMMENT.sub(b"", self._sources[os.path.realpath(path)].data)
-        outside = re.sub(rb"<xacro:macro\b.*?</xacro:macro\s*>", b"", data, flags=re.DOTALL)
+        outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

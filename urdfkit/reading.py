@@ -68,7 +68,8 @@ def is_xacro(source: Source) -> bool:
     has_tags, has_namespace = b"<xacro:" in data, b"xmlns:xacro" in data
     if not has_tags and not has_namespace:
         return False
-    text = re.sub(_COMMENT, b"", data, flags=re.DOTALL)
+    # A comment without an end is the rest: to look for it anew from each beginning takes hours.
+    text = re.sub(_COMMENT + rb"|<!--.*", b"", data, flags=re.DOTALL)
     if has_tags and re.search(_OWN_TAG, text):
         return True
     return has_namespace and re.search(rb"\$[{(]", text) is not None

@@ -8,6 +8,7 @@ suppressed for all calls by a comment in the macro, and for one call by a commen
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 
 from urdfkit.diagnostic import Call, Diagnostic
@@ -15,7 +16,8 @@ from urdfkit.reading import read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source, Span
 
-_COMMENT = re.compile(rb"<!--\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\]\s*(.*?)\s*-->", re.DOTALL)
+_COMMENT = re.compile(rb"<!--(.*?)(?:-->|\Z)", re.DOTALL)
+_IGNORE = re.compile(rb"\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\](.*)", re.DOTALL)
 _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
 
@@ -51,25 +53,25 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
     """The ignore comments of a file; none of a file that is not well formed."""
     if b"urdfkit" not in source.data:
         return ()
-    comments = list(_COMMENT.finditer(source.data))
+    comments = [
+        (Span(source, *comment.span()), said)
+        for comment in _COMMENT.finditer(source.data)
+        if (said := _IGNORE.fullmatch(source.data, *comment.span(1)))
+    ]
     if not comments:
         return ()
-    starts = _elements(source)
+    elements = _elements(source)
     found = []
-    for comment in comments:
-        following = next((range_ for range_ in starts if range_[0] >= comment.end()), None)
-        if following is not None:
+    for span, said in comments:
+        following = bisect_left(elements, (span.end,))
+        if following < len(elements):
             codes = tuple(
-                (code.group().decode(), Span(source, *_shifted(code.span(), comment.start(1))))
-                for code in _CODE.finditer(comment.group(1))
+                (code.group().decode(), Span(source, *code.span()))
+                for code in _CODE.finditer(source.data, *said.span(1))
             )
-            reason = comment.group(2).decode("utf-8", "replace")
-            found.append(Ignore(Span(source, *comment.span()), codes, reason, *following))
+            reason = said.group(2).strip().decode("utf-8", "replace")
+            found.append(Ignore(span, codes, reason, *elements[following]))
     return tuple(found)
-
-
-def _shifted(span: tuple[int, int], by: int) -> tuple[int, int]:
-    return span[0] + by, span[1] + by
 
 
 def _elements(source: Source) -> list[tuple[int, int]]:

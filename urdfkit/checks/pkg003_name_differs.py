@@ -45,7 +45,7 @@ FILES = {
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
     "CMakeLists.txt": rb"(?im)^[^#\n]*?\bproject\s*\(\s*\"?([A-Za-z][\w-]*)",
-    "setup.py": rb"(?m)^\s*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
+    "setup.py": rb"(?m)^[ \t]*(?:package_name|PACKAGE_NAME)\s*=\s*[\"']([\w-]+)[\"']",
 }
 
 

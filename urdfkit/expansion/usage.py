@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.record import Record
 from urdfkit.source import Source
 
-_COMMENT = rb"(?s)<!--.*?-->"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _EXPRESSION = rb"\$\{([^}]*)\}"
 _COMMAND = rb"\$\(([^)]*)\)"
 _WORD = rb"[A-Za-z_]\w*"

@@ -9,7 +9,7 @@ from urdfkit.meshes.facts import Defect, counted, empty, truncated, unreadable
 #: The solid's name stands after its last facet; a name is shorter than this.
 _END = 20_000
 
-_NUMBER = rb"[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = rb"[ \t]+[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _GOOD_VERTEX = re.compile(rb"\svertex(?:%b){3}(?=\s|\Z)" % _NUMBER)
 # The solid's name, in the first and the last line, may hold the word too.
 _BAD_VERTEX = re.compile(

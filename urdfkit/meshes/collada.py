@@ -9,17 +9,18 @@ from xml.parsers import expat
 
 from urdfkit.meshes.facts import Defect, empty, truncated, unreadable
 
-_TAG = re.compile(rb"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<[^<>]*>", re.DOTALL)
+#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
+_TAG = re.compile(rb"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<[^<>]*>", re.DOTALL)
 _SURFACE = re.compile(
-    rb"""<(?:triangles|polylist|polygons|trifans|tristrips)\s[^>]*\bcount\s*=\s*["']0*[1-9]"""
+    rb"""<(?:triangles|polylist|polygons|trifans|tristrips)\s[^<>]*\bcount\s*=\s*["']0*[1-9]"""
 )
 _REFERENCE = re.compile(
-    rb"""<(?:instance_geometry|accessor|input)\s[^>]*\b(?:url|source)\s*=\s*["']#([^"'&]*)"""
+    rb"""<(?:instance_geometry|accessor|input)\s[^<>]*\b(?:url|source)\s*=\s*["']#([^"'&]*)"""
 )
 _ID = re.compile(rb"""\sid\s*=\s*["']([^"'&]*)""")
-_UNIT = re.compile(rb"""<unit\s[^>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*["']""")
+_UNIT = re.compile(rb"""<unit\s[^<>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*["']""")
 _UP_AXIS = re.compile(rb"<up_axis>\s*([XYZ]_UP)\s*<")
-_NOT_FINITE = re.compile(rb"[^\s<>]*(?:[nN][aA][nN]|[iI][nN][fFdD])[^\s<>]*")
+_NOT_FINITE = re.compile(rb"[^\s<>]{0,20}?(?:nan|in[fd])[^\s<>]*", re.IGNORECASE)
 _VALUE = re.compile(rb"""=\s*(?:"[^"<]*<[^"]*"|'[^'<]*<[^']*')""")
 _SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
 _REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}

@@ -30,7 +30,7 @@ from urdfkit.meshes.numbers import floats
 MAX_DEPTH = 200
 
 #: A number as programs in German or French print it.
-_DECIMAL_COMMA = re.compile(rb"<float_array[^>]*>\s*(-?\d+,\d+)\s")
+_DECIMAL_COMMA = re.compile(rb"<float_array[^<>]*>\s*(-?\d+,\d+)\s")
 
 _EXTRAS = {"instance_camera": "camera", "instance_light": "light", "animation": "animation"}
 _INSTANCES = ("instance_geometry", "instance_controller")

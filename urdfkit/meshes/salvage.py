@@ -11,7 +11,7 @@ from urdfkit.meshes.load import UnloadableMesh
 from urdfkit.meshes.sniff import sniff
 from urdfkit.record import Record
 
-_COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^>]*?\bcount\s*=\s*["']\s*(\d{1,9})""")
+_COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^<>]*?\bcount\s*=\s*["']\s*(\d{1,9})""")
 
 
 class Salvaged(Record):

@@ -34,7 +34,8 @@ _TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 _LFS = b"version https://git-lfs.github.com/spec/"
 _XML_ROOT = rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)"
-_NOT_ROOT = rb"(?s)<\?.*?\?>|<!--.*?-->|<![^>]*>"
+#: What has no end, as where the text is cut, goes on to its end.
+_NOT_ROOT = rb"(?s)<\?.*?(?:\?>|\Z)|<!--.*?(?:-->|\Z)|<![^>]*(?:>|\Z)"
 _HTML_TAGS = frozenset("html head body script meta title div table".split())
 #: A line of OBJ, or a line that names its materials.
 _OBJ = (

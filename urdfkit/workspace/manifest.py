@@ -10,7 +10,7 @@ from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
 
-_COMMENT = rb"(?s)<!--.*?-->"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 

@@ -17,7 +17,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages
 
-_MENTION = rb"""(?sx)<!--.*?-->
+_MENTION = rb"""(?sx)<!--.*?(?:-->|\Z)
       | \$\(find\s+([A-Za-z][\w.-]*)\s*\)(/[^\s"'<>]*)?
       | package://([A-Za-z][\w.-]*)(/[^\s"'<>]*)?
     """

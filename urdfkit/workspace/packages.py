@@ -27,7 +27,7 @@ _SHARED_BY_ALL = frozenset(
     "/ /dev /etc /home /media /mnt /opt /private /proc /root /run /srv /sys /tmp /usr /usr/share "
     "/usr/local /usr/src /var /var/tmp /Users /Volumes".split()
 )
-_COMMENT = rb"(?s)<!--.*?-->"
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
 _NAME = rb"<name>\s*([^<>\s]+)\s*</name>"
 _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
