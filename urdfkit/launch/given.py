@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterator
 from functools import lru_cache
 from itertools import islice
 
+from urdfkit import pythontext
 from urdfkit.document import Element, Frame
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch import read_launch
@@ -101,8 +102,8 @@ def _choices(source: Source) -> Iterator[dict[str, str]]:
 
 def _of_python(source: Source) -> dict[str, list[str]]:
     try:
-        tree = ast.parse(source.data)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        tree = pythontext.parse(source.data)
+    except SyntaxError:
         return {}  # which its own check tells
     found: dict[str, list[str]] = {}
     for call in ast.walk(tree):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from itertools import pairwise
 
+from urdfkit import pythontext
 from urdfkit.document import Frame, Tag
 from urdfkit.launch.collect import Collector, frame_at
 from urdfkit.launch.commands import run_together
@@ -24,13 +25,11 @@ def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launc
     """What a launch file in Python needs, as far as constants reach."""
     collector = Collector(resolver)
     try:
-        tree = ast.parse(source.data, source.path)
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        line, column = getattr(error, "lineno", 1) or 1, getattr(error, "offset", 1) or 1
-        start = source.offset(line, column)
-        reason = getattr(error, "msg", None) or str(error) or type(error).__name__
+        tree = pythontext.parse(source.data, source.path)
+    except SyntaxError as error:
+        start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)
-        collector.problems.append(Problem("LAU001", at, f"not a Python program: {reason}"))
+        collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
         return collector.launch()
     _Reader(collector, source, tree, arguments).read()
     return collector.launch()

@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Iterator
 
+from urdfkit import pythontext
 from urdfkit.document import Element
 from urdfkit.launch.values import argument, called
 from urdfkit.reading import read_xml
@@ -59,8 +60,8 @@ def signature(source: Source) -> Signature:
     """The arguments of a launch file; one that cannot be read may take any."""
     if source.path.endswith(".py"):
         try:
-            tree = ast.parse(source.data)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            tree = pythontext.parse(source.data)
+        except SyntaxError:
             return _UNKNOWN
         return of_python(tree)
     document, _ = read_xml(source)

@@ -11,6 +11,7 @@ import os
 import re
 from collections.abc import Collection, Iterator
 
+from urdfkit import pythontext
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
 from urdfkit.placed_yaml import Key, Value, load
@@ -139,8 +140,8 @@ def _in_launch(source: Source) -> Iterator[Mention]:
 
 def _in_python(source: Source) -> Iterator[Mention]:
     try:
-        tree = ast.parse(source.data)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        tree = pythontext.parse(source.data)
+    except SyntaxError:
         return
     for node in ast.walk(tree):
         if isinstance(node, ast.Dict):

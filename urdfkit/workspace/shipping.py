@@ -70,9 +70,11 @@ class Shipping:
         """The paths and patterns that a setup.py writes out."""
         import ast  # not needed where CMake builds
 
+        from urdfkit import pythontext
+
         try:
-            nodes = list(ast.walk(ast.parse(self._text)))
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            nodes = list(ast.walk(pythontext.parse(self._text)))
+        except SyntaxError:
             return []
         found = []
         for node in nodes:
