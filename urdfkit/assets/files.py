@@ -101,6 +101,15 @@ class Files:
         )
 
     @cached_property
+    def each_file(self) -> tuple[MeshReference, ...]:
+        """The first reference to each file that is there; links to one file are one."""
+        first: dict[str, MeshReference] = {}
+        for mesh in self.meshes:
+            if mesh.located.path:
+                first.setdefault(os.path.realpath(mesh.located.path), mesh)
+        return tuple(first.values())
+
+    @cached_property
     def paths(self) -> tuple[str, ...]:
         """The mesh files that are there, each once."""
         found = (mesh.located.path for mesh in self.meshes)
@@ -170,7 +179,7 @@ class Files:
     def copies(self) -> list[tuple[MeshReference, MeshReference]]:
         """The references to a file with the content of an earlier one, and the latter."""
         by_size: dict[int, list[MeshReference]] = {}
-        for mesh in self._each_file:
+        for mesh in self.each_file:
             if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES:
                 by_size.setdefault(mesh.facts.size, []).append(mesh)
         found = []
@@ -185,18 +194,18 @@ class Files:
     @cached_property
     def ignored(self) -> list[MeshReference]:
         """The references to files that git leaves out of the repository that they lie in."""
-        if not self._each_file:
+        if not self.each_file:
             return []
         from urdfkit.workspace.gitignore import Ignored
 
         ignored = Ignored()
-        return [mesh for mesh in self._each_file if mesh.located.path in ignored]
+        return [mesh for mesh in self.each_file if mesh.located.path in ignored]
 
     @cached_property
     def case_collisions(self) -> list[tuple[MeshReference, str]]:
         """The references to files, and the name beside each that differs in case only."""
         found = []
-        for mesh in self._each_file:
+        for mesh in self.each_file:
             folder, name = os.path.split(mesh.located.path or "")
             entries = self.resolver.folders.entries(folder) or {}
             others = [one for one in entries if one != name and one.casefold() == name.casefold()]
@@ -213,15 +222,6 @@ class Files:
 
         workspace = self.resolver.packages.workspace(self.top)
         return unreferenced(self._used, package[1], workspace, self.resolver.folders)
-
-    @cached_property
-    def _each_file(self) -> list[MeshReference]:
-        """The first reference to each file that is there; links to one file are one."""
-        first: dict[str, MeshReference] = {}
-        for mesh in self.meshes:
-            if mesh.located.path:
-                first.setdefault(os.path.realpath(mesh.located.path), mesh)
-        return list(first.values())
 
     def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
         """The references whose file cannot be used for a reason of this kind, and the reason."""

@@ -19,6 +19,17 @@ GENERATIONS = {
     "gz-jetty": ("gz",),
 }
 
+#: What each generation, and each target, is called in messages.
+TITLES = {
+    "classic-ros1": "Gazebo Classic with ROS 1",
+    "classic-ros2": "Gazebo Classic with ROS 2",
+    "classic": "Gazebo Classic",
+    "gz": "gz-sim",
+    "gz-fortress": "Gazebo Fortress",
+    "gz-harmonic": "Gazebo Harmonic",
+    "gz-jetty": "Gazebo Jetty",
+}
+
 #: Types of parameters that the plugin looks up in the simulated model. ``joints`` is a list.
 REFERENCES = ("link", "joint", "joints")
 

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.catalog.plugins import GENERATIONS, find
+from urdfkit.catalog.plugins import GENERATIONS, TITLES, find
 from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
+from urdfkit.editing.edits import all_or_none, replace_value
 from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
@@ -39,15 +39,7 @@ BAD = """\
 GOOD = BAD.replace("gz::sim", "ignition::gazebo").replace("gz-sim", "ignition-gazebo")
 FIXED = GOOD
 
-_NAMES = {
-    "classic-ros1": "Gazebo Classic with ROS 1",
-    "classic-ros2": "Gazebo Classic with ROS 2",
-    "classic": "Gazebo Classic",
-    "gz": "gz-sim",
-    "gz-fortress": "Gazebo Fortress",
-    "gz-harmonic": "Gazebo Harmonic",
-    "gz-jetty": "Gazebo Jetty",
-}
+_NONE = "nothing is known to take its place there"
 
 
 @rule(
@@ -64,8 +56,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
             continue
-        found = " and ".join(dict.fromkeys(_NAMES[plugin.generation] for plugin in present))
-        wanted = " or ".join(_NAMES[target] for target in targets)
+        found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
+        wanted = " or ".join(TITLES[target] for target in targets)
         yield Finding(
             use.at.attributes["filename"],
             f"{use.title} is a plugin of {found}, and the robot is for {wanted}",
@@ -86,24 +78,18 @@ def _fix(use: Use) -> Fix | None:
     if plugin is None or not plugin.fortress_files or not plugin.fortress_class:
         return None
     names = {"filename": plugin.fortress_files[0], "name": plugin.fortress_class}
-    edits = [replace_value(use.at.attributes[key], text) for key, text in names.items()]
-    if None in edits:
-        return None
-    return Fix("take the names of Fortress", tuple(e for part in edits for e in part or ()))
+    edits = all_or_none(replace_value(use.at.attributes[key], text) for key, text in names.items())
+    return Fix.of("take the names of Fortress", edits)
 
 
 def _successor(use: Use, target: str) -> str:
-    """What replaces it, one or two generations on; empty if nothing does."""
+    """What replaces it, one or two generations on."""
     if target == "gz-fortress" and any(plugin.generation == "gz" for plugin in use.known):
         return "take the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
     old = use.known[0]
     for _ in range(len(use.known) + 1):
         if old.successor is None:
-            return (
-                f"take its successor: {old.advice}"
-                if old.advice
-                else "nothing is known to take its place there"
-            )
+            return f"take its successor: {old.advice}" if old.advice else _NONE
         found = [one for one in find(old.successor) if not one.removed]
         fits = [one for one in found if one.generation in GENERATIONS[target]]
         if fits:
@@ -111,6 +97,6 @@ def _successor(use: Use, target: str) -> str:
             return f"take {old.successor}{advice}, and see its tags"
         newer = [one for one in found if one.id != old.id and one.generation != old.generation]
         if not newer:
-            return "nothing is known to take its place there"
+            return _NONE
         old = newer[0]
-    return "nothing is known to take its place there"
+    return _NONE

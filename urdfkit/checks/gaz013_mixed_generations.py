@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.catalog.plugins import GENERATIONS
+from urdfkit.catalog.plugins import GENERATIONS, TITLES
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
@@ -37,13 +37,6 @@ GOOD = BAD.replace(
     '  <plugin name="gz::sim::systems::PosePublisher" filename="gz-sim-pose-publisher-system"/>\n',
     "",
 )
-
-_NAMES = {
-    "classic-ros1": "Gazebo Classic with ROS 1",
-    "classic-ros2": "Gazebo Classic with ROS 2",
-    "classic": "Gazebo Classic",
-    "gz": "gz-sim",
-}
 
 
 @rule(
@@ -77,4 +70,4 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _named(possible: set[str]) -> str:
-    return " or ".join(_NAMES[name] for name in sorted(possible))
+    return " or ".join(TITLES[name] for name in sorted(possible))

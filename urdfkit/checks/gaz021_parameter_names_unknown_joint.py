@@ -12,14 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.nearest import Speller
+from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.lookups import unknown
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.gazebo.plugins import Reference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -58,25 +56,4 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    known = {*subject.model.joints_by_name, *subject.gazebo.added}
-    speller = Speller(subject.model.joints_by_name)
-    for use in subject.plugins:
-        for reference in use.references():
-            if reference.kind != "joint" or reference.name in known:
-                continue
-            if subject.is_part:  # the file that includes it has the joint
-                return
-            meant = speller.meant(reference.name)
-            outcome = f": {use.plugin.missing}" if use.plugin and use.plugin.missing else ""
-            yield Finding(
-                reference.item.at,
-                f"{use.title} looks for joint '{reference.name}', which does not exist{outcome}",
-                f"did you mean '{meant}'?" if meant else "",
-                _fix(reference, meant) if meant else None,
-            )
-
-
-def _fix(reference: Reference, meant: str) -> Fix | None:
-    at, name = reference.item.at, reference.name
-    edits = rewrite(at, meant) if reference.item.text == name else None
-    return Fix.of(f"rename '{name}' to '{meant}'", edits)
+    return unknown(subject, "joint")

@@ -84,7 +84,6 @@ def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
     joint = _fixed_joint(subject, reference)
     child = joint.child.value if joint and joint.child else reference.name
     survivor = subject.gazebo.survivor.get(child, "")
-    outcome = f": {use.plugin.missing}" if use.plugin and use.plugin.missing else ""
     mass = subject.model.links_by_name[child].mass
     help = f"name '{survivor}'" if reference.kind == "link" else "make it a joint that moves"
     if joint is not None and mass > 0:
@@ -92,7 +91,7 @@ def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
     return Finding(
         reference.item.at,
         f"{use.title} looks for {reference.kind} '{reference.name}', which Gazebo merges into "
-        f"link '{survivor}'{outcome}",
+        f"link '{survivor}'{use.outcome}",
         help,
         _fix(use, joint) if joint is not None and mass > 0 else None,
         alike=use.filename,

@@ -64,10 +64,9 @@ def check(subject: Subject) -> Iterator[Finding]:
             if reference.kind == "joint":
                 child = model.joints_by_name[reference.name].child
                 link = child.value if child else link
-            outcome = f": {use.plugin.missing}" if use.plugin and use.plugin.missing else ""
             yield Finding(
                 reference.item.at,
                 f"{use.title} looks for {reference.kind} '{reference.name}', which Gazebo leaves "
-                f"out (link '{link}': {conversion.dropped[link]}){outcome}",
+                f"out (link '{link}': {conversion.dropped[link]}){use.outcome}",
                 f"give link '{link}' an <inertial> with its mass",
             )

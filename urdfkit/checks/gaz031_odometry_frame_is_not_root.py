@@ -19,7 +19,6 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
     from urdfkit.gazebo.plugins import Item, Use
     from urdfkit.subject import Subject
 
@@ -68,8 +67,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         parameter = next((name for name in _FRAMES if name in use.plugin.parameters), None)
         if parameter is None:
             continue
-        written = use.values(parameter)
-        name = written[0].text if written else use.plugin.parameters[parameter].default or ""
+        written, name = use.values(parameter), use.value(parameter)
         above = subject.tree.parents.get(name.lstrip("/"), [])
         if len(above) != 1 or above[0].parent is None:
             continue
@@ -79,7 +77,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         root = subject.tree.roots[0].name if len(subject.tree.roots) == 1 else parent
         yield Finding(
-            _place(use, written),
+            written[0].at if written else use.at,
             f"{use.title} sends the transform {frame} -> {name}, and robot_state_publisher "
             f"{parent} -> {name}: a frame has one parent",
             f"name the root link '{root}', or remove the links above '{name}'",
@@ -92,8 +90,11 @@ def _fix(written: list[Item], root: str) -> Fix | None:
     return Fix.of(f"name the root link '{root}'", edits)
 
 
-def _place(use: Use, written: list[Item]) -> Element | Attribute:
-    return written[0].at if written else use.at
+def _odometry(use: Use) -> str:
+    """The frame in which the plugin tells where the robot is."""
+    assert use.plugin is not None
+    named = (use.value(name) for name in _ODOMETRY if name in use.plugin.parameters)
+    return next(named, "") or "odom"
 
 
 def _sends(use: Use) -> bool:
@@ -102,19 +103,5 @@ def _sends(use: Use) -> bool:
     parameters = use.plugin.parameters
     if not any(name in parameters for name in _ODOMETRY):
         return False
-    for switch in _SWITCHES:
-        if switch in parameters:
-            written = use.values(switch)
-            value = written[0].text if written else parameters[switch].default or ""
-            if value.lower() not in ("true", "1"):
-                return False
-    return True
-
-
-def _odometry(use: Use) -> str:
-    assert use.plugin is not None
-    for name in _ODOMETRY:
-        if name in use.plugin.parameters:
-            written = use.values(name)
-            return written[0].text if written else use.plugin.parameters[name].default or "odom"
-    return "odom"
+    switches = [use.value(name) for name in _SWITCHES if name in parameters]
+    return all(value.lower() in ("true", "1") for value in switches)

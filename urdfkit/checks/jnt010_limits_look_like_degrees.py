@@ -16,10 +16,10 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi, radians
+from math import pi
 
-from urdfkit.diagnostic import Confidence, Edit, Fix, Severity
-from urdfkit.editing.edits import replace_value
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.editing.edits import scale_limits
 from urdfkit.mechanics.joints import bounds
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -73,11 +73,12 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert joint.limit is not None
         turns = max(abs(lower), abs(upper)) / (2 * pi)
         both = lower == int(lower) and upper == int(upper)
+        edits = scale_limits(joint.limit.at, pi / 180) if both else None
         yield Finding(
             joint.limit.at,
             f"joint '{joint.name}' may turn from {lower:g} to {upper:g} rad, {turns:.1f} times "
             f"round; that looks like degrees{'' if both else ', or lacks a decimal point'}",
-            fix=_in_radians(joint) if both else None,
+            fix=Fix.of("write the limits in radians", edits),
             confidence=Confidence.INFERRED,
         )
 
@@ -95,17 +96,3 @@ def _whole(ends: tuple[float, float]) -> bool:
     if ends[0] >= ends[1] or large > 360 or large != int(large):
         return False
     return small == int(small) or small < _ONE_TURN
-
-
-def _in_radians(joint: Joint) -> Fix | None:
-    assert joint.limit is not None
-    edits: list[Edit] = []
-    for key in ("lower", "upper"):
-        attribute = joint.limit.at.attributes.get(key)
-        if attribute is None or not float(attribute.value):
-            continue
-        edit = replace_value(attribute, f"{radians(float(attribute.value)):.10g}")
-        if edit is None:
-            return None
-        edits += edit
-    return Fix("write the limits in radians", tuple(edits))

@@ -13,13 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.editing.edits import remove_attribute
+from urdfkit.diagnostic import Fix, Severity
+from urdfkit.editing.edits import all_or_none, remove_attribute
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -56,16 +55,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 written[0],
                 f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
-                fix=_without(written),
+                fix=Fix.of("remove lower and upper", all_or_none(map(remove_attribute, written))),
                 alike="continuous",
             )
-
-
-def _without(written: list[Attribute]) -> Fix | None:
-    edits: list[Edit] = []
-    for attribute in written:
-        edit = remove_attribute(attribute)
-        if edit is None:
-            return None
-        edits += edit
-    return Fix("remove lower and upper", tuple(edits))

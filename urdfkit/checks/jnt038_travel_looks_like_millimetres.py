@@ -11,14 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagnostic import Confidence, Edit, Fix, Severity
-from urdfkit.editing.edits import replace_value
+from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.editing.edits import scale_limits
 from urdfkit.mechanics.joints import bounds
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -69,20 +68,6 @@ def check(subject: Subject) -> Iterator[Finding]:
                 joint.limit.at,
                 f"joint '{joint.name}' may slide from {lower:g} to {upper:g} m, and no part of the "
                 f"robot is longer than {longest:.3g} m",
-                fix=_in_metres(joint),
+                fix=Fix.of("write the limits in metres", scale_limits(joint.limit.at, 1e-3)),
                 confidence=Confidence.INFERRED,
             )
-
-
-def _in_metres(joint: Joint) -> Fix | None:
-    assert joint.limit is not None
-    edits: list[Edit] = []
-    for key in ("lower", "upper"):
-        attribute = joint.limit.at.attributes.get(key)
-        if attribute is None or not float(attribute.value):
-            continue
-        edit = replace_value(attribute, f"{float(attribute.value) / 1000:.10g}")
-        if edit is None:
-            return None
-        edits += edit
-    return Fix("write the limits in metres", tuple(edits))

@@ -64,5 +64,5 @@ def check(subject: Subject) -> Iterator[Finding]:
         edits = (
             replace_value(mesh.literal, meant.reference) if mesh.literal and meant.sure else None
         )
-        fix = Fix.of(f"Refer to {meant.reference}", edits)
+        fix = Fix.of(f"refer to {meant.reference}", edits)
         yield Finding(mesh.at, message, f"did you mean '{meant.reference}'?", fix)

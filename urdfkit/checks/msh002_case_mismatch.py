@@ -49,5 +49,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         message = f"{mesh.who} is called '{spelt.reference}' on disk: Linux does not find it"
         edits = replace_value(mesh.literal, spelt.reference) if mesh.literal else None
-        fix = Fix.of("Write the name as on disk", edits)
+        fix = Fix.of("write the name as on disk", edits)
         yield Finding(mesh.at, message, fix=fix)

@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         reference = files.reference_to(path, mesh.located)
         known = reference.startswith("package://")
         edits = replace_value(mesh.literal, reference) if mesh.literal and known else None
-        fix = Fix.of(f"Refer to {reference}", edits)
+        fix = Fix.of(f"refer to {reference}", edits)
         yield Finding(
             mesh.at, f"{mesh.who} is an absolute path of this machine", fix=fix, alike="absolute"
         )

@@ -49,5 +49,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         reference = mesh.at.value.replace("\\", "/")
         edits = replace_value(mesh.literal, reference) if mesh.literal else None
-        fix = Fix.of("Write / instead of backslashes", edits)
+        fix = Fix.of("write / instead of backslashes", edits)
         yield Finding(mesh.at, f"{mesh.who} has backslashes: Linux does not find it", fix=fix)

@@ -75,7 +75,7 @@ def _not_named(subject: Subject, mesh: MeshReference) -> Finding:
     reference = f"{mesh.located.scheme}://{mesh.located.relative.lstrip('/')}"
     located = subject.resolver.locate(reference, subject.files.top)
     edits = replace_value(mesh.literal, reference) if mesh.literal and located.path else None
-    fix = Fix.of("Remove the third slash", edits)
+    fix = Fix.of("remove the third slash", edits)
     scheme = mesh.located.scheme
     message = f"{mesh.who} names no package between '{scheme}://' and the next '/'"
     return Finding(mesh.at, message, f"write {scheme}://PACKAGE/...", fix, alike=scheme)

@@ -77,4 +77,4 @@ def _fix(use: Use) -> Fix | None:
         change = edits.replace_value(written, scale) if written.literal else None
     else:
         change = edits.add_attribute(name, "scale", scale)
-    return Fix.of(f'scale="{scale}"', change)
+    return Fix.of(f'write scale="{scale}"', change)

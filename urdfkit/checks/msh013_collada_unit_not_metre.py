@@ -47,15 +47,11 @@ FILES = {
     help="bake it: urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    told = set()
-    for mesh in subject.files.meshes:
-        facts, path = mesh.facts, mesh.located.path
-        if facts is None or not has_other_unit(facts) or path in told:
-            continue
-        told.add(path)
-        yield Finding(
-            mesh.at,
-            f"{mesh.who} says that its unit is {facts.unit:g} m: RViz and Gazebo multiply by it, "
-            "MoveIt, Pinocchio and coal do not",
-            alike=f"{facts.unit:g}",
-        )
+    for mesh in subject.files.each_file:
+        if mesh.facts and has_other_unit(mesh.facts):
+            yield Finding(
+                mesh.at,
+                f"{mesh.who} says that its unit is {mesh.facts.unit:g} m: RViz and Gazebo multiply "
+                "by it, MoveIt, Pinocchio and coal do not",
+                alike=f"{mesh.facts.unit:g}",
+            )

@@ -22,7 +22,6 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -46,17 +45,16 @@ FILES = {
     help="nothing, if it looks right in RViz; urdfkit mesh convert writes Z_UP",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    turned: dict[str | None, MeshReference] = {}
-    for mesh in subject.files.meshes:
-        if mesh.facts and mesh.facts.up_axis not in ("", "Z_UP"):
-            turned.setdefault(mesh.located.path, mesh)
-    if not turned:
-        return
-    mesh, *others = turned.values()
-    assert mesh.facts is not None
-    more = f" ({len(others)} more of this robot say such a thing)" if others else ""
-    yield Finding(
-        mesh.at,
-        f"{mesh.who} says {mesh.facts.up_axis}{more}: Bullet turns it by 90 degrees, RViz, Gazebo, "
-        "MoveIt and Pinocchio do not",
-    )
+    turned = [
+        (mesh, mesh.facts.up_axis)
+        for mesh in subject.files.each_file
+        if mesh.facts and mesh.facts.up_axis not in ("", "Z_UP")
+    ]
+    if turned:
+        (mesh, axis), *others = turned
+        more = f" ({len(others)} more of this robot say such a thing)" if others else ""
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} says {axis}{more}: Bullet turns it by 90 degrees, RViz, Gazebo, MoveIt "
+            "and Pinocchio do not",
+        )

@@ -22,7 +22,6 @@ from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -46,12 +45,8 @@ FILES = {
     help="urdfkit mesh convert FILE NEW.stl",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found: dict[str | None, MeshReference] = {}
-    for mesh in subject.files.meshes:
-        if mesh.facts and mesh.facts.starts_with_solid:
-            found.setdefault(mesh.located.path, mesh)
-    if not found:
-        return
-    mesh, *others = found.values()
-    more = f", as {len(others)} more of this robot do" if others else ""
-    yield Finding(mesh.at, f"{mesh.who} is a binary STL and begins with 'solid'{more}")
+    found = [one for one in subject.files.each_file if one.facts and one.facts.starts_with_solid]
+    if found:
+        mesh, *others = found
+        more = f", as {len(others)} more of this robot do" if others else ""
+        yield Finding(mesh.at, f"{mesh.who} is a binary STL and begins with 'solid'{more}")

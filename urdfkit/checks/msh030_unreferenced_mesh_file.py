@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Severity
 from urdfkit.meshes.samples import box, stl
 from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject

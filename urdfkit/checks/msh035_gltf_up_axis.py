@@ -17,13 +17,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.meshes import facts
+from urdfkit.meshes.facts import GLB, GLTF
 from urdfkit.meshes.samples import collada, gltf
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.assets.files import MeshReference
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -44,16 +43,16 @@ FILES = {"forearm.gltf": gltf(), "forearm.dae": collada("<up_axis>Z_UP</up_axis>
     help="give the robot COLLADA, OBJ or STL: urdfkit mesh convert [--upright] FILE OUT.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found: dict[str | None, MeshReference] = {}
-    for mesh in subject.files.meshes:
-        if mesh.facts and not mesh.facts.defect and mesh.facts.format in (facts.GLB, facts.GLTF):
-            found.setdefault(mesh.located.path, mesh)
-    if not found:
-        return
-    mesh, *others = found.values()
-    more = f" ({len(others)} more of this robot are)" if others else ""
-    yield Finding(
-        mesh.at,
-        f"{mesh.who} is glTF{more}, where y points upwards: RViz from 15.1.4 on and Drake turn it "
-        "by 90 degrees, Gazebo and earlier RViz do not",
-    )
+    found = [
+        mesh
+        for mesh in subject.files.each_file
+        if mesh.facts and not mesh.facts.defect and mesh.facts.format in (GLB, GLTF)
+    ]
+    if found:
+        mesh, *others = found
+        more = f" ({len(others)} more of this robot are)" if others else ""
+        yield Finding(
+            mesh.at,
+            f"{mesh.who} is glTF{more}, where y points upwards: RViz from 15.1.4 on and Drake turn "
+            "it by 90 degrees, Gazebo and earlier RViz do not",
+        )

@@ -20,6 +20,16 @@ STEP = "  "
 _END_TAG_NAME = rb"</\s*([^\s>]+)"
 
 
+def all_or_none(pieces: Iterable[tuple[Edit, ...] | None]) -> tuple[Edit, ...] | None:
+    """The edits of several changes as one; None if one of them cannot be made."""
+    edits: list[Edit] = []
+    for piece in pieces:
+        if piece is None:
+            return None
+        edits += piece
+    return tuple(edits)
+
+
 def rename_element(element: Element, name: str) -> tuple[Edit, ...] | None:
     """Give an element another name, in its start tag and its end tag."""
     tag = element.tag_at
@@ -94,6 +104,14 @@ def replace_text(element: Element, text: str) -> tuple[Edit, ...] | None:
 def rewrite(at: Element | Attribute, text: str) -> tuple[Edit, ...] | None:
     """Give an attribute another value, or an element another text."""
     return replace_value(at, text) if isinstance(at, Attribute) else replace_text(at, text)
+
+
+def scale_limits(limit: Element, factor: float) -> tuple[Edit, ...] | None:
+    """Multiply the ends of a ``<limit>``, each of which is a number, by a factor; zeros stay."""
+    ends = [limit.attributes[key] for key in ("lower", "upper") if key in limit.attributes]
+    return all_or_none(
+        replace_value(end, f"{float(end.value) * factor:.10g}") for end in ends if float(end.value)
+    )
 
 
 def swap(one: Element | Attribute, other: Element | Attribute) -> tuple[Edit, ...] | None:

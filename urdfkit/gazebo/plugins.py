@@ -91,6 +91,11 @@ class Use:
         return f"plugin '{self.name}' ({self.filename})"
 
     @property
+    def outcome(self) -> str:
+        """What comes of a link or joint that it does not find: the end of a message, or empty."""
+        return f": {self.plugin.missing}" if self.plugin and self.plugin.missing else ""
+
+    @property
     def place(self) -> str:
         """``model``, ``link`` (a block with a reference), or the tag that it is in."""
         assert self.at.parent is not None
@@ -116,6 +121,14 @@ class Use:
     def values(self, path: str) -> list[Item]:
         """The tags or attributes at a path."""
         return [item for item in self.items if item.path == path]
+
+    def value(self, path: str) -> str:
+        """The first of them, else the default of its plugin; empty without either."""
+        written = self.values(path)
+        if written:
+            return written[0].text
+        parameter = self.plugin.parameters.get(path) if self.plugin else None
+        return (parameter.default or "") if parameter else ""
 
     def unread(self, plugin: Plugin) -> list[Item]:
         """The tags that a plugin does not read; of a block that it does not know only the first."""

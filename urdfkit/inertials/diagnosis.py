@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.diagnostic import Confidence, Edit, Fix, Related
-from urdfkit.editing.edits import from_macro, replace_value
+from urdfkit.diagnostic import Confidence, Fix, Related
+from urdfkit.editing.edits import all_or_none, from_macro, replace_value
 from urdfkit.inertials.claims import HEAVIEST
 from urdfkit.inertials.weighed import ROUNDING, Weighed
 from urdfkit.mechanics import inertia
@@ -191,15 +191,13 @@ def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
     """A fix that writes a tensor in the place of one that stands in the file as numbers."""
     if tensor is None:
         return None
-    edits: list[Edit] = []
-    for key, text in zip(Tensor._fields, _digits(tensor), strict=True):
-        attribute = weighed.at.attributes[key]
-        if number(attribute.value) != float(text):
-            edit = replace_value(attribute, text)
-            if edit is None:
-                return None
-            edits += edit
-    return Fix.of(f"write {written(tensor)}", tuple(edits))
+    attributes = [weighed.at.attributes[key] for key in Tensor._fields]
+    edits = all_or_none(
+        replace_value(attribute, text)
+        for attribute, text in zip(attributes, _digits(tensor), strict=True)
+        if number(attribute.value) != float(text)
+    )
+    return Fix.of(f"write {written(tensor)}", edits)
 
 
 def as_solid(weighed: Weighed) -> str:

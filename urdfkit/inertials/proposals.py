@@ -8,7 +8,7 @@ from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Edit
-from urdfkit.editing.edits import from_macro, insert_first, insert_last, replace_value
+from urdfkit.editing.edits import all_or_none, from_macro, insert_first, insert_last, replace_value
 from urdfkit.editing.fixer import apply_edits, encoded
 from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.errors import UrdfkitError
@@ -244,21 +244,14 @@ def _edits(proposal: Proposal) -> tuple[Edit, ...] | str:
     if inertial is None:
         return insert_first(at, proposal.lines())
     mass, center, tensor = _rounded(proposal.computed)
-    pieces: list[tuple[Edit, ...] | None] = [
+    moments = zip(Tensor._fields, (f"{value:.6g}" for value in tensor), strict=True)
+    pieces = (
         _origin(inertial, center),
         _attributes(inertial.at, "mass", {"value": f"{mass:.6g}"}),
-        _attributes(
-            inertial.at,
-            "inertia",
-            {key: f"{value:.6g}" for key, value in zip(Tensor._fields, tensor, strict=True)},
-        ),
-    ]
-    edits: list[Edit] = []
-    for piece in pieces:
-        if piece is None:
-            return "its numbers come out of expressions; write them there"
-        edits += piece
-    return tuple(edits)
+        _attributes(inertial.at, "inertia", dict(moments)),
+    )
+    edits = all_or_none(pieces)
+    return "its numbers come out of expressions; write them there" if edits is None else edits
 
 
 def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
