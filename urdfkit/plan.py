@@ -189,7 +189,11 @@ def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Sub
 def missing_arguments(subject: Subject) -> tuple[str, ...]:
     """The arguments without which a xacro cannot be expanded."""
     problems = subject.problems("XAC010")
-    return tuple(dict.fromkeys(problem.message.split("'")[1] for problem in problems))
+    if not problems:
+        return ()
+    from urdfkit.launch.given import missing_argument
+
+    return tuple(dict.fromkeys(map(missing_argument, problems)))
 
 
 def _spelt(path: str, given: str) -> str:

@@ -124,7 +124,12 @@ class Subject:
         xacro = expand(
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
         )
-        return Reading(xacro.document, xacro.problems, xacro)
+        problems: tuple[Problem, ...] = xacro.problems
+        if any(problem.code == "XAC010" for problem in problems):
+            from urdfkit.launch.given import with_values
+
+            problems = tuple(with_values(problems, self.source.path, self.resolver))
+        return Reading(xacro.document, problems, xacro)
 
     def problems(self, code: str) -> list[Problem]:
         """What reading met that a rule explains, in a description or a launch file."""

@@ -28,7 +28,7 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             '<link name="${a}"/><xacro:property name="a" value="1"/>',
             "${a}",
             "name 'a' is not defined in ${a}",
-            "'a' is defined further down: move its definition above the use",
+            "'a' is defined further down, at robot.xacro:2:20: move its definition above the use",
         ),
         ('<link name="${1/0}"/>', "${1/0}", "division by zero in ${1/0}", ""),
         (
@@ -106,6 +106,32 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
     assert (found.span.text, found.message) == (place, message)
     default = "mend the expression or the call; the related places show what it refers to"
     assert found.help == (help or default)
+
+
+@pytest.mark.parametrize(
+    ("before", "use", "help"),
+    [
+        (
+            '<xacro:if value="0"><xacro:property name="a" value="1"/></xacro:if>',
+            '<link name="${a}"/>',
+            "'a' is defined at robot.xacro:2:21, but the <xacro:if> around it does not hold",
+        ),
+        (
+            '<xacro:macro name="m"><xacro:property name="a" value="1"/></xacro:macro><xacro:m/>',
+            '<link name="${a}"/>',
+            "'a' is defined at robot.xacro:2:23, and known in that macro only",
+        ),
+        (
+            "<xacro:m/>",
+            '<xacro:macro name="m"><link name="w"/></xacro:macro>',
+            "'m' is defined further down, at robot.xacro:3:1: move its definition above the use",
+        ),
+    ],
+    ids=["condition", "macro", "later"],
+)
+def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> None:
+    (found,) = told("XAC001", f"{before}\n{use}")
+    assert found.help.startswith(help)
 
 
 def test_all_errors_are_told_each_at_its_place() -> None:

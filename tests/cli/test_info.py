@@ -111,3 +111,17 @@ def test_what_cannot_be_done_is_said(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert told in captured.err
+
+
+def test_the_first_error_is_told_not_a_warning_before_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "robot.xacro"
+    file.write_text(
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="$(arg name)">\n'
+        '<xacro:arg name="name" default="r"/><link name="${x}"/></robot>'
+    )
+    assert main(["info", str(file)]) == 2
+    told = capsys.readouterr().err
+    assert "name 'x' is not defined" in told
+    assert "more" not in told

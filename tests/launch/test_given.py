@@ -118,6 +118,17 @@ def test_without_a_value_a_robot_is_skipped(package: Path, text: str, reason: st
     assert [skip.reason.partition(":")[0] for skip in report.skipped] == ["needs arguments (size)"]
 
 
+def test_a_robot_that_was_named_is_told_what_they_give(
+    package: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (package / "launch" / "arm.launch.py").write_text(PYTHON)
+    advice = "pass it: size:=VALUE; launch files give big, small (arm.launch.py)"
+    (found,) = check(package / "arm.xacro").diagnostics
+    assert (found.code, found.help) == ("XAC010", advice)
+    assert main(["info", str(package / "arm.xacro")]) == 2
+    assert f"argument 'size' has no value and no default; {advice}" in capsys.readouterr().err
+
+
 def test_what_is_given_otherwise_wins(package: Path) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
     assert check(package, arguments={"size": "big"}).launched == ()

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
 
+from urdfkit import rules
 from urdfkit.cli import options, stdin
+from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.meshes.facts import counted
@@ -101,9 +103,13 @@ def robot(
 def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:
     """The first of many reasons: a package that is missing is often missing in every file."""
     problems = cast("tuple[Problem, ...]", error.problems)
+    # What is told beside an error need not be why a file cannot be read.
+    problems = (
+        tuple(p for p in problems if rules.get(p.code).severity is Severity.ERROR) or problems
+    )
     if not problems:
         return error
     first, others = problems[0], len(problems) - 1
+    what = f"{first.message}; {first.help}" if first.help else first.message
     more = f", which tells {counted(others, 'error')} more" if others else ""
-    text = f"{first.span}: {first.message}; see 'urdfkit check {file}'{more}"
-    return UnreadableRobot(text, problems)
+    return UnreadableRobot(f"{first.span}: {what}; see 'urdfkit check {file}'{more}", problems)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.expansion.dom import Node
@@ -12,6 +12,7 @@ from urdfkit.expansion.errors import BrokenYaml
 from urdfkit.nearest import did_you_mean, nearest
 from urdfkit.record import Record
 from urdfkit.schema import XACRO_TAGS
+from urdfkit.source import Span, shown
 
 if TYPE_CHECKING:
     from urdfkit.expansion.run import Run
@@ -30,7 +31,8 @@ _NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
 _CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
 _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
-_DEFINED = re.compile(rb"""<xacro:(?:property|macro)\b[^<>]*?\bname\s*=\s*["'](\w+)["']""")
+_DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
+_OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
 
 class Words(Record):
@@ -50,7 +52,7 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
         path = os.fspath(cause.filename)
-        return Words(f"there is no file {path}", _nearest_file(path))
+        return Words(f"there is no file {shown(path)}", _nearest_file(path))
     if isinstance(cause, OSError) and cause.filename:
         return Words(f"{cause.filename}: {cause.strerror}")
     if isinstance(cause, SyntaxError):
@@ -127,6 +129,8 @@ def _unknown_macro(run: Run, name: str) -> Words:
     known = [macro.name for macro in run.macros]
     if tag := nearest(name, XACRO_TAGS, _SLIP):
         known.append(tag)
+    if defined := _defined_elsewhere(run, "macro", name):
+        return Words(f"macro '{name}' is not defined", defined)
     help = "define the macro above its call, or include the file that does"
     if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
         help = "write <xacro:include>: xacro passes over an <include> without the prefix"
@@ -134,18 +138,46 @@ def _unknown_macro(run: Run, name: str) -> Words:
 
 
 def _undefined_name(run: Run, text: str, name: str) -> Words:
-    later = [
-        found.decode() for source in run.reader.sources.values() for found in _defined(source.data)
-    ]
-    if name in later:
-        return Words(text, f"'{name}' is defined further down: move its definition above the use")
+    if defined := _defined_elsewhere(run, "property", name):
+        return Words(text, defined)
+    later = [named for _, named in _definitions(run, "property")]
     help = f"define the property '{name}' above its use, or correct the name"
     return Words(text, help + did_you_mean(name, later))
 
 
-def _defined(data: bytes) -> Iterable[bytes]:
-    names: list[bytes] = _DEFINED.findall(data)
-    return names
+def _defined_elsewhere(run: Run, kind: str, name: str) -> str:
+    """How a name is defined where xacro has not come, or not for this use; empty if nowhere."""
+    span = next((span for span, named in _definitions(run, kind) if named == name), None)
+    if span is None:
+        return ""
+    within = _innermost(span.source.data[: span.start])
+    if within == "macro":
+        return f"'{name}' is defined at {span}, and known in that macro only"
+    if within:
+        return (
+            f"'{name}' is defined at {span}, but the <xacro:{within}> around it does not hold, or "
+            "comes after the use"
+        )
+    return f"'{name}' is defined further down, at {span}: move its definition above the use"
+
+
+def _definitions(run: Run, kind: str) -> Iterator[tuple[Span, str]]:
+    """Places and names of the definitions in all files."""
+    for source in run.reader.sources.values():
+        for found in _DEFINED.finditer(source.data):
+            if found[1].decode() == kind:
+                yield Span(source, found.start(), found.end()), found[2].decode()
+
+
+def _innermost(before: bytes) -> str:
+    """The condition or macro that is open at the end of a text; empty if none is."""
+    opened: list[str] = []
+    for found in _OPENED.finditer(before):
+        if found[1]:
+            opened.append(found[1].decode())
+        elif opened:
+            opened.pop()
+    return opened[-1] if opened else ""
 
 
 def _nearest_file(path: str) -> str:
@@ -167,4 +199,4 @@ def _nearest_file(path: str) -> str:
     there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))
     if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
         hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
-    return f"there is no folder '{name}' in {folder}" + (f"; {hint}" if hint else "")
+    return f"there is no folder '{name}' in {shown(folder)}" + (f"; {hint}" if hint else "")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from functools import lru_cache
 from itertools import islice
 
@@ -15,7 +15,7 @@ from urdfkit.launch import read_launch
 from urdfkit.launch.found import Description
 from urdfkit.launch.signature import arguments_in
 from urdfkit.launch.values import argument, called
-from urdfkit.reading import is_launch, read_xml
+from urdfkit.reading import Problem, is_launch, read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -67,6 +67,28 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
             chosen = {name: arguments[name] for name in needed}
             others.setdefault(tuple(chosen.values()), Given(chosen, launch, None))
     return list(islice((own or others).values(), MAX_GIVEN))
+
+
+def with_values(problems: Iterable[Problem], robot: str, resolver: Resolver) -> Iterator[Problem]:
+    """What reading met; of arguments without a value it is told which ones launch files give.
+
+    Args:
+        problems: of a description.
+        robot: its path.
+        resolver: finds packages, and reads files.
+    """
+    for problem in problems:
+        name = missing_argument(problem)
+        sets = given(robot, (name,), resolver) if name else []
+        values = ", ".join(dict.fromkeys(one.arguments[name] for one in sets))
+        files = ", ".join(dict.fromkeys(os.path.basename(one.launch) for one in sets))
+        more = f"; launch files give {values} ({files})" if sets else ""
+        yield problem._replace(help=problem.help + more)
+
+
+def missing_argument(problem: Problem) -> str:
+    """The argument without which a xacro cannot be expanded; empty if that is not the problem."""
+    return problem.message.split("'")[1] if problem.code == "XAC010" else ""
 
 
 @lru_cache(maxsize=1)  # the robots of a package are asked for one after the other
