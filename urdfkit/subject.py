@@ -124,12 +124,12 @@ class Subject:
         xacro = expand(
             self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
         )
-        problems: tuple[Problem, ...] = xacro.problems
-        if any(problem.code == "XAC010" for problem in problems):
+        met = xacro.problems
+        if any(problem.code == "XAC010" for problem in met):
             from urdfkit.launch.given import with_values
 
-            problems = tuple(with_values(problems, self.source.path, self.resolver))
-        return Reading(xacro.document, problems, xacro)
+            met = tuple(with_values(met, self.source.path, self.resolver))
+        return Reading(xacro.document, met, xacro)
 
     def problems(self, code: str) -> list[Problem]:
         """What reading met that a rule explains, in a description or a launch file."""
