@@ -25,7 +25,7 @@ def wheel(inside: float, shape: str = box(0.2, 0.04, 0.2), kind: str = "continuo
 
 def test_the_depth_and_the_wheel() -> None:
     assert messages("COL006", wheel(0.035)) == [
-        "link 'wheel' overlaps its neighbour 'chassis' by 0.035 m"
+        "link 'wheel' overlaps its neighbour 'chassis' by 35 mm, 88% of its thickness"
     ]
     assert places("COL006", wheel(0.035)) == [(3, "<collision>")]
 

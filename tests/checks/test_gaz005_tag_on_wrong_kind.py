@@ -15,7 +15,7 @@ def test_a_joint_tag_at_a_link() -> None:
     assert heard("preserveFixedJoint", "cam") == [
         (
             "<preserveFixedJoint> is for a joint, and 'cam' is a link: Gazebo ignores it",
-            'move <preserveFixedJoint> into <gazebo reference="cam_joint">',
+            'move it into <gazebo reference="cam_joint">',
         )
     ]
 
@@ -24,7 +24,7 @@ def test_a_link_tag_at_a_joint() -> None:
     assert heard("mu1", "arm_joint") == [
         (
             "<mu1> is for a link, and 'arm_joint' is a joint: Gazebo ignores it",
-            'move <mu1> into <gazebo reference="arm">',
+            'move it into <gazebo reference="arm">',
         )
     ]
 

@@ -2,8 +2,8 @@
 
 Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
 bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
-other without end. Make the outer geometry smaller, or move the inner one to where the part is.
-A link that holds several others is told once.
+other without end. Make the outer geometry smaller, or move the inner one to where the part is. A
+link that holds several others is reported once.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -39,7 +39,7 @@ BAD = """\
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
 
-#: Links inside another one whose places are told.
+#: Links inside another one that a finding names.
 _NOTES = 5
 
 

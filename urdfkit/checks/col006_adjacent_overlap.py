@@ -1,10 +1,11 @@
-"""Two links that a joint holds together overlap with more than half of the smaller one.
+"""Two links that a joint holds together overlap with most of the smaller one.
 
 Where collision geometry is simplified, neighbours may overlap a little at the joint. Here most of a
 body is in the other one: a wheel deep in the box of the chassis, say. Gazebo, MuJoCo and MoveIt let
 neighbours pass through each other, so that nothing happens between them. But the outer geometry
 stands in the way of what should meet the inner one, such as a kerb of the wheel, and the box is
-hardly the shape that was meant. Told of primitives and convex meshes, whose depth is certain.
+hardly the shape that was meant. Only primitives and convex meshes are reported, since their depth
+is certain.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -40,7 +41,7 @@ BAD = """\
 </joint>"""
 GOOD = BAD.replace("0.15 0.19 0", "0.15 0.23 0")
 
-#: Wheels of real robots often stand half in the chassis.
+#: Of the thickness of the smaller body: wheels of real robots often stand half in the chassis.
 _PART = 0.6
 
 
@@ -61,7 +62,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 small,
                 f"link '{one.small.link}' overlaps its neighbour '{one.large.link}' by "
-                f"{-one.distance:.3g} m",
+                f"{-1000 * one.distance:.3g} mm, {one.part:.0%} of its thickness",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
                 alike="overlap",

@@ -1,8 +1,8 @@
 """A tag for a link or a joint stands in a `<gazebo>` block without a reference.
 
-The content of such a block belongs to the whole model, and friction, materials, sensors and the
-like are nothing that a model has: Gazebo's converter stores them and never uses them, without a
-message. Write one block per link, with `reference="..."`.
+The content of such a block belongs to the whole model, and a model has no friction, material or
+sensor of its own: Gazebo's converter stores them and never uses them, without a message. Write one
+block per link, with `reference="..."`.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions

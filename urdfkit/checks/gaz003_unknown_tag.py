@@ -38,6 +38,10 @@ GOOD = BAD.replace("mu>", "mu1>")
 FIXED = GOOD
 
 
+#: Elements of the robot, whose readers look for them in ``<robot>`` alone.
+_OF_ROBOT = ("ros2_control", "transmission", "gazebo")
+
+
 @rule(
     "GAZ003",
     "unknown-tag",
@@ -59,10 +63,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from (_slip(element, right) for element in elements)
         else:
             yield _unknown(tag, elements)
-
-
-#: Elements of the robot, whose readers look for them in ``<robot>`` alone.
-_OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 
 
 def _unknown(tag: str, elements: list[Element]) -> Finding:

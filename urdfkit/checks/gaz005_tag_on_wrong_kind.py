@@ -59,29 +59,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             extension = handled.get(child.tag)
             if extension and extension.on in ("link", "joint") and extension.on != kind:
-                message = (
-                    f"<{child.tag}> is for a {extension.on}, and '{name}' is a {kind}: Gazebo "
-                    "ignores it"
-                )
+                message = f"<{child.tag}> is for a {extension.on}, and '{name}' is a {kind}: Gazebo"
                 other = _other(subject, name, kind)
-                help = (
-                    f'move <{child.tag}> into <gazebo reference="{other.name if other else "..."}">'
-                )
-                yield Finding(
-                    child,
-                    message,
-                    help,
-                    _moved(block, child, other) if other else None,
-                    alike=child.tag,
-                )
+                help = f'move it into <gazebo reference="{other.name if other else "..."}">'
+                fix = _moved(block, child, other) if other else None
+                yield Finding(child, f"{message} ignores it", help, fix, alike=child.tag)
             elif joint and child.tag in _FIXED_ONLY and joint.kind not in ("fixed", ""):
                 message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
-                yield Finding(
-                    child,
-                    message,
-                    "remove it, or name the fixed joint that is meant",
-                    alike=child.tag,
-                )
+                help = "remove it, or name the fixed joint that is meant"
+                yield Finding(child, message, help, alike=child.tag)
 
 
 def _other(subject: Subject, name: str, kind: str) -> Link | Joint | None:

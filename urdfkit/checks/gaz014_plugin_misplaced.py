@@ -47,17 +47,14 @@ _WHERE = {
 def check(subject: Subject) -> Iterator[Finding]:
     known = {*subject.model.links_by_name, *subject.model.joints_by_name}
     for use in subject.plugins:
-        place = use.place
-        if place == "link" and use.block.get("reference") not in known:
+        reference = use.block.get("reference")
+        if use.place == "link" and reference not in known:
             continue  # GAZ001 tells that the whole block is lost
         kinds = use.plugin.kinds if use.plugin else ()
         where = " or ".join(_WHERE[kind] for kind in kinds)
-        if place == "link":
-            reference = use.block.get("reference")
-            message = (
-                f"{use.title} stands in the block of '{reference}', where Gazebo never runs it"
-            )
-            yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
+        if use.place == "link":
+            message = f"{use.title} stands in the block of '{reference}', where Gazebo never runs"
+            yield Finding(use.at, f"{message} it", f"put it {where or _WHERE['model']}")
         elif _is_wrong(use, kinds):
             message = f"{use.title} stands {_WHERE[use.place]}, and is for a {' or '.join(kinds)}"
             yield Finding(use.at, message, f"put it {where}")

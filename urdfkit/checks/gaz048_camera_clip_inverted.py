@@ -50,7 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         far = sensor.number("camera/clip/far")
         if near and near.value <= 0:
             message = f"{sensor.who}: near is {near.value:g} m, and must be above 0"
-            yield Finding(near, message, "write the least distance that it shall see, such as 0.05")
+            yield Finding(near, message, "write the shortest distance that it sees, such as 0.05")
             continue
         if near and far and near.value >= far.value:
             message = f"{sensor.who}: near {near.value:g} m is not below far {far.value:g} m"

@@ -1,4 +1,4 @@
-"""Forces shall be measured at a fixed joint that Gazebo merges away.
+"""Forces are to be measured at a fixed joint that Gazebo merges away.
 
 The joint does not exist in the simulation, and a force-torque sensor or `<provideFeedback>` with
 it: the topic never appears. Keep the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in

@@ -4,7 +4,7 @@ Text where a number belongs, a pose of three numbers, a word that SDF does not k
 pixels or a noise with a negative deviation: gz-sim rejects the model with a line in its log, and
 Gazebo Classic takes a default or makes no sensor. Angles in degrees and inverted ranges have rules
 of their own. A number ends where its characters end: `50 cm` is 50 m to Gazebo, and an image `1e3`
-pixels wide has one; that 666.5 beams are 666 is not told.
+pixels wide has one; that 666.5 beams are taken for 666 is not reported.
 
 Sources:
     SDF, sensor: http://sdformat.org/spec?ver=1.9&elem=sensor

@@ -2,8 +2,8 @@
 
 TF has no way from such a frame to any other: RViz says "no transform from", navigation drops the
 scans, and nobody finds the odometry. A frame that begins with a slash is refused by tf2 altogether.
-Frames of the world, such as `map` and `odom`, come from elsewhere; only their slash is told, and
-not of plugins of ROS 1, which take it away.
+Frames of the world, such as `map` and `odom`, come from elsewhere; of these only a slash is
+reported, and none of plugins of ROS 1, which take it away.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html

@@ -1,4 +1,4 @@
-"""The robot is static in Gazebo, and has joints that shall move.
+"""The robot is static in Gazebo, and has joints that are meant to move.
 
 `<static>true</static>` nails a model to the world: no joint moves, no wheel drives, and controllers
 load as if all were well. It is often left over from a first look at the model.

@@ -1,4 +1,4 @@
-"""A fixed joint shall be kept in Gazebo, and the link behind it has no mass.
+"""A fixed joint is to be kept in Gazebo, and the link behind it has no mass.
 
 `<preserveFixedJoint>` saves a link from being merged, and a link without mass is dropped all the
 same: the joint and the link are both absent, with whatever hangs on them. Frames such as optical

@@ -39,7 +39,7 @@ GOOD = (
     "GEO003",
     "collision-without-visual",
     Severity.INFO,
-    help="add a <visual> if the link shall be seen",
+    help="add a <visual> if the link is to be seen",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for link in subject.model.links:

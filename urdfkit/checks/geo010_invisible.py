@@ -1,7 +1,7 @@
 """A visual is invisible.
 
 Its colour has an alpha of 0, the fourth number of `rgba`: 0 is glass, 1 is solid. RViz shows
-nothing. Write 1; or, if the link shall not be seen, leave the `<visual>` out, or call the material
+nothing. Write 1; or, if the link is not to be seen, leave the `<visual>` out, or call the material
 `invisible`, so that readers know.
 
 Sources:

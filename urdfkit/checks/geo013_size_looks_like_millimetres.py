@@ -1,4 +1,4 @@
-"""A shape is a hundred times as large as the rest of the robot.
+"""A shape is fifty times as large as the rest of the robot.
 
 Lengths are metres. A box of 50 x 50 x 240 was meant to be millimetres: RViz shows a wall where the
 robot should be, and everything collides with it.
@@ -49,31 +49,33 @@ _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "fiel
     help="divide by 1000: lengths are metres",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    sizes: dict[str, list[tuple[float, Body]]] = {}
-    thinnest: dict[int, float] = {}
+    sizes: dict[str, list[tuple[float, float, Body]]] = {}
     for link in subject.model.links:
         for body in (*link.visuals, *link.collisions):
             if body.shape and (half := body.shape.half_extents):
-                sizes.setdefault(link.name, []).append((2 * max(half), body))
-                thinnest[id(body)] = 2 * min(half)
-    rest = [size for found in sizes.values() for size, _ in found if size < _LEAST]
+                sizes.setdefault(link.name, []).append((2 * max(half), 2 * min(half), body))
+    rest = [size for found in sizes.values() for size, _, _ in found if size < _LEAST]
     if not rest:
         return
+    longest = max(rest)
     for name, bodies in sizes.items():
         # A rail may be long; what is written in millimetres is thick as well.
         found = [
             (size, body)
-            for size, body in bodies
-            if size >= max(_LEAST, _TIMES * max(rest)) and thinnest[id(body)] > max(rest)
+            for size, thickness, body in bodies
+            if size >= max(_LEAST, _TIMES * longest) and thickness > longest
         ]
-        if not found or any(word in name.lower() for word in _GROUNDS):
-            continue
-        size, body = found[0]
-        assert body.shape is not None
-        yield Finding(
-            body.shape.at,
-            f"link '{name}': the {body.at.tag} is {size:g} m long, and nothing else of the robot "
-            f"is longer than {max(rest):.3g} m",
-            related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in found[1:]),
-            confidence=Confidence.INFERRED,
-        )
+        if found and not any(word in name.lower() for word in _GROUNDS):
+            yield _finding(name, found, longest)
+
+
+def _finding(link: str, found: list[tuple[float, Body]], longest: float) -> Finding:
+    (size, body), *others = found
+    assert body.shape is not None
+    return Finding(
+        body.shape.at,
+        f"link '{link}': the {body.at.tag} is {size:g} m long, and nothing else of the robot is "
+        f"longer than {longest:.3g} m",
+        related=tuple(Related(other.at.span, f"{one:g} m, too") for one, other in others),
+        confidence=Confidence.INFERRED,
+    )

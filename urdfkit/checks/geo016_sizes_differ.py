@@ -42,6 +42,7 @@ _UNITS = {
     25.4: "inches taken for millimetres, or the other way round",
     10.0: "a decimal point",
 }
+#: A factor is that of two units if it is this near to it: visual and collision are rarely equal.
 _NEAR = 1.08
 
 

@@ -22,6 +22,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.inertials.masses import Masses
     from urdfkit.inertials.weighed import Weighed
+    from urdfkit.model import Joint
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -60,16 +61,16 @@ def _findings(masses: Masses) -> Iterator[tuple[Weighed, Finding]]:
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
-            weighed = masses.by_name.get(link.name)
-            if weighed is not None:
-                yield (
-                    weighed,
-                    Finding(
-                        weighed.at,
-                        f"link '{link.name}' of {weighed.mass:g} kg has no moment of inertia and "
-                        f"is moved by the {body.joint.kind} joint '{body.joint.name}'",
-                        as_solid(weighed) if weighed.is_measured else "",
-                        replacement(weighed, weighed.expected) if weighed.is_measured else None,
-                        weight=weighed.mass,
-                    ),
-                )
+            if weighed := masses.by_name.get(link.name):
+                yield weighed, _finding(weighed, body.joint)
+
+
+def _finding(weighed: Weighed, joint: Joint) -> Finding:
+    return Finding(
+        weighed.at,
+        f"link '{weighed.link.name}' of {weighed.mass:g} kg has no moment of inertia and is moved "
+        f"by the {joint.kind} joint '{joint.name}'",
+        as_solid(weighed) if weighed.is_measured else "",
+        replacement(weighed, weighed.expected) if weighed.is_measured else None,
+        weight=weighed.mass,
+    )

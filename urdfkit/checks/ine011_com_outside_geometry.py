@@ -4,7 +4,7 @@ The mass of a link is where its parts are. With the centre of mass outside, grav
 that is not there: the robot tips over, arms need torque to hold still, and a wheel drives in
 circles. It is measured from the link's own frame. Most often the `<origin>` of the `<inertial>` was
 copied from the joint or from the visual of another link, or is in millimetres: then it is farther
-outside than the link is long. Closer ones are told where a slip explains them: a sign, two
+outside than the link is long. Closer ones are reported where a slip explains them: a sign, two
 coordinates interchanged, or an `<origin>` that was left at zero while the shapes are elsewhere.
 
 Sources:

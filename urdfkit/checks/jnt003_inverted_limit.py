@@ -55,7 +55,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 message += f" ({key} is not written, so it is 0)"
         if ends in _FREE_IN_PYBULLET:
             free = "make it continuous" if joint.kind == "revolute" else "set them far apart"
-            yield Finding(joint.limit.at, message, f"swap them; if it shall be free, {free}")
+            yield Finding(joint.limit.at, message, f"swap them; if it is to be free, {free}")
         else:
             yield Finding(joint.limit.at, message, "swap them", _swapped(joint.limit))
 

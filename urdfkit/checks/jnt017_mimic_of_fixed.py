@@ -2,8 +2,8 @@
 
 Only revolute, continuous and prismatic joints have one number to pass on. Drake refuses a robot in
 which a fixed joint leads or follows; MuJoCo and MoveIt drop the coupling, so that the follower
-hangs loose. A fixed joint that follows does no harm elsewhere and is told for Drake only. Remove
-the `<mimic>`, or give the joint its type back.
+hangs loose. A fixed joint that follows does no harm elsewhere and is reported for Drake only.
+Remove the `<mimic>`, or give the joint its type back.
 
 Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc

@@ -13,8 +13,9 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.mechanics.kinematics import direction
+from urdfkit.model import length
 from urdfkit.rules import Finding, rule
-from urdfkit.spatial import dot, rotate
+from urdfkit.spatial import dot, minus, rotate
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -36,6 +37,12 @@ _LEFT = '<link name="palm"/>\n' + _FINGER.format(side="left", y=0.01, axis=1, mi
 BAD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=1, mimic=_MIMIC)
 GOOD = _LEFT + _FINGER.format(side="right", y=-0.01, axis=-1, mimic=_MIMIC)
 
+#: In m: fingers nearer to each other than this have no gap to close.
+_NEAR = 1e-3
+
+#: Cosine of the angle up to which a finger moves along the gap.
+_ALONG = 0.9
+
 
 @rule(
     "JNT032",
@@ -49,14 +56,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         leader = subject.model.joints_by_name.get(target.value) if target else None
         if joint.mimic is None or leader is None or not _are_fingers(joint, leader):
             continue
-        gap = [b - a for a, b in zip(joint.origin.position, leader.origin.position, strict=True)]
-        distance = sum(part * part for part in gap) ** 0.5
-        if distance < 1e-3:
-            continue
-        across = (gap[0] / distance, gap[1] / distance, gap[2] / distance)
+        gap = minus(leader.origin.position, joint.origin.position)
         ways = (rotate(one.origin.rotation, direction(one)) for one in (joint, leader))
-        ours, theirs = (dot(way, across) for way in ways)
-        if abs(ours) > 0.9 and abs(theirs) > 0.9 and ours * theirs * joint.mimic.multiplier > 0:
+        ours, theirs = (dot(way, gap) for way in ways)
+        along = min(abs(ours), abs(theirs)) > _ALONG * length(gap) > _ALONG * _NEAR
+        if along and ours * theirs * joint.mimic.multiplier > 0:
             yield Finding(
                 joint.mimic.at,
                 f"joint '{joint.name}' follows '{leader.name}' and moves the same way: the two "

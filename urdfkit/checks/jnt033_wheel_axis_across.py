@@ -2,8 +2,8 @@
 
 It tumbles like a coin instead of rolling: the robot jumps, or does not move. Either the axis of the
 joint is wrong, or the shape is not turned as it: a cylinder of URDF stands on its z axis, and a
-wheel whose axle is y wants rpy="1.5707963 0 0". Of a mesh the short edge of its bounding box is
-taken for the axle, where the other two are equal.
+wheel whose axle is y wants rpy="1.5707963 0 0". The axle of a mesh is taken to be the short edge of
+its bounding box, where the other two are equal.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -42,6 +42,8 @@ GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>'
 #: Names of links whose cylinder need not roll.
 _OTHERS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
+#: Cosine of the angle of two axes that are not one, written with an error.
+_ACROSS = 0.5
 
 #: A mesh is a wheel if two of its edges are as long as one another, and the third is shorter.
 _ROUND, _FLAT = 0.94, 0.75
@@ -57,19 +59,21 @@ def check(subject: Subject) -> Iterator[Finding]:
         tyre = _tyre(link, subject.lump)
         if tyre is None:
             continue
-        body, axle = tyre
-        x, y, z = (round(part, 3) + 0.0 for part in direction(joint))
-        a, b, c = (round(part, 3) + 0.0 for part in axle)
+        (body, axle), axis = tyre, direction(joint)
         what = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
-        if abs(dot((x, y, z), (a, b, c))) < 0.5:
+        if abs(dot(axis, axle)) < _ACROSS:
             yield Finding(
                 joint.at.child("axis") or joint.at,
-                f"joint '{joint.name}' turns wheel '{link.name}' about {x:g} {y:g} {z:g}, and the "
-                f"axis of its {what} is {a:g} {b:g} {c:g}",
+                f"joint '{joint.name}' turns wheel '{link.name}' about {_shown(axis)}, and the "
+                f"axis of its {what} is {_shown(axle)}",
                 f"write the axis of the {what}, or turn the shapes with their <origin>",
                 related=(Related(body.at.span, f"the {what}"),),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _shown(axis: Vector) -> str:
+    return " ".join(f"{round(part, 3) + 0.0:g}" for part in axis)
 
 
 def _is_wheel(joint: Joint, link: Link) -> bool:

@@ -43,6 +43,10 @@ _TIMES = 4.0
 _LEAST = 0.5
 
 
+#: What moves along, or freely, may be anywhere.
+_HELD = ("fixed", "revolute", "continuous")
+
+
 @rule(
     "JNT037",
     "link-far-from-parent",
@@ -58,18 +62,14 @@ def check(subject: Subject) -> Iterator[Finding]:
         parent, child = (links.get(end.value) if end else None for end in ends)
         if parent is None or child is None:
             continue
-        if told := _gap(subject, joint, parent, child):
-            gap, longest = told
+        if found := _gap(subject, joint, parent, child):
+            gap, longest = found
             yield Finding(
                 joint.at.child("origin") or joint.at,
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}', "
                 f"and the two are {longest:.3g} m long at most",
                 confidence=Confidence.INFERRED,
             )
-
-
-#: What moves along, or freely, may be anywhere.
-_HELD = ("fixed", "revolute", "continuous")
 
 
 def _gap(subject: Subject, joint: Joint, parent: Link, child: Link) -> tuple[float, float] | None:

@@ -71,12 +71,12 @@ def _odd(joints: list[Joint], of: str, times: float) -> Iterator[Finding]:
     known.sort(key=lambda pair: pair[1].value)
     if len(known) <= _OTHERS:
         return
-    (joint, lowest), (_, low), (_, high), (strong, highest) = *known[:2], *known[-2:]
+    (weakest, lowest), (_, low), (_, high), (strongest, highest) = *known[:2], *known[-2:]
     if highest.value >= times * high.value:
-        yield _finding(strong, highest, of, f"{highest.value / high.value:.3g} times the largest")
+        how = f"{highest.value / high.value:.3g} times the largest"
+        yield _finding(strongest, highest, of, how)
     elif lowest.value * _TIMES_LESS <= low.value:
-        part = f"{lowest.value / low.value:.2g} of the smallest"
-        yield _finding(joint, lowest, of, part)
+        yield _finding(weakest, lowest, of, f"{lowest.value / low.value:.2g} of the smallest")
 
 
 def _limit(joint: Joint, of: str) -> Placed[float] | None:

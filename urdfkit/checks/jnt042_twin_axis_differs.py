@@ -1,10 +1,10 @@
 """A joint turns about another axis than its twin on the other side.
 
 Left and right are mirror images: where the left hip turns about x, so does the right one, forwards
-or backwards. Compared are joints that turn, whose names differ in the side only and whose frames
-are mirror images in the plane y = 0 of the root, in the zero pose; which of the two ways an axis
-points is free. One letter of an `<axis>` was mistaken, or an `rpy` was not mirrored: the legs part
-where they should swing.
+or backwards. Two joints are compared if both turn, their names differ in the side only, and their
+frames are mirror images in the plane y = 0 of the root, in the zero pose; which of the two ways an
+axis points is free. One letter of an `<axis>` was mistaken, or an `rpy` was not mirrored: the legs
+part where they should swing.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html

@@ -2,7 +2,7 @@
 
 `roslaunch` stops with "ResourceNotFound", `ros2 launch` with "package not found". Packages that
 come with ROS are known by name, and packages that `package.xml` declares are somebody else's to
-install: neither is told.
+install: neither is reported.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML

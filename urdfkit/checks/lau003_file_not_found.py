@@ -1,7 +1,7 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch. What the build of a package may make is not told.
+file stops the launch. What the build of a package may make is not reported.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML

@@ -1,7 +1,7 @@
 """The robot description of a launch file does not expand.
 
-The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are told
-at their places in the xacro.
+The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are
+reported at their places in the xacro.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

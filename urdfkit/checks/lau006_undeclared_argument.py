@@ -2,7 +2,7 @@
 
 `roslaunch` stops with "requires the 'x' arg to be set", `ros2 launch` with "launch configuration
 'x' does not exist". Its name differs from the declared one, or the declaration is missing or comes
-too late. Told are slips of declared names, and what an including file does not pass.
+too late. Only slips of declared names, and what an including file does not pass, are reported here.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML/arg

@@ -2,8 +2,8 @@
 
 `ros2 launch` stops at it: "Unexpected attribute(s) found". `roslaunch` goes on and does not do what
 was written. Many are slips; others belong to the other ROS, which calls the executable of a node
-`type` (ROS 1) or `exec` (ROS 2). Packages may bring tags of their own: unknown tags are told only
-if they are nearly known ones.
+`type` (ROS 1) or `exec` (ROS 2). Packages may bring tags of their own: unknown tags are reported
+only if they are nearly known ones.
 
 Sources:
     roslaunch, xmlloader.py: https://github.com/ros/ros_comm/blob/noetic-devel/tools/roslaunch/src/roslaunch/xmlloader.py

@@ -3,7 +3,7 @@
 It works if whoever starts it gives the argument. Otherwise launch stops: "launch configuration 'x'
 does not exist", in ROS 1 "requires the 'x' arg to be set"; and a list of the file's arguments does
 not name it. Declare it, without a default if it must be given. A file that others include may get
-its arguments there, and is not told.
+its arguments there, and is not reported.
 
 Sources:
     launch, launch_configuration.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/launch_configuration.py

@@ -1,9 +1,9 @@
 """A launch file starts a controller that no file of parameters defines.
 
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
-differs from the one in the YAML file, or the controller is missing there. Looked at are the YAML
-files of the package and of the packages that the launch file names; where one of these is not
-found, only slips of known names are told. Nothing is told where the launch file itself names
+differs from the one in the YAML file, or the controller is missing there. The YAML files of the
+package and of the packages that the launch file names are searched; where one of these is not
+found, only slips of known names are reported, and nothing is where the launch file itself names
 parameters, as by the `ns` of a `<rosparam>`.
 
 Sources:

@@ -87,6 +87,6 @@ def _value(option: str, word: Word, place: Written) -> Iterator[Finding]:
 def _missing(started: Started, spawner: Spawner, given: dict[str, Word]) -> Iterator[Finding]:
     for group in spawner.required:
         if not any(option in given for option in group):
-            options = " or ".join(f"-{option}" for option in group)
-            message = f"{started.executable} needs {options}"
-            yield Finding(Written(started.span, started.frame), message, f"write {options}")
+            wanted = " or ".join(f"-{option}" for option in group)
+            message = f"{started.executable} needs {wanted}"
+            yield Finding(Written(started.span, started.frame), message, f"write {wanted}")

@@ -1,7 +1,7 @@
 """A launch file uses a package that its own `package.xml` does not declare.
 
 It works on the machine where that package happens to be. Elsewhere rosdep does not install it, and
-launch stops: "package not found". Packages that come with ROS are not told.
+launch stops: "package not found". Packages that come with ROS are not reported.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html

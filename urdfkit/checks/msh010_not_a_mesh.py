@@ -1,6 +1,6 @@
 """A file that should be a mesh is something else.
 
-Common are a web page that was saved instead of the file it shows, and the pointer that Git LFS
+Often it is a web page that was saved instead of the file it shows, or the pointer that Git LFS
 leaves where `git lfs pull` has not been run; a picture, an archive or a text under the name of a
 mesh do no better. Every reader fails on it, and few say why.
 

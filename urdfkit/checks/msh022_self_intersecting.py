@@ -5,7 +5,7 @@ closed pieces at once counts twice: in Gazebo's automatic inertia, in MeshLab, a
 `urdfkit inertia`. An assembly that was exported as one mesh is a common reason. Unite the pieces
 where they were drawn, or state the inertial by hand.
 
-Collisions and pictures do not suffer. Told is more than a twentieth of the volume.
+Collisions and pictures do not suffer. Less than a twentieth of the volume is not reported.
 
 Sources:
     Mirtich, Fast and accurate computation of polyhedral mass properties: https://doi.org/10.1080/10867651.1996.10487458

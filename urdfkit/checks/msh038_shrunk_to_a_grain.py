@@ -1,8 +1,8 @@
 """A mesh in metres has a scale for millimetres.
 
 With `scale="0.001 0.001 0.001"` a part of 0.2 m is 0.2 mm long: nobody sees it, and nothing touches
-it. The attribute was copied from a mesh that needs it, or the mesh was exported anew in metres.
-Reported are meshes that a scale of 0.01 or less makes shorter than a millimetre.
+it. The attribute was copied from a mesh that needs it, or the mesh was exported anew in metres. A
+mesh is reported if a scale of 0.01 or less makes it shorter than a millimetre.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link

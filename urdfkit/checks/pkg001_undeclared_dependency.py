@@ -2,7 +2,7 @@
 
 It works on the machine where that package happens to be. Elsewhere rosdep does not install it,
 colcon and catkin build in the wrong order, and `$(find ...)` or `package://` leads nowhere.
-Packages that come with ROS are not told.
+Packages that come with ROS are not reported.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html

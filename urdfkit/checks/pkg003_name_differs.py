@@ -3,7 +3,8 @@
 ROS finds a package by the name in package.xml, and the build installs its files below the name of
 the CMake project. Where the two differ, `package://` and `$(find ...)` lead to folders that the
 build never makes, or catkin stops: "package name does not match project name". That a folder has
-another name than its package is no defect; a reference that takes it for the name is told there.
+another name than its package is no defect; a reference that takes it for the name is reported as
+not found.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html

@@ -3,7 +3,7 @@
 catkin and colcon stop at it, or go on without the package: nothing of the robot is installed, and
 `package://` leads nowhere. Something is missing that every package.xml has, a tag belongs to
 another format, or the file is not XML. A file with little more than a name is taken for the stub of
-a test. Told for launch files, and for descriptions that use packages.
+a test. Only launch files, and descriptions that use packages, are asked for it.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html

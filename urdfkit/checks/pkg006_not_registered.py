@@ -3,8 +3,8 @@
 It is found by `ros2 launch`, `package://` and `$(find ...)` only if its setup.py installs a file of
 its name into `share/ament_index/resource_index/packages`, and that file has to exist under
 `resource/`. And package.xml has to name the build type: without
-`<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt. Told for
-launch files, and for descriptions that use packages.
+`<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt. Only
+launch files, and descriptions that use packages, are asked for it.
 
 Sources:
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html

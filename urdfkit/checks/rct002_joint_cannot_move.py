@@ -3,7 +3,7 @@
 Nothing can move it. From ROS 2 Jazzy on the controller manager stops with an exception; in Gazebo
 the joint is gone, because its links are merged, and gazebo_ros_control of ROS 1 then drives no
 joint at all. Give the joint the type that it has in reality, or leave it out. A transmission with a
-vendor's interface may stand for a model and drive nothing; it is not told.
+vendor's interface may stand for a model and drive nothing; it is not reported.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp

@@ -3,7 +3,7 @@
 From ROS 2 Jazzy on the controller manager stops: "Activated mimic joints cannot have command
 interfaces". Humble does not read `<mimic>` here and lets a controller move the follower by itself.
 Keep only state interfaces, or write `mimic="false"` in the block's joint if it has a motor of its
-own. A joint with the parameters `mimic` and `multiplier` is written for Humble, and not told here.
+own. A joint with the parameters `mimic` and `multiplier` is written for Humble, and not reported.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp

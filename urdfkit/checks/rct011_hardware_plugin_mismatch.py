@@ -1,4 +1,4 @@
-"""The hardware plugin belongs to another simulator than the control plugin that shall load it.
+"""The hardware plugin belongs to another simulator than the control plugin that is to load it.
 
 Each control plugin loads only its own kind of hardware. Another one is logged and passed over: the
 controller manager then has no interfaces, and no controller can be activated. Gazebo Classic's

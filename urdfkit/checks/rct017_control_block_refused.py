@@ -47,7 +47,7 @@ FIXED = GOOD
 
 #: How like a tag a word must be to be taken for a slip of it.
 _SLIP = 0.8
-#: A tag with a prefix, such as a call that nothing expands, is told elsewhere.
+#: A tag with a prefix, such as a call that nothing expands, is reported elsewhere.
 _PREFIX = ":"
 
 

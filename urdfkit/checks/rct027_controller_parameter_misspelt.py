@@ -2,7 +2,7 @@
 
 The controller manager does not find the class, or the controller takes a default for what the
 parameter was meant to set: a robot whose `wheel_seperation` is never read turns by the wrong angle.
-Only slips of names that urdfkit knows are told.
+Only slips of names that urdfkit knows are reported.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html

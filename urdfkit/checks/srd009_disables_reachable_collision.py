@@ -4,7 +4,7 @@ MoveIt does not check the pair, and may drive the one link into the other. A pos
 overlap was found among some thousand samples within the joint limits, with the collision geometry
 as MoveIt reads it. The matrix is of an older robot, or was computed from too few samples. `urdfkit
 collisions --srdf` computes it anew and keeps the rest of the file. Pairs with another reason, such
-as "User", are a decision and not told.
+as "User", are a decision and not reported.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp

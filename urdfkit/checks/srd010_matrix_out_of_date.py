@@ -3,7 +3,7 @@
 A joint holds the two links together, or only links without collision geometry lie between, and they
 overlap where the robot begins. MoveIt checks them, finds the collision in every pose, and plans
 nothing. The links or their geometry are newer than the matrix; `urdfkit collisions --srdf` brings
-it up to date. Not told where the SRDF has no matrix at all.
+it up to date. An SRDF without any matrix is not reported.
 
 Sources:
     MoveIt, URDF and SRDF: https://moveit.picknik.ai/main/doc/examples/urdf_srdf/urdf_srdf_tutorial.html
@@ -60,6 +60,10 @@ FILES = {
 }
 
 
+#: In m: bodies that touch do not count.
+_DEEP = 1e-4
+
+
 @rule(
     "SRD010",
     "matrix-out-of-date",
@@ -81,7 +85,3 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"'{first}' and '{second}' are held together and overlap by "
                 f"{-1000 * one.distance:.3g} mm, but their collisions are not disabled",
             )
-
-
-#: In m: bodies that touch do not count.
-_DEEP = 1e-4

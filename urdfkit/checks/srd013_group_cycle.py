@@ -51,7 +51,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     for name, elements in srdf.groups_by_name.items():
         way = _circle(name, srdf)
-        # A circle is told once, at the first of its groups.
+        # A circle is reported once, at the first of its groups.
         if way and name == min(way):
             yield Finding(elements[0], "groups contain one another: " + " -> ".join((*way, name)))
 

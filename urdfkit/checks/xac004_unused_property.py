@@ -1,9 +1,8 @@
 """A property is defined and never used.
 
 Nothing breaks, but a reader changes the number and wonders why the robot stays as it is. Mostly a
-use was deleted, or the name is misspelt where it was to be used. Files that
-others include, libraries of macros, and files with includes that this expansion leaves out are not
-judged: the property may be used elsewhere.
+use was deleted, or misspells the name. Files that others include, libraries of macros, and files
+with includes that this expansion leaves out are not judged: the property may be used elsewhere.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

@@ -94,7 +94,7 @@ def load(source: Source, evaluate: Callable[[str], Any], *, placed: bool = False
     Args:
         source: the file.
         evaluate: gives the value of an expression behind a unit, such as ``!degrees 90/2``.
-        placed: True if numbers and texts shall have their place as ``span``.
+        placed: True if numbers and texts are to have their place as ``span``.
 
     Raises:
         BrokenYaml: it is not YAML.
