@@ -13,6 +13,19 @@ def test_a_rule_is_found_by_code_and_by_name(word: str, capsys: pytest.CaptureFi
     assert capsys.readouterr().out == render(rules.get("TRE006"))
 
 
+def test_several_rules_are_explained_one_after_the_other(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["explain", "TRE006", "TRE001"]) == 0
+    told = capsys.readouterr().out
+    assert told == f"{render(rules.get('TRE006'))}\n\n{render(rules.get('TRE001'))}"
+
+
+def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", "msh"]) == 2
+    assert "it is the family about mesh files" in capsys.readouterr().err
+
+
 def test_the_page_of_a_rule() -> None:
     page = render(rules.get("TRE006"))
     assert page.startswith("TRE006 joint-to-itself (error, without a fix)\n\nA joint has the same")

@@ -46,6 +46,23 @@ def test_the_version_has_one_source() -> None:
     assert (done.returncode, done.stdout.decode().split()) == (0, ["urdfkit", urdfkit.__version__])
 
 
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [("lint", "check"), ("chek", "check"), ("xacro", "expand"), ("help", "--help")],
+)
+def test_a_command_of_another_tool(
+    word: str, meant: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([word]) == 2
+    assert f"there is no command '{word}'; did you mean '{meant}'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["-h"], ["check", "-h"], ["mesh", "-h"], ["mesh", "hull", "-h"]])
+def test_the_short_option_for_help(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 0
+    assert capsys.readouterr().out.startswith("Usage: urdfkit")
+
+
 def test_without_a_command_there_is_help(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 0
     captured = capsys.readouterr()

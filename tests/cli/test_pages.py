@@ -46,6 +46,17 @@ def option_names(command: str) -> set[str]:
     return {flag for param in params if isinstance(param, click.Option) for flag in param.opts}
 
 
+@pytest.mark.parametrize("command", [name for name in COMMANDS if COMMANDS[name].epilog])
+def test_the_examples_in_the_help_are_command_lines(command: str) -> None:
+    lines = (COMMANDS[command].epilog or "").splitlines()[2:]
+    assert lines
+    for line in lines:
+        assert len(line) <= 80
+        words = shlex.split(line.rpartition("|")[2].partition(">")[0])
+        assert words[: 1 + len(command.split())] == ["urdfkit", *command.split()]
+        COMMANDS[command].make_context(command, words[1 + len(command.split()) :])
+
+
 def test_every_command_has_a_page() -> None:
     assert {page.stem for page in PAGES} == {name.replace(" ", "-") for name in COMMANDS}
 

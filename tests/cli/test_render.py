@@ -36,6 +36,18 @@ def test_a_picture_is_written_and_a_missing_mesh_is_named(
     assert ((r > 140) & (g > 60) & (b < 60)).sum() > 10  # its orange
 
 
+def test_of_many_missing_meshes_some_are_named_and_the_others_counted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lost = '<visual><geometry><mesh filename="lost.stl"/></geometry></visual>'
+    robot = tmp_path / "robot.urdf"
+    robot.write_text(f'<robot name="r"><link name="a">{lost * 12}</link></robot>')
+    assert main(["render", str(robot), "-o", str(tmp_path / "robot.png"), *SMALL]) == 0
+    notes = capsys.readouterr().err.splitlines()
+    assert len(notes) == 6
+    assert notes[-1] == "note: drawn as striped boxes: 7 meshes more"
+
+
 @pytest.mark.parametrize("suffix", ["png", "webp", "jpg"])
 def test_the_same_robot_gives_the_same_bytes(suffix: str, tmp_path: Path) -> None:
     paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]

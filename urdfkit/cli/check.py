@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli.checking import run_check
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.options import CHECK, FILES, Option
 
 
@@ -43,4 +44,9 @@ command = click.Command(
     Exit codes: 0 nothing found that --fail-on counts, 1 something found, 2 it cannot be done,
     3 a bug of urdfkit.
     """,
+    epilog=examples(
+        "urdfkit check robot.urdf.xacro prefix:=left_",
+        "urdfkit check . --fail-on error --format text --format sarif:robots.sarif",
+        "xacro robot.urdf.xacro | urdfkit check -",
+    ),
 )

@@ -11,6 +11,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import judged
 from urdfkit.comparison import KINDS, compare
@@ -22,15 +23,23 @@ SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
 _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value is not False]
 
 
-@click.command("diff")
+@click.command(
+    "diff",
+    epilog=examples(
+        "urdfkit diff HEAD:urdf/robot.urdf.xacro urdf/robot.urdf.xacro",
+        "urdfkit diff old.urdf new.urdf --fail-on joints,limits --tolerance mass=0.01",
+    ),
+)
 @judged("BEFORE AFTER [NAME:=VALUE]...")
 @click.option("--format", "form", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
-@click.option("-o", "output_file", metavar="FILE", help="Write to FILE; its suffix is the format.")
+@click.option(
+    "-o", "--output", "output_file", metavar="FILE", help="Write to FILE; its suffix is the format."
+)
 @click.option(
     "--fail-on",
     metavar="KINDS",
     default="any",
-    help=f"What makes the exit code 1: any, none, or of {', '.join(KINDS)}. [default: any]",
+    help=f"What makes the exit code 1: any, none, or of {', '.join(KINDS)}.",
 )
 @click.option(
     "--tolerance",

@@ -14,6 +14,7 @@ import click
 
 from urdfkit import __version__
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.config import Config, ConfigError
 from urdfkit.discovery import discover
 from urdfkit.engine import check
@@ -51,7 +52,13 @@ _PACKAGES = (
 _PROGRAMS = {"git": "comparing a robot with an earlier revision"}
 
 
-@click.command("doctor")
+@click.command(
+    "doctor",
+    epilog=examples(
+        "urdfkit doctor",
+        "urdfkit doctor robot.urdf.xacro",
+    ),
+)
 @click.argument("words", nargs=-1, metavar="[FILE] [NAME:=VALUE]...")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
 @click.option("--target", multiple=True, metavar="NAMES", help="As of urdfkit check.")

@@ -11,6 +11,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import only_file
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import get
@@ -21,16 +22,30 @@ if TYPE_CHECKING:
     from urdfkit.reading import Problem
 
 
-@click.command("expand")
+@click.command(
+    "expand",
+    epilog=examples(
+        "urdfkit expand robot.urdf.xacro prefix:=left_ -o robot.urdf",
+        "urdfkit expand robot.urdf.xacro --map -",
+    ),
+)
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
-@click.option("-o", "target", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option(
+    "-o", "--output", "target", metavar="FILE", help="Write to FILE instead of standard output."
+)
 @click.option("--deps", is_flag=True, help="Print the files that it depends on instead.")
 @click.option("--map", "map_file", metavar="FILE", help="Write where every element comes from.")
 @click.option("--root-dir", metavar="FOLDER", default=os.curdir, help="Relative paths start here.")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
 @click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
 @click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
-@click.option("-v", "verbose", count=True, help="Accepted for compatibility with xacro.")
+@click.option(
+    "-v",
+    "verbose",
+    count=True,
+    show_default=False,
+    help="Accepted for compatibility with xacro.",
+)
 @click.option("--verbosity", type=int, metavar="LEVEL", help="0 is -q, as with xacro.")
 @click.option("-i", "--inorder", is_flag=True, help="Accepted for compatibility with xacro.")
 def command(

@@ -7,8 +7,9 @@ from textwrap import fill, indent
 import click
 
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.errors import UnknownRule
-from urdfkit.rules import Need, Rule, find_rule
+from urdfkit.rules import FAMILIES, Need, Rule, find_rule
 
 _NEEDS = {
     Need.XACRO: "a xacro that expands",
@@ -21,20 +22,31 @@ _NEEDS = {
 }
 
 
-@click.command("explain")
-@click.argument("rule", metavar="RULE")
+@click.command(
+    "explain",
+    epilog=examples(
+        "urdfkit explain MSH001",
+    ),
+)
+@click.argument("words", nargs=-1, required=True, metavar="RULE...")
 @click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
-def command(rule: str, rules: tuple[str, ...]) -> int:
+def command(words: tuple[str, ...], rules: tuple[str, ...]) -> int:
     """Explain a rule: what it finds, why it matters, what to do.
 
     RULE is a code such as XML001 or a name such as not-well-formed.
+
+    Exit codes: 0 done, 2 there is no such rule.
     """
     options.add_rules({"rules": rules})
-    output.write(render(_find(rule)))
+    output.write("\n\n".join(map(render, map(_find, words))))
     return 0
 
 
 def _find(word: str) -> Rule:
+    if about := FAMILIES.get(word.upper()):
+        raise UnknownRule(
+            word, f": it is the family about {about}; 'urdfkit rules' lists its rules"
+        )
     try:
         return find_rule(word)
     except UnknownRule:

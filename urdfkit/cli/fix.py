@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import choices, fail_on, mend
+from urdfkit.cli.epilog import examples
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.fixing import Fixes
 from urdfkit.formats._layout import printable, wrap
@@ -54,6 +55,10 @@ command = click.Command(
     Exit codes: 0 nothing is left that --fail-on counts, 1 something is left (with --diff:
     something would change), 2 it cannot be done, 3 a bug of urdfkit.
     """,
+    epilog=examples(
+        "urdfkit fix . --unsafe-fixes --diff",
+        "urdfkit fix robot.urdf.xacro --select INE,URD --unsafe-fixes",
+    ),
 )
 
 

@@ -8,13 +8,20 @@ import sys
 import click
 
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.editing.rewriting import Rewrite
 from urdfkit.formats._layout import printable
 from urdfkit.formatting import Formatted, format_files
 
 
-@click.command("format")
+@click.command(
+    "format",
+    epilog=examples(
+        "urdfkit format urdf",
+        "urdfkit format --check .",
+    ),
+)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--check", is_flag=True, help="Write nothing; exit with 1 if a file would change.")
 @click.option("--diff", is_flag=True, help="Likewise, and show the changes as a diff.")

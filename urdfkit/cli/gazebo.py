@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.formats._layout import printable
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
@@ -16,7 +17,12 @@ from urdfkit.jsontext import dumped
 VERSION = 1
 
 
-@click.command("gazebo")
+@click.command(
+    "gazebo",
+    epilog=examples(
+        "urdfkit gazebo robot.urdf.xacro",
+    ),
+)
 @one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")

@@ -40,8 +40,14 @@ COMMANDS = (
 )
 
 
-@click.group("urdfkit", cls=LazyGroup, package="urdfkit.cli", names=COMMANDS)
-@click.version_option(__version__, message="urdfkit %(version)s")
+@click.group(
+    "urdfkit",
+    cls=LazyGroup,
+    package="urdfkit.cli",
+    names=COMMANDS,
+    context_settings={"help_option_names": ["-h", "--help"], "show_default": True},
+)
+@click.version_option(__version__, "-V", "--version", message="urdfkit %(version)s")
 def group() -> None:
     """Check robot models in URDF and xacro."""
 

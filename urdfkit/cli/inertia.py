@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output, progress
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.editing import rewriting
 from urdfkit.inertials.densities import DENSITIES
@@ -21,7 +22,13 @@ from urdfkit.source import shown
 VERSION = 1
 
 
-@click.command("inertia")
+@click.command(
+    "inertia",
+    epilog=examples(
+        "urdfkit inertia robot.urdf.xacro --diff",
+        "urdfkit inertia robot.urdf.xacro --link arm --material steel",
+    ),
+)
 @click.option("--from", "source", type=click.Choice(SOURCES), default="auto", help="The shapes.")
 @click.option("--mass", type=float, metavar="KG", help="Of each link, instead of the declared one.")
 @click.option("--density", type=float, metavar="KG/M^3", help="That gives the mass instead.")

@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output, progress
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.gazebo.sensors import Sensor
@@ -28,7 +29,13 @@ MOST = 8
 _LABEL, _WIDTH = 12, 80
 
 
-@click.command("info")
+@click.command(
+    "info",
+    epilog=examples(
+        "urdfkit info robot.urdf.xacro",
+        "urdfkit info robot.urdf.xacro --pose ready --format json",
+    ),
+)
 @one_robot
 @posed
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")

@@ -9,6 +9,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.config import Config
 from urdfkit.discovery import Found, discover
 from urdfkit.errors import UnwritableFile
@@ -23,7 +24,12 @@ from urdfkit.workspace.settings import nearest
 _FILE = "urdfkit.toml"
 
 
-@click.command("init")
+@click.command(
+    "init",
+    epilog=examples(
+        "urdfkit init --print",
+    ),
+)
 @click.argument("folder", default=os.curdir)
 @click.option("--print", "only_print", is_flag=True, help="Print it, write nothing.")
 def command(folder: str, only_print: bool) -> int:

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
@@ -24,7 +25,13 @@ VERSION = 1
 _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-@click.command("kinematics")
+@click.command(
+    "kinematics",
+    epilog=examples(
+        "urdfkit kinematics robot.urdf.xacro --joint elbow=90deg",
+        "urdfkit kinematics robot.urdf.xacro --transform base_link tool0",
+    ),
+)
 @one_robot
 @posed
 @click.option("--transform", "ends", nargs=2, metavar="A B", help="Where link B is, seen from A.")

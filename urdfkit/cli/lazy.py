@@ -12,6 +12,18 @@ import click
 from urdfkit.errors import UrdfkitError
 from urdfkit.nearest import did_you_mean
 
+#: What other tools call a command; none of them is a slip of one of ours.
+_ELSEWHERE = {
+    "lint": "check",
+    "validate": "check",
+    "verify": "check",
+    "xacro": "expand",
+    "convert": "mesh convert",
+    "show": "view",
+    "help": "--help",
+    "version": "--version",
+}
+
 
 class MissingExtra(UrdfkitError):
     """A command needs a library that is not installed."""
@@ -42,7 +54,8 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         word = args[0]
         if word not in self.names and not word.startswith("-"):
-            hint = did_you_mean(word, self.names)
+            meant = _ELSEWHERE.get(word) if ctx.parent is None else None
+            hint = f"; did you mean '{meant}'?" if meant else did_you_mean(word, self.names)
             if os.path.exists(word):
                 hint = f"; to check that file: {ctx.command_path} check {word}"
             raise click.UsageError(f"there is no command '{word}'{hint}", ctx)

@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
@@ -22,7 +23,13 @@ from urdfkit.spatial import Rotation, Vector
 VERSION = 1
 
 
-@click.command("mass")
+@click.command(
+    "mass",
+    epilog=examples(
+        "urdfkit mass robot.urdf.xacro",
+        "urdfkit mass robot.urdf.xacro --format csv > masses.csv",
+    ),
+)
 @one_robot
 @posed
 @click.option(

@@ -8,13 +8,19 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import only_file
 from urdfkit.formats._layout import printable
 from urdfkit.migrate import Migration, migrate
 from urdfkit.targets import GAZEBO
 
 
-@click.command("migrate")
+@click.command(
+    "migrate",
+    epilog=examples(
+        "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch",
+    ),
+)
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
 @click.option("--to", "target", type=click.Choice(GAZEBO), required=True, help="The new Gazebo.")
 @click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")

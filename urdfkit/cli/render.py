@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import robot as read_robot
@@ -25,8 +26,18 @@ VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 #: Of a picture, of an animation, of both states beside one another, and of a thumbnail.
 SIZE, MOVING, DIFFERENCE, THUMBNAIL = "1280x720", "640x400", "1920x480", "256x256"
 
+#: Meshes that are boxes in the picture and named one by one.
+_NAMED = 5
 
-@click.command("render")
+
+@click.command(
+    "render",
+    epilog=examples(
+        "urdfkit render robot.urdf.xacro -o robot.png --view iso,front,top",
+        "urdfkit render robot.urdf.xacro -o bent.png --joint elbow=90deg",
+        "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
+    ),
+)
 @click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
 @click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
@@ -223,9 +234,11 @@ def _tell(scene: Scene) -> None:
     """Say on standard error which meshes are boxes in the picture, and which letters escapes."""
     from urdfkit import render
 
-    for mesh in scene.missing:
+    for mesh in scene.missing[:_NAMED]:
         text = f"drawn as a striped box: the {mesh.role} mesh of '{mesh.link}', {mesh.filename}"
         print(printable(f"note: {text} ({mesh.reason})"), file=sys.stderr)
+    if others := scene.missing[_NAMED:]:
+        print(f"note: drawn as striped boxes: {len(others)} meshes more", file=sys.stderr)
     for note in scene.notes:
         print(printable(f"note: {note}"), file=sys.stderr)
     if letters := render.unwritable(label.text for label in scene.labels):

@@ -8,6 +8,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import judged, only_file
 from urdfkit.diagnostic import Severity
@@ -16,9 +17,17 @@ from urdfkit.page.words import LANGUAGES
 from urdfkit.page.writing import form_of, report
 
 
-@click.command("report")
+@click.command(
+    "report",
+    epilog=examples(
+        "urdfkit report robot.urdf.xacro -o robot.html",
+        "urdfkit report robot.urdf.xacro -o masses.csv --table links",
+    ),
+)
 @judged()
-@click.option("-o", "output_file", metavar="FILE", help="Write .html, .md, .json or .csv to FILE.")
+@click.option(
+    "-o", "--output", "output_file", metavar="FILE", help="Write .html, .md, .json or .csv to FILE."
+)
 @click.option("--lang", type=click.Choice(LANGUAGES), default="en", help="Language of the page.")
 @click.option("--quick", is_flag=True, help="Without pictures, statics and collisions.")
 @click.option("--table", type=click.Choice([*COLUMNS]), default="findings", help="Of a .csv.")

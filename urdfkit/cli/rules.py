@@ -8,17 +8,23 @@ from collections.abc import Sequence
 import click
 
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.rule_packages import add, installed
 from urdfkit.rules import Rule, all_rules
 
 
-@click.command("rules")
+@click.command(
+    "rules",
+    epilog=examples(
+        "urdfkit rules",
+        "urdfkit rules --format json",
+    ),
+)
 @click.option(
     "--format",
     "kind",
     type=click.Choice(["text", "json"]),
     default="text",
-    show_default=True,
     help="A table for people, or JSON with the whole explanations.",
 )
 @click.option("--rules", multiple=True, metavar="NAMES", help="Packages of other rules.")
@@ -27,6 +33,8 @@ def command(kind: str, rules: tuple[str, ...]) -> int:
 
     Packages of rules that are installed are listed, and those of NAMES. A line has the code, the
     severity, 'fix' if there is one, the name, and what the rule finds.
+
+    Exit codes: 0 done, 2 a package of rules cannot be read.
     """
     add(installed(), modules=False)
     options.add_rules({"rules": rules})

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
@@ -34,12 +35,18 @@ NOISE = 1e-9
 MAX_SAMPLES = 1_000_000
 
 
-@click.command("statics")
+@click.command(
+    "statics",
+    epilog=examples(
+        "urdfkit statics robot.urdf.xacro --payload 2@tool0",
+        "urdfkit statics robot.urdf.xacro --pose ready",
+    ),
+)
 @one_robot
 @posed
 @click.option("--payload", multiple=True, metavar="KG@LINK", help="A mass that a link carries.")
-@click.option("--samples", type=click.IntRange(0, MAX_SAMPLES), default=1000, show_default=True)
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True)
+@click.option("--samples", type=click.IntRange(0, MAX_SAMPLES), default=1000)
+@click.option("--seed", type=click.IntRange(0), default=0)
 @click.option(
     "--contact", multiple=True, metavar="LINK", help="It stands on this. [default: the lowest]"
 )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from urdfkit.cli import options, output, stdin
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import first_of
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.errors import UnreadableRobot
@@ -23,7 +24,13 @@ MAX_LEVELS = 20
 _MOST = 100
 
 
-@click.command("trace")
+@click.command(
+    "trace",
+    epilog=examples(
+        "urdfkit trace robot.urdf.xacro link/base_link",
+        "urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value",
+    ),
+)
 @click.argument("file")
 @click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")

@@ -7,11 +7,18 @@ from importlib import import_module
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.diagrams import FORMATS, text
 
 
-@click.command("tree")
+@click.command(
+    "tree",
+    epilog=examples(
+        "urdfkit tree robot.urdf.xacro",
+        "urdfkit tree robot.urdf.xacro --format svg > tree.svg",
+    ),
+)
 @one_robot
 @click.option("--format", "form", type=click.Choice(FORMATS), default="text")
 def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: bool) -> int:

@@ -9,13 +9,19 @@ from typing import Any
 import click
 
 from urdfkit.cli import options
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import judged, only_file
 from urdfkit.page.server import serve
 from urdfkit.page.state import Wish
 from urdfkit.page.words import LANGUAGES, Words
 
 
-@click.command("view")
+@click.command(
+    "view",
+    epilog=examples(
+        "urdfkit view robot.urdf.xacro prefix:=left_",
+    ),
+)
 @judged()
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="[default: a free one]")
 @click.option("--no-open", is_flag=True, help="Print the address; open no browser.")

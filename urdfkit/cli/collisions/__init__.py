@@ -10,6 +10,7 @@ import click
 
 from urdfkit import atomic
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
@@ -23,11 +24,17 @@ if TYPE_CHECKING:
     from urdfkit.srdf import Srdf
 
 
-@click.command("collisions")
+@click.command(
+    "collisions",
+    epilog=examples(
+        "urdfkit collisions robot.urdf.xacro --srdf robot.srdf",
+        "urdfkit collisions robot.urdf.xacro --compare robot.srdf",
+    ),
+)
 @one_robot
 @posed
-@click.option("--samples", type=click.IntRange(0), default=10_000, show_default=True)
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True)
+@click.option("--samples", type=click.IntRange(0), default=10_000)
+@click.option("--seed", type=click.IntRange(0), default=0)
 @click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
 @click.option("--srdf", metavar="FILE", help="Write the matrix to FILE, or bring it up to date.")
 @click.option("--compare", metavar="FILE", help="Tell where the matrix of an SRDF differs.")

@@ -8,12 +8,19 @@ import click
 
 from urdfkit.assets.collision_shapes import Proposal, edited, propose
 from urdfkit.cli import options, output, progress
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.source import shown
 
 
-@click.command("collision")
+@click.command(
+    "collision",
+    epilog=examples(
+        "urdfkit mesh collision robot.urdf.xacro --diff",
+        "urdfkit mesh collision robot.urdf.xacro --link arm --write",
+    ),
+)
 @click.option("--error", type=float, metavar="METRES", help="How far a shape may stick out.")
 @click.option("--link", "links", multiple=True, metavar="NAME", help="This one, whatever it has.")
 @click.option("--most", type=int, default=8, metavar="N", help="Convex pieces. [default: 8]")

@@ -5,13 +5,20 @@ from __future__ import annotations
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh.saving import save
 from urdfkit.meshes.load import load
 from urdfkit.meshes.transforms import scaled, upright
 from urdfkit.meshes.writers import refuse_good
 
 
-@click.command("convert")
+@click.command(
+    "convert",
+    epilog=examples(
+        "urdfkit mesh convert arm.dae arm.stl",
+        "urdfkit mesh convert arm_mm.stl arm.stl --scale 0.001",
+    ),
+)
 @click.argument("file", metavar="FILE")
 @click.argument("out", metavar="OUT")
 @click.option("--upright", "turn", is_flag=True, help="Turn the up axis of the file to z.")

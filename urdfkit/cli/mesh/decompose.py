@@ -7,6 +7,7 @@ import os
 import click
 
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
 from urdfkit.meshes.geometry import Mesh
@@ -16,7 +17,12 @@ from urdfkit.meshes.load import load
 from urdfkit.meshes.transforms import in_metres
 
 
-@click.command("decompose")
+@click.command(
+    "decompose",
+    epilog=examples(
+        "urdfkit mesh decompose arm.dae -o arm_pieces.obj --most 8",
+    ),
+)
 @click.argument("file", metavar="FILE")
 @click.option("-o", "--output", "out", metavar="OUT", help="Write the pieces to this file.")
 @click.option("--split", is_flag=True, help="One file for each piece: OUT_1, OUT_2, ...")

@@ -8,6 +8,7 @@ import click
 
 from urdfkit.assets.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
 from urdfkit.cli import options, output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import robot
 from urdfkit.meshes.parts import PARTS
 from urdfkit.source import shown
@@ -20,7 +21,13 @@ def _is_robot(files: list[str]) -> bool:
     return bool(files) and files[0].endswith((".urdf", ".xacro", ".xml"))
 
 
-@click.command("generate")
+@click.command(
+    "generate",
+    epilog=examples(
+        "urdfkit mesh generate --model robot.urdf.xacro",
+        "urdfkit mesh generate lidar.dae --part rplidar_a2",
+    ),
+)
 @click.argument("words", nargs=-1, metavar="[MESH] [NAME:=VALUE]...")
 @click.option("--model", metavar="FILE", help="The robot that names the mesh.")
 @click.option("--part", "part_name", type=click.Choice([*_PARTS]), help="Make this part.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.meshes.health import examine_mesh
@@ -13,7 +14,12 @@ from urdfkit.meshes.load import load
 from urdfkit.meshes.transforms import in_metres
 
 
-@click.command("hull")
+@click.command(
+    "hull",
+    epilog=examples(
+        "urdfkit mesh hull arm.dae -o arm_hull.stl",
+    ),
+)
 @click.argument("file", metavar="FILE")
 @writes
 def command(file: str, out: str | None, in_place: bool, force: bool) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.jsontext import dumped
 from urdfkit.meshes.describe import Description, describe
@@ -15,7 +16,12 @@ from urdfkit.meshes.geometry import Part
 VERSION = 1
 
 
-@click.command("info")
+@click.command(
+    "info",
+    epilog=examples(
+        "urdfkit mesh info meshes/arm.dae meshes/hand.stl",
+    ),
+)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(files: tuple[str, ...], form: str) -> int:

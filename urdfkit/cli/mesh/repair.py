@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import output, progress
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.meshes.repair import Repair, Step, repair
@@ -14,7 +15,13 @@ from urdfkit.meshes.salvage import load_or_salvage
 from urdfkit.meshes.transforms import in_metres
 
 
-@click.command("repair")
+@click.command(
+    "repair",
+    epilog=examples(
+        "urdfkit mesh repair arm.stl",
+        "urdfkit mesh repair arm.stl --write",
+    ),
+)
 @click.argument("file", metavar="FILE")
 @writes
 @click.option("--keep-holes", is_flag=True, help="Do not close holes.")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import click
 
 from urdfkit.cli import options, output, progress
+from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.meshes.load import load
@@ -14,7 +15,13 @@ from urdfkit.meshes.simplify import Simplified, to_budget, to_error
 from urdfkit.meshes.transforms import in_metres
 
 
-@click.command("simplify")
+@click.command(
+    "simplify",
+    epilog=examples(
+        "urdfkit mesh simplify arm.dae --triangles 2000 -o arm.stl",
+        "urdfkit mesh simplify arm.dae --error 0.001 --write",
+    ),
+)
 @click.argument("file", metavar="FILE")
 @click.option("--triangles", type=int, metavar="N", help="At most so many triangles.")
 @click.option("--error", type=float, metavar="METRES", help="No surface moves farther than this.")
