@@ -104,6 +104,21 @@ def test_a_slip_is_an_error_that_names_file_setting_and_remedy(tmp_path, text, w
         assert word in str(error.value)
 
 
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("a = " + 5000 * "[", "urdfkit.toml"),
+        ("width = " + 5000 * "1", "urdfkit.toml"),
+        ("a = '\0'", "urdfkit.toml"),
+        ("tool = 3  # [tool.urdfkit]", "pyproject.toml"),
+        ("[tool]\nurdfkit = 3", "pyproject.toml"),
+    ],
+)
+def test_hostile_files_are_an_error(tmp_path, text, name):
+    with pytest.raises(ConfigError, match=name):
+        load(write(tmp_path, text, name))
+
+
 def test_severities_and_file_ignores_reach_the_report(tmp_path):
     file = tmp_path / "r.urdf"
     file.write_text(ROBOT)

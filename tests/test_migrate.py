@@ -33,6 +33,13 @@ def test_renames_are_made_in_the_text_and_nothing_else_changes() -> None:
     assert "GAZ012" in left  # the lidar's plugin has a successor with other tags
 
 
+def test_the_diff_of_a_file_without_a_last_line_end(tmp_path: Path) -> None:
+    path = tmp_path / "r.xacro"
+    head, tag, tail = MODEL.read_bytes().rpartition(b"</frameName>")
+    path.write_bytes(head + tag + tail.replace(b"\n", b""))
+    assert "</robot>\n\\ No newline at end of file\n" in migrate(path, "classic-ros2").diff()
+
+
 def test_the_same_gazebo_needs_nothing() -> None:
     migration = migrate(MODEL, "classic-ros1")
     assert tuple(migration) == ({}, (), (), {})

@@ -143,11 +143,12 @@ def _table(path: str) -> dict[str, Any] | None:
         import tomli as tomllib
     try:
         document: dict[str, Any] = tomllib.loads(data.decode())
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (ValueError, RecursionError) as error:  # the latter of brackets within brackets
         raise ConfigError(f"{path}: not TOML: {error}") from error
     if own_file:
         return document
-    table = document.get("tool", {}).get("urdfkit")
+    tools = document.get("tool")
+    table = tools.get("urdfkit") if isinstance(tools, dict) else None
     return table if isinstance(table, dict) else None
 
 

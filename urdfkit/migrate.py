@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.diagnostic import Diagnostic, Edit
 from urdfkit.editing.fixer import apply_edits
+from urdfkit.editing.rewriting import diff
 from urdfkit.engine import check
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -36,12 +36,7 @@ class Migration(Record):
 
     def diff(self) -> str:
         """The changes as a unified diff, which ``patch -p0`` takes."""
-        lines: list[str] = []
-        for source, text in self.texts.items():
-            before = source.data.decode("utf-8", "replace").splitlines(keepends=True)
-            after = text.decode("utf-8", "replace").splitlines(keepends=True)
-            lines += difflib.unified_diff(before, after, source.path, source.path)
-        return "".join(lines)
+        return "".join(diff(one.path, one.data, text) for one, text in self.texts.items())
 
 
 def migrate(

@@ -85,6 +85,23 @@ def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     assert other.files == ()
 
 
+@pytest.mark.parametrize(
+    "reference", ["file://$(dirname)/m.stl", "package://r&amp;d/m.stl", "${'m'}.stl"]
+)
+def test_a_hull_is_named_as_the_mesh_is(reference: str, tmp_path: Path) -> None:
+    shape = trimesh.creation.icosphere(subdivisions=2).slice_plane((0, 0, 0), (0, 0, 1), cap=True)
+    folder = tmp_path / "r&d"
+    folder.mkdir()
+    (folder / "package.xml").write_text("<package><name>r&amp;d</name></package>")
+    file = robot(folder, link().replace("m.stl", reference), shape, "r.xacro")
+    subject = read(file, packages={"r&d": str(folder)})
+    edited(subject, propose(subject, error=0.01)).write()
+    assert f'<mesh filename="{reference.removesuffix(".stl")}_collision.stl"/>' in file.read_text()
+    (body,) = read(file).model.links_by_name["a"].collisions
+    assert body.shape is not None
+    assert read(file, packages={"r&d": str(folder)}).files.path(body.shape)
+
+
 def test_pieces_become_several_collisions(tmp_path: Path) -> None:
     parts = [trimesh.creation.box((1, 0.2, 0.2)), trimesh.creation.box((0.2, 0.2, 1))]
     parts[1].apply_translation((-0.4, 0, 0.4))

@@ -5,7 +5,9 @@ from __future__ import annotations
 import base64
 import io
 import json
+import os
 import subprocess
+import sys
 from math import cos, pi, sin
 from pathlib import Path
 from typing import Any
@@ -199,6 +201,16 @@ def test_revisions_from_the_top_and_from_a_folder(
     assert compare("HEAD~1:arm.urdf", "arm.urdf").kinds == kinds
     assert compare("HEAD~1:urdf/arm.urdf", "HEAD:./arm.urdf").kinds == kinds
     assert compare("HEAD:arm.urdf", "arm.urdf").kinds == set()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are text")
+def test_a_repository_whose_name_is_no_text(
+    repository: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    renamed = repository.with_name(os.fsdecode(b"caf\xe9"))
+    repository.rename(renamed)
+    monkeypatch.chdir(renamed)
+    assert compare("HEAD~1:urdf/arm.urdf", "HEAD:urdf/arm.urdf").kinds == {"limits", "findings"}
 
 
 def test_findings_of_a_revision_name_its_file(repository: Path) -> None:

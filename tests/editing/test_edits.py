@@ -122,6 +122,11 @@ def test_move_after() -> None:
     )
 
 
+def test_lines_end_where_lines_of_a_file_end() -> None:
+    root = read("<a>\r\n  <b>\r\n    <!-- 1\u20282\x853 -->\r\n  </b>\r\n</a>")
+    assert edits.lines_of(root.children[0]) == ["<b>", "  <!-- 1\u20282\x853 -->", "</b>"]
+
+
 def test_what_a_macro_wrote_through_an_include_is_from_a_macro(tmp_path: Path) -> None:
     (tmp_path / "part.xacro").write_text(xacro('<link name="included"/>'))
     body = """<xacro:include filename="part.xacro"/>

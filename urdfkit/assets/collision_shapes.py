@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Iterable
 from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape
 
 from urdfkit.assets.bodies import body_mesh
 from urdfkit.diagnostic import Edit
+from urdfkit.document import Attribute
 from urdfkit.editing import rewriting
 from urdfkit.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.editing.fixer import apply_edits, encoded
@@ -224,11 +226,16 @@ def _why_not(subject: Subject, proposal: Proposal) -> str:
 
 
 def _beside(subject: Subject, body: Body) -> tuple[str, str] | None:
-    """The reference of the visual mesh and its path, both without the suffix."""
+    """The reference of the visual mesh, as XML has it, and its path, both without the suffix."""
     path = subject.files.path(body.shape) if body.shape else None
     if path is None or body.shape is None or body.shape.filename is None:
         return None
-    return os.path.splitext(body.shape.filename.value)[0], os.path.splitext(path)[0]
+    at, (stem, suffix) = body.shape.filename.at, os.path.splitext(body.shape.filename.value)
+    reference = escape(stem)
+    # What is written is kept: behind $(find), its value is a path of this machine.
+    if isinstance(at, Attribute) and at.span.text.endswith(suffix):
+        reference = at.span.text.removesuffix(suffix)
+    return reference.replace('"', "&quot;"), os.path.splitext(path)[0]
 
 
 def _collision(subject: Subject, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:

@@ -82,7 +82,7 @@ def command(
     if write or diff:
         files, left = rewrites(chosen)
         if diff:
-            lines += [line for file in files for line in file.diff().splitlines()]
+            lines += [line for file in files for line in file.diff().split("\n")[:-1]]
         else:
             rewriting.write(files)
             lines += [f"wrote {shown(file.path)}" for file in files]

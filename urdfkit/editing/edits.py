@@ -248,7 +248,8 @@ def move_after(element: Element, anchor: Element) -> tuple[Edit, ...]:
 def lines_of(element: Element) -> list[str]:
     """The text of an element as lines, without the indentation that it has."""
     own = indent_of(element.span) or ""
-    return [line.removeprefix(own) for line in element.tag_at.whole_span.text.splitlines()]
+    text = element.tag_at.whole_span.text.replace("\r\n", "\n")
+    return [line.removeprefix(own) for line in text.split("\n")]
 
 
 def from_macro(element: Element) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import io
 from collections.abc import Iterable
 
 from urdfkit import atomic
@@ -25,15 +26,27 @@ class Rewrite(Record):
 
     def diff(self) -> str:
         """What changes, as a unified diff that ``patch -p0`` takes."""
-        before, after = (
-            Source(self.path, data).data.decode("utf-8", "replace").splitlines(keepends=True)
-            for data in (self.before, self.after)
-        )
-        lines = difflib.unified_diff(before, after, self.path, self.path)
-        return "".join(
-            line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
-            for line in lines
-        )
+        before, after = (Source(self.path, data).data for data in (self.before, self.after))
+        return diff(self.path, before, after)
+
+
+def diff(path: str, before: bytes, after: bytes) -> str:
+    """What changes of a file, as a unified diff that ``patch -p0`` takes.
+
+    Args:
+        path: of the file, as a user would type it.
+        before: its text, in UTF-8.
+        after: likewise.
+    """
+    return "".join(
+        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+        for line in difflib.unified_diff(_lines(before), _lines(after), path, path)
+    )
+
+
+def _lines(text: bytes) -> list[str]:
+    """With their ends, and as ``patch`` counts them: nothing but a line feed ends one."""
+    return [*io.StringIO(text.decode("utf-8", "replace"), newline="\n")]
 
 
 def write(rewrites: Iterable[Rewrite]) -> None:

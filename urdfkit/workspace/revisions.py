@@ -80,7 +80,8 @@ def _top(path: str) -> str:
     where = os.path.dirname(os.path.abspath(path))
     while not os.path.isdir(where):
         where = os.path.dirname(where)
-    return os.path.realpath(_git(where, "rev-parse", "--show-toplevel").decode().rstrip("\n"))
+    top = _git(where, "rev-parse", "--show-toplevel")
+    return os.path.realpath(os.fsdecode(top.rstrip(b"\n")))
 
 
 def _commit(top: str, revision: str) -> str:
@@ -114,6 +115,8 @@ def _git(folder: str, *words: str, index: str = "", given: bytes = b"") -> bytes
         )
     except FileNotFoundError as error:
         raise UrdfkitError("git is not installed") from error
+    except (OSError, ValueError) as error:  # no permission; a NUL in a name
+        raise UrdfkitError(f"git cannot be run: {error}") from error
     except subprocess.CalledProcessError as error:
         text = error.stderr.decode(errors="replace").strip()
         raise UrdfkitError(f"git {words[0]}: {text}") from error

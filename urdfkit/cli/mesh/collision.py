@@ -56,7 +56,7 @@ def command(
         found = edited(subject, proposals)
         left = found.left
         if diff:
-            lines = [*"".join(file.diff() for file in found.files).splitlines()]
+            lines = [line for file in found.files for line in file.diff().split("\n")[:-1]]
             lines += [f"# new file {shown(path)}" for path in found.meshes]
         else:
             lines += [f"wrote {shown(path)}" for path in found.write()]
