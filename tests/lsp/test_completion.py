@@ -10,6 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.lsp.edited import XACRO, Edited
 from urdfkit.catalog import plugins
+from urdfkit.lsp import completion
 from urdfkit.lsp.completion import Offer, complete
 from urdfkit.schema import ROBOT
 
@@ -179,6 +180,17 @@ def test_files_beside_the_robot(arm: Path) -> None:
     assert "parts.xacro" in found
     assert "notes.txt" not in found
     assert "urdf/" in offers(arm, text.format("$(find two_link_arm)/"), "top.xacro")
+
+
+def test_the_first_of_many_files_are_those_of_the_kind(
+    arm: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(completion, "MAX_FILES", 2)
+    for name in ("a.txt", "b.txt", "c.xacro", "d.xacro", "e.xacro"):
+        (arm / name).touch()
+    (arm / "circle").symlink_to("circle")
+    found = offers(arm, XACRO.format('<xacro:include filename="|"/>'), "top.xacro").values()
+    assert [offer.text for offer in found if offer.kind == "file"] == ["c.xacro", "d.xacro"]
 
 
 def test_no_file_outside_is_offered(arm: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -82,7 +83,7 @@ def test_a_macro_and_a_property(tmp_path: Path) -> None:
     )
 
 
-def test_a_mesh_that_is_there_and_one_that_is_not() -> None:
+def test_a_mesh_that_is_there_and_one_that_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
     arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
     text = arm.read_text()
     mesh = text.partition("package://")[2].partition('"')[0]
@@ -95,6 +96,11 @@ def test_a_mesh_that_is_there_and_one_that_is_not() -> None:
     size = " x ".join(f"{edge:.4g}" for edge in loaded.extents)
     assert f"- {len(loaded.faces)} triangles, {size} m" in shown
     assert f"- {'a' if loaded.is_watertight else 'not a'} closed solid" in shown
+    monkeypatch.setitem(sys.modules, "urdfkit.meshes.load_stl", None)  # as without its library
+    lines = told(Edited(arm, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1))).splitlines()
+    assert [line for line in lines if "KiB" in line or "triangles" in line] == [
+        f"- binary STL, {path.stat().st_size / 1024:.1f} KiB"
+    ]
     shown = told(Edited(MISSION, mission("package://gazebo_pkg/meshes/hok", "uyo")))
     assert shown.splitlines() == [
         "**mesh** `package://gazebo_pkg/meshes/hokuyo.dae`: no such file",

@@ -34,10 +34,10 @@ BASE = MODELS / "good" / "mobile_base"
 class Running:
     """A viewer of a copy of a robot."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, *more: str) -> None:
         shutil.copytree(BASE, folder / "mobile_base")
         self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
-        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open"]
+        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open", *more]
         self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr
         self.address = self.process.stderr.readline().strip()
@@ -69,6 +69,12 @@ class Running:
         assert old in text
         path.write_text(text.replace(old, new), encoding="utf-8")
 
+    def end(self) -> None:
+        self.process.terminate()
+        self.process.wait(10)
+        assert self.process.stderr
+        self.process.stderr.close()
+
 
 @pytest.fixture(scope="module")
 def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
@@ -76,10 +82,7 @@ def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
     try:
         yield running
     finally:
-        running.process.terminate()
-        running.process.wait(10)
-        assert running.process.stderr
-        running.process.stderr.close()
+        running.end()
 
 
 def test_it_answers_at_a_local_address_that_nobody_guesses(viewer: Running) -> None:
@@ -197,6 +200,17 @@ def test_a_port_that_is_taken_is_said(viewer: Running, capfd: pytest.CaptureFixt
     assert main(["view", "none.urdf", "--no-open"]) == 2
 
 
+def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
+    first = Running(tmp_path / "first")
+    first.get()
+    first.end()
+    again = Running(tmp_path / "again", "--port", first.address.split(":")[2].partition("/")[0])
+    try:
+        assert again.get()[0] == 200
+    finally:
+        again.end()
+
+
 @pytest.mark.parametrize(
     ("error", "told"),
     [
@@ -219,7 +233,7 @@ def test_what_fails_is_told_once_and_does_not_end_the_viewer(
         await viewer.refresh()
         return message, revision, viewer.error
 
-    def fail(_: Wish) -> None:
+    def fail(*_: object) -> None:
         raise error
 
     assert asyncio.run(follow()) == (told, 2, "")

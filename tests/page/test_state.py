@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,6 +14,8 @@ pytest.importorskip("jinja2")
 
 from tests.meshes import made
 from urdfkit.meshes import samples
+from urdfkit.page import state as module
+from urdfkit.page.document import Told
 from urdfkit.page.state import Wish, read
 
 ROBOT = """<robot name="r"><link name="l"><visual><geometry>
@@ -52,3 +55,21 @@ def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> 
     with (folder / changed).open("a") as file:
         file.write("\n")
     assert state.is_stale
+
+
+def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = folder / "robot.urdf"
+    robot.write_text(ROBOT.format("a.obj"))
+    wish = Wish(str(robot), {}, {})
+    known = read(wish).stamps
+    describe = module.describe
+
+    def described(*words: Any, **more: Any) -> Told:
+        told = describe(*words, **more)
+        (folder / "a.mtl").write_text("newmtl other\n")
+        return told
+
+    monkeypatch.setattr(module, "describe", described)
+    state = read(wish, [*known, str(folder / "of_an_older_state.stl")])
+    assert state.is_stale
+    assert str(folder / "of_an_older_state.stl") not in state.stamps

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
+from itertools import islice
 
 from urdfkit.catalog import extensions, materials, plugins, sensors
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
@@ -12,6 +13,7 @@ from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
 from urdfkit.lsp.workspace import Robot
 from urdfkit.record import Record
 from urdfkit.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
+from urdfkit.workspace.folders import Folders
 
 #: Files and folders of one folder that are offered.
 MAX_FILES = 500
@@ -294,20 +296,17 @@ def _files(folder: str, typed: str, start: int, suffixes: tuple[str, ...]) -> It
     """The files of a kind and the folders below a folder, one level at a time."""
     inner, _, _ = typed.rpartition("/")
     at = start + len(inner.encode()) + bool(inner)
-    path = os.path.join(folder, inner)
     if os.path.isabs(inner) or ".." in inner.split("/"):
         return
-    try:
-        entries = sorted(os.scandir(path), key=lambda entry: entry.name)
-    except (OSError, ValueError):
-        return
-    for entry in entries[:MAX_FILES]:
-        if entry.name.startswith("."):
-            continue
-        if entry.is_dir():
-            yield Offer(f"{entry.name}/", "folder", "", at)
-        elif entry.name.lower().endswith(suffixes):
-            yield Offer(entry.name, "file", "", at)
+    # Listed anew: a file may have been made since the robot was read.
+    entries = Folders().entries(os.path.join(folder, inner)) or {}
+    wanted = (
+        (name, is_folder)
+        for name, is_folder in sorted(entries.items())
+        if not name.startswith(".") and (is_folder or name.lower().endswith(suffixes))
+    )
+    for name, is_folder in islice(wanted, MAX_FILES):
+        yield Offer(f"{name}/" if is_folder else name, "folder" if is_folder else "file", "", at)
 
 
 def grammar_of(node: Node) -> Grammar | None:

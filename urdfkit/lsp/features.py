@@ -75,7 +75,8 @@ def _add_documents(server: Server) -> None:
         left = await server.ask(lambda: server.robots.close(path), nothing)
         for file, found in left.items():
             server.publish(file, found)
-        server.uris.pop(path, None)
+        if params.text_document.uri not in server.workspace.text_documents:  # opened again
+            server.uris.pop(path, None)
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def _(params: lsp.DidChangeWatchedFilesParams) -> None:

@@ -9,7 +9,7 @@ from urdfkit import rules
 from urdfkit.catalog import extensions, plugins
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.document import Attribute
-from urdfkit.errors import UnknownRule
+from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.expansion.trace import Origin
 from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
@@ -191,12 +191,9 @@ def _measures(path: str) -> Iterator[str]:
     """Triangles and size, where the extra for meshes is installed."""
     try:
         from urdfkit.meshes.describe import describe
-        from urdfkit.meshes.load import UnloadableMesh
-    except ModuleNotFoundError:
-        return
-    try:
+
         mesh = describe(path)
-    except UnloadableMesh:
+    except (ImportError, UrdfkitError):  # some formats need more libraries than others
         return
     size = " x ".join(f"{high - low:.4g}" for low, high in zip(mesh.low, mesh.high, strict=True))
     yield f"- {mesh.health.faces} triangles, {size} m"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
 import secrets
 import socket
 import threading
@@ -79,7 +80,7 @@ class Viewer:
     async def refresh(self) -> None:
         """Read again, and tell the pages."""
         try:
-            self.state = await asyncio.to_thread(read, self.wish)
+            self.state = await asyncio.to_thread(read, self.wish, self.state.stamps)
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
@@ -238,13 +239,10 @@ def serve(
     except ImportError as error:
         raise UrdfkitError("the viewer needs a server: pip install 'urdfkit[report]'") from error
 
-    listening = socket.socket()
     try:
-        listening.bind((HOST, port))
-        listening.listen()  # a browser that comes early waits
+        listening = socket.create_server((HOST, port))  # a browser that comes early waits
     except OSError as error:
-        listening.close()
-        raise UrdfkitError(f"port {port} of {HOST}: {error.strerror}") from error
+        raise UrdfkitError(f"port {port} of {HOST}: {os.strerror(error.errno or 0)}") from error
     token = secrets.token_urlsafe(24)
 
     async def run() -> None:

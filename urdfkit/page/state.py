@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.page import html
@@ -84,13 +84,18 @@ class State(Record):
         return any(stamp(path) != known for path, known in self.stamps.items())
 
 
-def read(wish: Wish) -> State:
+def read(wish: Wish, known: Iterable[str] = ()) -> State:
     """Read and check a robot.
+
+    Args:
+        wish: what is to be shown.
+        known: the files that it was made from before. One of them that changes while it is read
+            makes the state stale at once.
 
     Raises:
         UrdfkitError: the file is missing, or the job cannot be done.
     """
-    before = {wish.file: stamp(wish.file)}
+    before = {path: stamp(path) for path in (wish.file, *known)}
     told = describe(
         wish.file,
         arguments=wish.arguments,
@@ -102,10 +107,11 @@ def read(wish: Wish) -> State:
     )
     document, subject = told.document, told.subject
     drawings, scene = drawn(told, has_pictures=False)
-    stamps = {path: stamp(path) for path in files_of(subject, document)}
+    files = files_of(subject, document) | {wish.file}
     if scene is not None:
-        stamps |= {path: stamp(path) for path in _beside(subject)}
-    return State(document, drawings, scene, _declared(subject), stamps | before, told)
+        files |= _beside(subject)
+    stamps = {path: before[path] if path in before else stamp(path) for path in files}
+    return State(document, drawings, scene, _declared(subject), stamps, told)
 
 
 def completed(state: State) -> State:
