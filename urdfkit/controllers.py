@@ -29,6 +29,20 @@ _MANAGER = "controller_manager"
 _PARAMETERS = "ros__parameters"
 
 
+class Section(Record):
+    """The parameters of a node.
+
+    Attributes:
+        given: by name, with dots between levels, lists and single values apart.
+        places: of the names.
+        at: where it begins; None if the file has no parameters for the node.
+    """
+
+    given: dict[str, Value | list[Node]]
+    places: dict[str, Span]
+    at: Span | None
+
+
 class Controller(Record):
     """A controller with a type.
 
@@ -38,6 +52,8 @@ class Controller(Record):
         parameters: by name, with dots between levels; a single value is a list of one.
         type_at: where the type is written.
         places: of the names of parameters.
+        ros: 1 or 2.
+        section: its parameters as they are written.
     """
 
     name: str
@@ -45,6 +61,8 @@ class Controller(Record):
     parameters: dict[str, list[Value]]
     type_at: Span
     places: dict[str, Span]
+    ros: int
+    section: Section
 
     def values(self, names: Iterable[str]) -> list[Value]:
         """What some parameters hold, one after the other."""
@@ -108,15 +126,12 @@ def _sources(subject: Subject) -> Iterator[tuple[ParameterFile, Source]]:
 def read(source: Source) -> list[Controller]:
     """The controllers of a file; none if it is not YAML, or no file of parameters."""
     root = load(source)
-    if not any(True for _ in _nodes(root)):
+    sections = _sections(root)
+    if not sections:
         return list(_of_ros1(root))
     types: dict[tuple[str, ...], Value] = {}
-    parameters: dict[tuple[str, ...], dict[str, list[Value]]] = {}
-    places: dict[tuple[str, ...], dict[str, Span]] = {}
-    for path, node in _nodes(root):
-        given = dict(_flat(node))
-        parameters.setdefault(path, {}).update(given)
-        places.setdefault(path, {}).update(_places(node))
+    for path, section in sections.items():
+        given = dict(_values(section.given))
         prefixes = [("", path)]
         if path[-1] == _MANAGER:
             names = {name.rpartition(".")[0] for name in given if name.endswith(".type")}
@@ -125,24 +140,61 @@ def read(source: Source) -> list[Controller]:
             if value := given.get(f"{prefix}type"):
                 types[owner] = value[0]
     return [
-        Controller(p[-1], kind.text, parameters.get(p, {}), kind.span, places.get(p, {}))
-        for p, kind in types.items()
+        _controller(path[-1], kind, sections.get(path, Section({}, {}, None)), 2)
+        for path, kind in types.items()
     ]
 
 
-def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node]]]:
-    """The parameters of each ROS node, by namespace and name; ``**`` stands for any namespace."""
-    stack: list[tuple[tuple[str, ...], Node]] = [((), root)]
+def managers(subject: Subject) -> Iterator[tuple[ParameterFile, Section]]:
+    """The parameters of the controller managers themselves, in ROS 2."""
+    for file, source in _sources(subject):
+        for path, section in _sections(load(source)).items():
+            if path[-1] == _MANAGER:
+                yield file, section
+
+
+def named_sections(subject: Subject) -> dict[str, Section]:
+    """The parameters of each node in ROS 2, in all files together."""
+    found: dict[str, Section] = {}
+    for _, source in _sources(subject):
+        for path, section in _sections(load(source)).items():
+            whole = found.setdefault(path[-1], Section({}, {}, section.at))
+            whole.given.update(section.given)
+            whole.places.update(section.places)
+    return found
+
+
+def _sections(root: Node) -> dict[tuple[str, ...], Section]:
+    """The parameters of each ROS node, by namespace and name; none in a file of ROS 1."""
+    sections: dict[tuple[str, ...], Section] = {}
+    for path, node, key in _nodes(root):
+        section = sections.setdefault(path, Section({}, {}, getattr(key, "span", None)))
+        section.given.update(_leaves(node))
+        section.places.update(_places(node))
+    return sections
+
+
+def _controller(name: str, kind: Value, section: Section, ros: int) -> Controller:
+    parameters = dict(_values(section.given))
+    return Controller(name, kind.text, parameters, kind.span, section.places, ros, section)
+
+
+def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
+    """The parameters of each ROS node, by namespace and name, and the key that they stand under.
+
+    ``**`` stands for any namespace.
+    """
+    stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
     while stack:
-        path, node = stack.pop()
+        path, node, above = stack.pop()
         if not isinstance(node, dict):
             continue
         for key, inner in node.items():
             if key == _PARAMETERS and path and isinstance(inner, dict):
-                yield path, inner
+                yield path, inner, above
             elif key != _PARAMETERS:
                 parts = [part for part in key.split("/") if part not in ("", "*", "**")]
-                stack.append(((*path, *parts), inner))
+                stack.append(((*path, *parts), inner, key))
 
 
 def _of_ros1(root: Node) -> Iterator[Controller]:
@@ -154,7 +206,9 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             continue
         kind = node.get("type")
         if isinstance(kind, Value) and "/" in kind.text:
-            yield Controller(name, kind.text, dict(_flat(node)), kind.span, _places(node))
+            at = name.span if isinstance(name, Key) else kind.span
+            section = Section(dict(_leaves(node)), _places(node), at)
+            yield _controller(name, kind, section, 1)
         else:
             stack += node.items()
 
@@ -175,27 +229,60 @@ def lost(subject: Subject) -> Iterator[tuple[ParameterFile, list[tuple[Span, str
 def _lost(root: Node) -> Iterator[tuple[Span, str, str]]:
     if not isinstance(root, dict):
         return
-    sections = [(key, node) for key, node in root.items() if isinstance(node, dict)]
+    sections = [(k, node) for k, node in root.items() if isinstance(node, dict)]
     for key, node in sections:
         for inner in node:
-            if inner == _PARAMETERS or not isinstance(inner, Key):
-                continue
-            if _slip_of(inner, [_PARAMETERS]):
+            if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
                 message = f"what '{key}' holds is not read: '{inner}' is not '{_PARAMETERS}'"
                 yield inner.span, message, f"write {_PARAMETERS}"
-    declared = {
-        name.rpartition(".")[0]
+    managers = [
+        inside
         for key, node in sections
         if _node_of(key) == _MANAGER and isinstance(inside := node.get(_PARAMETERS), dict)
+    ]
+    for inside in managers:
+        yield from _without_type(inside)
+    declared = {
+        name.rpartition(".")[0]
+        for inside in managers
         for name, _ in _flat(inside)
         if name.endswith(".type")
     }
+    yield from _unread_sections(sections, declared)
+
+
+def _unread_sections(
+    sections: list[tuple[str, dict[str, Node]]], declared: set[str]
+) -> Iterator[tuple[Span, str, str]]:
+    """Sections of no controller, and those of controllers that hold no ``ros__parameters``."""
     without = declared.difference(_node_of(key) for key, _ in sections)
-    for key, _ in sections:
-        meant = _slip_of(_node_of(key), without) if _node_of(key) not in declared else None
-        if meant and isinstance(key, Key):
+    for key, node in sections:
+        name = _node_of(key)
+        if not isinstance(key, Key):
+            continue
+        if name in declared and not any(map(_is_parameters, node)):
+            message = f"what '{key}' holds is not read: it does not stand in {_PARAMETERS}"
+            yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
+        elif name not in declared and (meant := _slip_of(name, without)):
             message = f"'{key}' is no controller of the controller manager, and not read"
             yield key.span, message, f"did you mean '{meant}'?"
+
+
+def _is_parameters(key: str) -> bool:
+    return key == _PARAMETERS or _slip_of(key, [_PARAMETERS]) is not None
+
+
+def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
+    """A ``type`` of no controller: it is not indented below the name, or misspelt."""
+    kind = manager.get("type")
+    if isinstance(kind, Value) and "/" in kind.text:
+        message = "this type belongs to no controller: it is not indented below a name"
+        yield kind.span, message, "indent it below the name of its controller"
+    for name, node in manager.items():
+        for key, value in node.items() if isinstance(node, dict) and "type" not in node else ():
+            is_class = isinstance(value, Value) and "/" in value.text
+            if isinstance(key, Key) and is_class and nearest(key, ["type"], 0.7):
+                yield key.span, f"controller '{name}' has no type, but '{key}'", "write type"
 
 
 def _node_of(key: str) -> str:
@@ -223,12 +310,22 @@ def _places(node: dict[str, Node]) -> dict[str, Span]:
 
 
 def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:
+    return _values(dict(_leaves(node)))
+
+
+def _values(written: dict[str, Value | list[Node]]) -> Iterator[tuple[str, list[Value]]]:
+    """Parameters, each as a list of its values."""
+    for name, node in written.items():
+        several = node if isinstance(node, list) else [node]
+        yield name, [value for value in several if isinstance(value, Value)]
+
+
+def _leaves(node: dict[str, Node]) -> Iterator[tuple[str, Value | list[Node]]]:
+    """The single values and lists in a mapping, with dots between the levels of their names."""
     stack: list[tuple[str, Node]] = [("", node)]
     while stack:
         name, inner = stack.pop()
         if isinstance(inner, dict):
             stack += [(f"{name}.{key}" if name else key, value) for key, value in inner.items()]
-        elif isinstance(inner, Value):
-            yield name, [inner]
-        elif isinstance(inner, list):
-            yield name, [value for value in inner if isinstance(value, Value)]
+        elif isinstance(inner, (Value, list)):
+            yield name, inner

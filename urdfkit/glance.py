@@ -77,7 +77,7 @@ ABOUT_TRANSMISSIONS = frozenset(("RCT003", "RCT015", "RCT016", "RCT024", "RCT030
 
 #: Silent if neither the launch file nor a plugin names a file of parameters.
 ABOUT_PARAMETERS = frozenset(
-    f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29, 40, 41)
+    f"RCT{number:03}" for number in (12, 13, 14, 21, 25, 26, 27, 29, 34, 35, 36, 40, 41)
 )
 
 #: Silent if nothing moves, or nothing weighs.

@@ -43,3 +43,21 @@ def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
 )
 def test_what_may_be_read_is_calm(tmp_path: Path, old: str, new: str) -> None:
     assert told(tmp_path, "RCT026", DRIVE.replace(old, new)) == []
+
+
+def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
+    text = DRIVE.replace("drive:\n  ros__parameters:\n    left", "drive:\n    left")
+    (found,) = told(tmp_path, "RCT026", text)
+    assert place(found) == ("c.yaml", 5, "drive")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "text"),
+    [
+        ("      type: diff", "    type: diff", "diff_drive_controller/DiffDriveController"),
+        ("      type: diff", "      typ: diff", "typ"),
+    ],
+)
+def test_a_type_of_no_controller(tmp_path: Path, old: str, new: str, text: str) -> None:
+    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    assert place(found) == ("c.yaml", 4, text)
