@@ -1,8 +1,8 @@
 """A controller lacks a parameter without which it does not start.
 
 A drive controller needs the names of its wheels, a trajectory controller its joints and interfaces.
-Without them it is not configured: "'joints' parameter was empty". Only controllers are reported whose
-parameters stand in a file that is at hand.
+Without them it is not configured: "'joints' parameter was empty". Only controllers are reported
+whose parameters stand in a file that is at hand.
 
 Sources:
     ros2_controllers: https://github.com/ros-controls/ros2_controllers
