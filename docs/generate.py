@@ -12,6 +12,7 @@ from html import escape
 from itertools import groupby
 from pathlib import Path
 
+from urdfkit.cli.explain import severities
 from urdfkit.examples import FOLDER as FOLDER_OF_EXAMPLES
 from urdfkit.examples import diagnose_example
 from urdfkit.rules import FAMILIES, Rule, all_rules
@@ -55,11 +56,9 @@ def summary(rule: Rule) -> str:
 
 def page(rule: Rule) -> str:
     """The page of one rule."""
-    severities = [rule.severity.value]
-    severities += [f"{severity.value} for {name}" for name, severity in rule.by_target.items()]
     parts = [
         f"# {rule.code} {rule.name}",
-        f"Severity: {', '.join(severities)}.{remedy(rule)}",
+        f"Severity: {severities(rule)}.{remedy(rule)}",
         rule.explanation,
     ]
     if rule.help:
@@ -69,9 +68,11 @@ def page(rule: Rule) -> str:
             _SCRATCH.sub(FOLDER_OF_EXAMPLES, found.message) for found in diagnose_example(rule, bad)
         ]
         parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
-    if good := rule.example("GOOD"):
-        parts += ["## Accepted", block("xml", good)]
-    if fixed := rule.example("FIXED"):
+    good, fixed = rule.example("GOOD"), rule.example("FIXED")
+    if good:
+        title = "## Accepted, as the fix makes it" if good == fixed else "## Accepted"
+        parts += [title, block("xml", good)]
+    if fixed and fixed != good:
         parts += ["## After the fix", block("xml", fixed)]
     for name, text in rule.beside.items():
         parts += [f"## `{name}` beside it", block("yaml" if name.endswith("yaml") else "xml", text)]

@@ -1,10 +1,9 @@
 """A plugin looks for a link or joint that Gazebo has merged away.
 
-Gazebo makes one link of all links that fixed joints connect, and only the topmost keeps its name.
-A plugin that looks for one of the others, or for the fixed joint, does not find it. Name the link
-that is left, or ask for the joint to be kept with
-`<gazebo reference="JOINT"><preserveFixedJoint>true</preserveFixedJoint></gazebo>`; the link then
-needs a mass of its own.
+Gazebo makes one link of all links that fixed joints connect, and only the topmost keeps its name. A
+plugin that looks for one of the others, or for the fixed joint, does not find it. Name the link
+that is left, or ask for the joint to be kept with `<preserveFixedJoint>true</preserveFixedJoint>`
+in a `<gazebo>` block that refers to it; the link then needs a mass of its own.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from textwrap import fill, indent
 
 import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
+from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnknownRule
 from urdfkit.rules import FAMILIES, Need, Rule, find_rule
 
@@ -20,6 +22,10 @@ _NEEDS = {
     Need.DYNAMICS: "Pinocchio (pip install 'urdfkit[dynamics]')",
     Need.COLLISIONS: "coal (pip install 'urdfkit[dynamics]')",
 }
+
+
+#: Stands for a space at which no line ends.
+_HARD = "\0"
 
 
 @click.command(
@@ -58,20 +64,16 @@ def _find(word: str) -> Rule:
 
 def render(rule: Rule) -> str:
     """The page of a rule."""
-    severities = [rule.severity.value]
-    severities += [f"{severity.value} for {name}" for name, severity in rule.by_target.items()]
-    severities.append("with a fix" if rule.fixable else "without a fix")
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
     parts = [
-        f"{rule.code} {rule.name} ({', '.join(severities)})",
+        _fill(f"{rule.code} {rule.name} ({_told(rule)})"),
         *map(_fill, rule.explanation.split("\n\n")),
-        f"Needs: {needs or 'the text of the file'}",
+        _fill(f"Needs: {needs or 'the text of the file'}"),
     ]
     if rule.help:
         parts.append(_fill(f"Help: {rule.help}"))
-    for title, which in (("Bad", "BAD"), ("Good", "GOOD"), ("Fixed", "FIXED")):
-        if example := rule.example(which):
-            parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
+    for title, example in _robots(rule).items():
+        parts.append(f"{title}:\n\n{indent(example.strip(), '    ')}")
     for name, text in rule.beside.items():
         parts.append(f"{name} beside it:\n\n{indent(text.strip(), '    ')}")
     if rule.sources:
@@ -79,9 +81,36 @@ def render(rule: Rule) -> str:
     return "\n\n".join(parts) + "\n"
 
 
+def _told(rule: Rule) -> str:
+    """What a rule weighs, and whether it has a fix."""
+    return f"{severities(rule)}, {'with' if rule.fixable else 'without'} a fix"
+
+
+def severities(rule: Rule) -> str:
+    """Such as ``info, error for gz-harmonic and gz-jetty``."""
+    parts = [rule.severity.value]
+    for severity in Severity:
+        names = [name for name, one in rule.by_target.items() if one is severity]
+        if names and severity is not rule.severity:
+            listed = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+            parts.append(f"{severity.value} for {listed}")
+    return ", ".join(parts)
+
+
+def _robots(rule: Rule) -> dict[str, str]:
+    """The robots that a rule has, by their titles; of two that are the same, one."""
+    bad, good, fixed = map(rule.example, ("BAD", "GOOD", "FIXED"))
+    accepted = "Good, as the fix makes it" if good == fixed else "Good"
+    found = {"Bad": bad, accepted: good, "Fixed": None if good == fixed else fixed}
+    return {title: text for title, text in found.items() if text}
+
+
 def _fill(paragraph: str) -> str:
-    """A paragraph at 80 columns, or fewer; a list or an example stays as it is."""
+    """A paragraph at 80 columns, or fewer; a list or an example stays as it is, code unbroken."""
     lines = paragraph.splitlines()
     if any(line.startswith((" ", "-", "*", "|")) for line in lines):
         return paragraph
-    return fill(paragraph, min(output.width(), 80), break_long_words=False, break_on_hyphens=False)
+    whole = re.sub(r"`[^`]{,60}`", lambda code: _HARD.join(code[0].split()), paragraph)
+    width = min(output.width(), 80)
+    filled = fill(whole, width, break_long_words=False, break_on_hyphens=False)
+    return filled.replace(_HARD, " ")
