@@ -6,7 +6,6 @@ import asyncio
 import os
 import random
 import sys
-from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,109 +13,15 @@ import pytest
 
 pytest.importorskip("pygls")
 from lsprotocol import types as lsp
-from pygls.lsp.client import LanguageClient
 
 import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
+from tests.lsp.editor import PATIENCE, Editor, talk
 from urdfkit.editing.formatter import formatted
-from urdfkit.lsp.text import to_bytes, to_uri
+from urdfkit.lsp.text import to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.source import Source
-
-#: Seconds that a test waits for anything.
-PATIENCE = 30
-
-
-class Editor:
-    """A client with some open files."""
-
-    def __init__(self) -> None:
-        self.client: Any = LanguageClient("editor", "1")
-        self.found: dict[str, list[lsp.Diagnostic]] = {}
-        self.messages: list[str] = []
-        self.registered: list[str] = []
-        self.versions: dict[str, int] = {}
-        self._news = asyncio.Condition()
-        self.initialized: Any = None
-
-        async def take(params: lsp.PublishDiagnosticsParams) -> None:
-            async with self._news:
-                self.found[params.uri] = list(params.diagnostics)
-                self._news.notify_all()
-
-        def register(params: lsp.RegistrationParams) -> None:
-            self.registered += [one.method for one in params.registrations]
-
-        def hear(params: lsp.ShowMessageParams) -> None:
-            self.messages.append(params.message)
-
-        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
-        self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(hear)
-        self.client.feature(lsp.CLIENT_REGISTER_CAPABILITY)(register)
-
-    async def start(self, encoding: str | None = None) -> None:
-        await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
-        general = lsp.GeneralClientCapabilities(
-            position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
-        )
-        watching = lsp.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
-        item = lsp.ClientCompletionItemOptions(snippet_support=True)
-        completion = lsp.CompletionClientCapabilities(completion_item=item)
-        capabilities = lsp.ClientCapabilities(
-            general=general,
-            text_document=lsp.TextDocumentClientCapabilities(completion=completion),
-            workspace=lsp.WorkspaceClientCapabilities(did_change_watched_files=watching),
-        )
-        params = lsp.InitializeParams(capabilities=capabilities)
-        self.initialized = await self.client.initialize_async(params)
-        self.client.initialized(lsp.InitializedParams())
-
-    async def stop(self) -> int | None:
-        """Leave, and return the exit code of the server."""
-        await self.client.shutdown_async(None)
-        self.client.exit(None)
-        await asyncio.wait_for(self.client._server.wait(), PATIENCE)
-        await self.client.stop()
-        code: int | None = self.client._server.returncode
-        return code
-
-    def open(self, path: Path, text: str) -> lsp.TextDocumentIdentifier:
-        uri = to_uri(str(path))
-        self.versions[uri] = 1
-        item = lsp.TextDocumentItem(uri, "xacro", 1, text)
-        self.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
-        return lsp.TextDocumentIdentifier(uri)
-
-    def change(self, uri: str, *changes: Any) -> None:
-        self.versions[uri] += 1
-        self.client.text_document_did_change(
-            lsp.DidChangeTextDocumentParams(
-                lsp.VersionedTextDocumentIdentifier(self.versions[uri], uri), list(changes)
-            )
-        )
-
-    def retype(self, uri: str, text: str) -> None:
-        self.change(uri, lsp.TextDocumentContentChangeWholeDocument(text))
-
-    async def until(self, uri: str, wanted: Callable[[list[lsp.Diagnostic]], bool]) -> None:
-        """Wait for findings."""
-        async with self._news:
-            await asyncio.wait_for(
-                self._news.wait_for(lambda: uri in self.found and wanted(self.found[uri])), PATIENCE
-            )
-
-
-def talk(conversation: Callable[[Editor], Awaitable[None]], encoding: str | None = None) -> None:
-    """A whole session; it ends in good order."""
-
-    async def session() -> None:
-        editor = Editor()
-        await editor.start(encoding)
-        await conversation(editor)
-        assert await editor.stop() == 0
-
-    asyncio.run(session())
 
 
 def position(text: str, needle: str, skip: int = 0) -> lsp.Position:
@@ -425,18 +330,3 @@ async def _run(folder: Path) -> tuple[int | None, str]:
     )
     _, errors = await process.communicate()
     return process.returncode, errors.decode()
-
-
-@pytest.mark.parametrize(
-    ("declared", "encoding"), [("utf-8", "utf-8"), ("iso-8859-1", "latin-1"), ("UTF-16", "utf-16")]
-)
-def test_a_text_is_what_its_file_would_be(declared: str, encoding: str) -> None:
-    text = f'<?xml version="1.0" encoding="{declared}"?><robot name="é"/>'
-    data = to_bytes("r.urdf", text)
-    assert data.decode(encoding) == text
-    assert Source("r.urdf", data).data == text.encode()
-
-
-def test_a_text_of_no_known_encoding_is_taken_as_it_is() -> None:
-    text = '<?xml version="1.0" encoding="klingon"?><robot/>'
-    assert to_bytes("r.urdf", text) == text.encode()

@@ -1,4 +1,4 @@
-"""URIs of files, as editors write them."""
+"""URIs of files as editors write them, and texts as their files would be."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import pytest
 pytest.importorskip("pygls")
 
 from urdfkit.lsp import text
-from urdfkit.lsp.text import to_path, to_uri
+from urdfkit.lsp.text import to_bytes, to_path, to_uri
+from urdfkit.source import Source
 
 
 @pytest.mark.parametrize(
@@ -36,3 +37,18 @@ def test_what_is_no_file_stays_what_it_is(uri: str) -> None:
 def test_drives_and_shares_of_windows(uri: str, path: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(text, "os", SimpleNamespace(name="nt", sep="\\"))
     assert to_path(uri) == path
+
+
+@pytest.mark.parametrize(
+    ("declared", "encoding"), [("utf-8", "utf-8"), ("iso-8859-1", "latin-1"), ("UTF-16", "utf-16")]
+)
+def test_a_text_is_what_its_file_would_be(declared: str, encoding: str) -> None:
+    written = f'<?xml version="1.0" encoding="{declared}"?><robot name="é"/>'
+    data = to_bytes("r.urdf", written)
+    assert data.decode(encoding) == written
+    assert Source("r.urdf", data).data == written.encode()
+
+
+def test_a_text_of_no_known_encoding_is_taken_as_it_is() -> None:
+    written = '<?xml version="1.0" encoding="klingon"?><robot/>'
+    assert to_bytes("r.urdf", written) == written.encode()

@@ -1,0 +1,109 @@
+"""A real client of the server, and a whole session with it."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import Any
+
+from lsprotocol import types as lsp
+from pygls.lsp.client import LanguageClient
+
+from tests.conftest import ROOT
+from urdfkit.lsp.text import to_uri
+
+#: Seconds that a test waits for anything.
+PATIENCE = 30
+
+
+class Editor:
+    """A client with some open files."""
+
+    def __init__(self) -> None:
+        self.client: Any = LanguageClient("editor", "1")
+        self.found: dict[str, list[lsp.Diagnostic]] = {}
+        self.messages: list[str] = []
+        self.registered: list[str] = []
+        self.versions: dict[str, int] = {}
+        self._news = asyncio.Condition()
+        self.initialized: Any = None
+
+        async def take(params: lsp.PublishDiagnosticsParams) -> None:
+            async with self._news:
+                self.found[params.uri] = list(params.diagnostics)
+                self._news.notify_all()
+
+        def register(params: lsp.RegistrationParams) -> None:
+            self.registered += [one.method for one in params.registrations]
+
+        def hear(params: lsp.ShowMessageParams) -> None:
+            self.messages.append(params.message)
+
+        self.client.feature(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(take)
+        self.client.feature(lsp.WINDOW_SHOW_MESSAGE)(hear)
+        self.client.feature(lsp.CLIENT_REGISTER_CAPABILITY)(register)
+
+    async def start(self, encoding: str | None = None) -> None:
+        await self.client.start_io(sys.executable, "-m", "urdfkit", "lsp", "--stdio", cwd=ROOT)
+        general = lsp.GeneralClientCapabilities(
+            position_encodings=[lsp.PositionEncodingKind(encoding)] if encoding else None
+        )
+        watching = lsp.DidChangeWatchedFilesClientCapabilities(dynamic_registration=True)
+        item = lsp.ClientCompletionItemOptions(snippet_support=True)
+        completion = lsp.CompletionClientCapabilities(completion_item=item)
+        capabilities = lsp.ClientCapabilities(
+            general=general,
+            text_document=lsp.TextDocumentClientCapabilities(completion=completion),
+            workspace=lsp.WorkspaceClientCapabilities(did_change_watched_files=watching),
+        )
+        params = lsp.InitializeParams(capabilities=capabilities)
+        self.initialized = await self.client.initialize_async(params)
+        self.client.initialized(lsp.InitializedParams())
+
+    async def stop(self) -> int | None:
+        """Leave, and return the exit code of the server."""
+        await self.client.shutdown_async(None)
+        self.client.exit(None)
+        await asyncio.wait_for(self.client._server.wait(), PATIENCE)
+        await self.client.stop()
+        code: int | None = self.client._server.returncode
+        return code
+
+    def open(self, path: Path, text: str) -> lsp.TextDocumentIdentifier:
+        uri = to_uri(str(path))
+        self.versions[uri] = 1
+        item = lsp.TextDocumentItem(uri, "xacro", 1, text)
+        self.client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
+        return lsp.TextDocumentIdentifier(uri)
+
+    def change(self, uri: str, *changes: Any) -> None:
+        self.versions[uri] += 1
+        self.client.text_document_did_change(
+            lsp.DidChangeTextDocumentParams(
+                lsp.VersionedTextDocumentIdentifier(self.versions[uri], uri), list(changes)
+            )
+        )
+
+    def retype(self, uri: str, text: str) -> None:
+        self.change(uri, lsp.TextDocumentContentChangeWholeDocument(text))
+
+    async def until(self, uri: str, wanted: Callable[[list[lsp.Diagnostic]], bool]) -> None:
+        """Wait for findings."""
+        async with self._news:
+            await asyncio.wait_for(
+                self._news.wait_for(lambda: uri in self.found and wanted(self.found[uri])), PATIENCE
+            )
+
+
+def talk(conversation: Callable[[Editor], Awaitable[None]], encoding: str | None = None) -> None:
+    """A whole session; it ends in good order."""
+
+    async def session() -> None:
+        editor = Editor()
+        await editor.start(encoding)
+        await conversation(editor)
+        assert await editor.stop() == 0
+
+    asyncio.run(session())
