@@ -1,0 +1,75 @@
+"""The fixtures that take a path: urdf and check_urdf."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.pytest_plugin.projects import Project, outcome
+
+pytest_plugins = ["pytester"]
+
+
+def test_the_factory_expands_with_arguments(project: Project) -> None:
+    result = project.test(
+        """
+def test_arguments(urdf):
+    right = urdf("urdf/arm.urdf.xacro", side="right", joints=2)
+    assert [link.name for link in right.model.links] == ["right_base", "right_tip"]
+    assert right.model.degrees_of_freedom == 0
+    assert urdf("urdf/arm.urdf.xacro").model.degrees_of_freedom == 1
+
+def test_a_boolean_is_written_as_xacro_wants_it(urdf):
+    assert urdf("urdf/arm.urdf.xacro", side=True).arguments == {"side": "true"}
+
+def test_its_report(urdf):
+    assert [d.code for d in urdf("urdf/broken.urdf").report.diagnostics] == ["REF001"]
+
+def test_an_absolute_path(urdf, tmp_path, request):
+    assert urdf(request.path.parent / "urdf" / "arm.urdf.xacro").model.name == "arm"
+"""
+    )
+    outcome(result, passed=4)
+
+
+def test_paths_start_at_the_test_then_at_the_root(project: Project) -> None:
+    project.write("inner/near.urdf", '<robot name="near"><link name="a"/></robot>')
+    project.write(
+        "inner/test_inner.py",
+        "def test_it(urdf):\n"
+        "    assert urdf('near.urdf').model.name == 'near'\n"
+        "    assert urdf('urdf/arm.urdf.xacro').model.name == 'arm'\n",
+    )
+    outcome(project.run("inner"), passed=1)
+
+
+@pytest.mark.parametrize("fixture", ["urdf", "check_urdf"])
+def test_an_unknown_path_is_told_without_a_traceback(project: Project, fixture: str) -> None:
+    text = outcome(
+        project.test(f"def test_it({fixture}):\n    {fixture}('urdf/arn.xacro')"), failed=1
+    )
+    assert f"there is no model {project.folder / 'urdf' / 'arn.xacro'}\n" in text
+    assert "pytest_plugin.py" not in text
+
+
+def test_an_unknown_path_in_a_marker_is_told_without_a_traceback(project: Project) -> None:
+    text = outcome(
+        project.test("@pytest.mark.urdf('arn.xacro')\ndef test_it(robot_model): pass"), errors=1
+    )
+    assert f"there is no model {project.folder / 'arn.xacro'}\n" in text
+    assert "pytest_plugin.py" not in text
+
+
+def test_check_urdf_fails_with_the_report(project: Project) -> None:
+    result = project.test(
+        """
+def test_good(check_urdf):
+    assert check_urdf("urdf/arm.urdf.xacro", side="right").ok
+
+def test_bad(check_urdf):
+    check_urdf("urdf/broken.urdf")
+"""
+    )
+    text = outcome(result, passed=1, failed=1)
+    assert "urdf/broken.urdf:3:63: error REF001" in text
+    assert ">       check_urdf(" in text, "the line of the test"
+    assert "urdfkit/testing.py" not in text
