@@ -11,6 +11,8 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
+from urdfkit.workspace import packages
+
 # Each run of the tests measures meshes itself, and leaves nothing behind.
 os.environ["URDFKIT_CACHE_DIR"] = ""
 
@@ -61,3 +63,17 @@ def corpus() -> Path:
     if not CORPUS.is_dir():
         pytest.skip("the corpus of real robots is not beside this checkout")
     return CORPUS
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """A missing package is looked for in the folders above: here, in those of all other tests.
+
+    They would answer for one another, and the search would take longer with every test.
+    """
+    base = tmp_path_factory.getbasetemp()
+    with pytest.MonkeyPatch.context() as patch:
+        shared = packages._SHARED_BY_ALL.union(map(str, (base, *base.parents)))
+        patch.setattr(packages, "_SHARED_BY_ALL", shared)
+        patch.setenv("TMPDIR", str(base))  # the same for processes
+        yield
