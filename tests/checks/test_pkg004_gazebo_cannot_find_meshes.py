@@ -14,12 +14,6 @@ ROBOT = """<robot name="r"><link name="base">
 OWN = "package://arm/meshes/a.stl"
 
 
-@pytest.fixture(autouse=True)
-def _alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Packages that other tests leave beside this one's are none of its workspace."""
-    monkeypatch.setenv("TMPDIR", str(tmp_path.parent))
-
-
 def told(
     folder: Path, *meshes: str, launch: str = LAUNCH, target: str = "gz-harmonic"
 ) -> list[Diagnostic]:

@@ -8,6 +8,7 @@ from tests.launched import MANIFEST
 from urdfkit import Diagnostic, check
 
 ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>{}</robot>'
+MESH = '<link name="b"><visual><geometry><mesh filename="package://arm/b.stl"/></geometry></visual></link>'
 USES = '<xacro:include filename="$(find arm)/b.xacro"/>'
 
 
@@ -54,7 +55,7 @@ def test_the_tag_that_was_meant(tmp_path: Path, wrong: str, help: str) -> None:
 
 
 def test_a_package_without_a_name(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, MANIFEST.replace("<name>arm</name>", ""), "$(find arm)")
+    (found,) = told(tmp_path, MANIFEST.replace("<name>arm</name>", ""), MESH)
     assert found.message == "the package has no <name>"
 
 
