@@ -108,6 +108,8 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
         ("[" * 20_000, "nested too deeply"),
         ("turn: 2001-02-30", "neither YAML nor JSON"),
         ("#" * 1_100_000, "larger than 1 MiB"),
+        ("elbow: 1\nshoulder: 0\nelbow: 2\n", "joint 'elbow' is given twice"),
+        ('{"elbow": 1, "elbow": 2}', "joint 'elbow' is given twice"),
     ],
 )
 def test_a_file_that_is_no_pose_is_told(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import pi
 from typing import TYPE_CHECKING, Any
 
@@ -130,18 +130,34 @@ def _read(path: str) -> Mapping[str, Any]:
 
 
 def _parse(path: str, text: str) -> object:
+    def checked(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        _refuse_twins(path, (name for name, _ in pairs))
+        return dict(pairs)
+
     try:
-        return json.loads(text)
+        return json.loads(text, object_pairs_hook=checked)
     except (ValueError, RecursionError):
         pass  # most are YAML, which cannot hold the tabs that JSON may
     import yaml
 
     try:
+        root = yaml.compose(text, yaml.SafeLoader)
+        if isinstance(root, yaml.MappingNode):
+            _refuse_twins(path, (key.value for key, _ in root.value))
         return yaml.safe_load(text)
     except RecursionError as error:
         raise PoseError(f"{path}: nested too deeply to be a pose") from error
     except (yaml.YAMLError, ValueError) as error:
         raise PoseError(f"{path}: neither YAML nor JSON: {' '.join(str(error).split())}") from error
+
+
+def _refuse_twins(path: str, names: Iterable[object]) -> None:
+    """YAML and JSON let the last of them win, without a word."""
+    known: set[object] = set()
+    for name in map(str, names):
+        if name in known:
+            raise PoseError(f"{path}: joint '{name}' is given twice")
+        known.add(name)
 
 
 def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float]:

@@ -94,12 +94,24 @@ def test_a_turn_by_half_a_circle_is_one(pair: Path) -> None:
 def test_the_total_is_that_of_all_links_where_they_are(pair: Path) -> None:
     """2 kg at the origin and 1 kg, then 2 kg, 1 m above it."""
     found = changed(pair, '<mass value="1"/>', '<mass value="2"/>')
-    assert (found.mass.mass, found.mass_after.mass) == (3.0, 4.0)
-    assert found.mass.center == pytest.approx((0, 0, 1 / 3))
-    assert found.mass_after.center == pytest.approx((0, 0, 1 / 2))
+    assert (found.whole.mass, found.whole_after.mass) == (3.0, 4.0)
+    assert found.centers is not None
+    assert found.centers[0] == pytest.approx((0, 0, 1 / 3))
+    assert found.centers[1] == pytest.approx((0, 0, 1 / 2))
     assert found.center_moved == pytest.approx(1 / 6)
     assert found.kinds == {"masses"}
     assert "(166.7 mm)" in as_text.render(found)
+
+
+def test_where_nothing_joins_the_parts_they_have_no_centre(pair: Path) -> None:
+    """They were taken for bodies at one place."""
+    joint = ARM[ARM.index("<joint") : ARM.index("</joint>") + len("</joint>")]
+    found = changed(pair, joint, "")
+    assert (found.whole_after.mass, found.centers, found.center_moved) == (3.0, None, 0.0)
+    assert (
+        found.whole_after.reason == "no joint says how the roots base, upper stand to one another"
+    )
+    assert "masses" not in found.kinds
 
 
 def test_tolerances_hold_for_frames_and_totals(pair: Path) -> None:

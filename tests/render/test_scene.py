@@ -17,6 +17,7 @@ from tests.render.scenes import alone, colour_at, link, robot
 from urdfkit.loading import read
 from urdfkit.render import build, looking
 from urdfkit.render.looks import PLACEHOLDER, PLAIN
+from urdfkit.render.scene import PLACEHOLDER_SIZE
 from urdfkit.source import Source
 
 SIZE = (200, 200)
@@ -150,6 +151,19 @@ def test_a_box_for_a_mesh_is_as_large_as_the_mesh_beside_it(tmp_path: Path) -> N
     assert item.look == PLACEHOLDER
     assert np.ptp(item.vertices, axis=0) == pytest.approx((0.2, 0.4, 0.6))
     assert item.vertices.mean(axis=0) == pytest.approx((0, 0, 5), abs=1e-6)
+
+
+def test_a_speck_for_a_collision_does_not_hide_the_box_for_a_mesh(tmp_path: Path) -> None:
+    """CAD exporters write collisions of a micrometre where they mean none."""
+    (tmp_path / "robot.urdf").write_text(
+        '<robot name="r"><link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual>'
+        '</link><link name="a"><visual><geometry><mesh filename="lost.stl"/></geometry></visual>'
+        '<collision><geometry><box size="1e-6 1e-6 1e-6"/></geometry></collision></link>'
+        '<joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint></robot>'
+    )
+    scene = build(read(tmp_path / "robot.urdf"))
+    (box,) = (item for item in scene.items if item.link == "a")
+    assert np.ptp(box.vertices, axis=0) == pytest.approx([PLACEHOLDER_SIZE * 3**0.5] * 3)
 
 
 def test_a_box_for_a_mesh_of_which_nothing_is_known_reaches_to_the_next_joints() -> None:

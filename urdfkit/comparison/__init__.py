@@ -14,15 +14,14 @@ from urdfkit.comparison.surfaces import changed_surfaces
 from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.differences import KINDS as OF_MODELS
 from urdfkit.differences import Difference, Names, Tolerances, differences
-from urdfkit.mechanics.inertia import MassProperties, combined
 from urdfkit.mechanics.kinematics import frames
-from urdfkit.mechanics.rigid import properties_of
+from urdfkit.mechanics.whole import Whole, whole
 from urdfkit.record import Record
 from urdfkit.renames import renames
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
-    from urdfkit.subject import Subject
+    from urdfkit.spatial import Vector
 
 #: What two states may differ in; ``findings`` are new ones, from warnings upwards.
 KINDS = (*OF_MODELS, "meshes", "findings")
@@ -36,7 +35,7 @@ class Comparison(Record):
         differences: of links and joints, by more than the tolerances.
         names: what is called otherwise.
         moved: links that are elsewhere when all joints are at zero, the farthest first.
-        mass, mass_after: of the whole robot, all joints at zero, in the frame of its root.
+        whole, whole_after: the robot as one body, all joints at zero, in the frame of its root.
         came: findings that only the state after has.
         went: findings that only the state before had.
         notes: what could not be compared, a sentence each.
@@ -49,8 +48,8 @@ class Comparison(Record):
     differences: tuple[Difference, ...]
     names: Names
     moved: tuple[Moved, ...]
-    mass: MassProperties
-    mass_after: MassProperties
+    whole: Whole
+    whole_after: Whole
     came: tuple[Diagnostic, ...]
     went: tuple[Diagnostic, ...]
     notes: tuple[str, ...]
@@ -58,16 +57,20 @@ class Comparison(Record):
     pictures: tuple[str, ...] = ()
 
     @property
+    def centers(self) -> tuple[Vector, Vector] | None:
+        """The centre of mass before and after, in m; None where one has none, or is not known."""
+        old, new = self.whole.properties, self.whole_after.properties
+        return (old.center, new.center) if old and new and old.mass and new.mass else None
+
+    @property
     def center_moved(self) -> float:
-        """How far the centre of mass of the whole robot moved, in m; 0 if one weighs nothing."""
-        if not (self.mass.mass and self.mass_after.mass):
-            return 0.0
-        return dist(self.mass.center, self.mass_after.center)
+        """How far the centre of mass of the whole robot moved, in m; 0 if that is not known."""
+        return dist(*self.centers) if self.centers else 0.0
 
     @property
     def total_differs(self) -> bool:
         """True if the mass or centre of mass of the whole differs by more than the tolerances."""
-        old, new = self.mass.mass, self.mass_after.mass
+        old, new = self.whole.mass, self.whole_after.mass
         allowed = self.tolerances
         by_mass = abs(new - old) > allowed.mass * max(abs(old), abs(new))
         return by_mass or self.center_moved > allowed.position
@@ -159,20 +162,13 @@ def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
         (*found, *changed),
         names,
         moved_frames(old.tree, new.tree, allowed, names),
-        _total(old),
-        _total(new),
+        whole(old.tree, frames(old.tree, {})),
+        whole(new.tree, frames(new.tree, {})),
         came,
         went,
         tuple(notes),
         allowed,
     )
-
-
-def _total(subject: Subject) -> MassProperties:
-    """Of all links together, in the frame of the root link."""
-    links = subject.model.links_by_name
-    at_zero = frames(subject.tree, {}).items()
-    return combined(properties_of(links[name], frame) for name, frame in at_zero)
 
 
 def _findings(

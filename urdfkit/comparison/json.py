@@ -7,7 +7,7 @@ from typing import Any
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.jsontext import dumped
-from urdfkit.mechanics.inertia import MassProperties
+from urdfkit.mechanics.whole import Whole
 
 #: A change that could break a reader counts it up.
 VERSION = 1
@@ -26,8 +26,8 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
         ],
         "moved": [moved._asdict() for moved in comparison.moved],
         "total": {
-            "before": _total(comparison.mass),
-            "after": _total(comparison.mass_after),
+            "before": _total(comparison.whole),
+            "after": _total(comparison.whole_after),
             "center_moved": comparison.center_moved,
             "differs": comparison.total_differs,
         },
@@ -40,9 +40,13 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
     return dumped(document)
 
 
-def _total(mass: MassProperties) -> dict[str, Any]:
-    center = list(mass.center)
-    return {"mass": mass.mass, "center": center, "inertia": mass.tensor._asdict()}
+def _total(whole: Whole) -> dict[str, Any]:
+    body = whole.properties
+    return {
+        "mass": whole.mass,
+        "center": list(body.center) if body else None,
+        "inertia": body.tensor._asdict() if body else None,
+    }
 
 
 def _finding(found: Diagnostic) -> dict[str, Any]:

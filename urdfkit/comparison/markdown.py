@@ -38,16 +38,11 @@ def _head(comparison: Comparison) -> str:
 
 def _sections(comparison: Comparison) -> Iterator[str]:
     if comparison.total_differs:
-        old, new = comparison.mass, comparison.mass_after
-        rows = [
-            ["mass / kg", f"{old.mass:g}", f"{new.mass:g}", f"{new.mass - old.mass:+.4g}"],
-            [
-                "centre of mass / m",
-                _vector(old.center),
-                _vector(new.center),
-                f"{1000 * comparison.center_moved:.4g} mm",
-            ],
-        ]
+        old, new = comparison.whole.mass, comparison.whole_after.mass
+        rows = [["mass / kg", f"{old:g}", f"{new:g}", f"{new - old:+.4g}"]]
+        if centers := comparison.centers:
+            moved = f"{1000 * comparison.center_moved:.4g} mm"
+            rows.append(["centre of mass / m", *map(_vector, centers), moved])
         yield _section("Total", table(["", "before", "after", "change"], rows))
     for kind, title in _TITLES.items():
         found = [one for one in comparison.differences if one.kind == kind]

@@ -68,12 +68,15 @@ def _moved(moved: Iterable[Moved]) -> Iterator[str]:
 
 def _total(comparison: Comparison, width: int) -> Iterator[str]:
     """Mass and centre of mass of the whole robot."""
-    old, new = comparison.mass, comparison.mass_after
-    more = f"{new.mass - old.mass:+.4g} kg"
-    yield f"  mass            {old.mass:g} kg became {new.mass:g} kg ({more})"
-    places = [" ".join(f"{part:.4g}" for part in mass.center) for mass in (old, new)]
-    moved = 1000 * comparison.center_moved
-    text = f"{places[0]} became {places[1]} m ({moved:.4g} mm)"
+    old, new = comparison.whole.mass, comparison.whole_after.mass
+    yield f"  mass            {old:g} kg became {new:g} kg ({new - old:+.4g} kg)"
+    if comparison.centers:
+        places = [" ".join(f"{part:.4g}" for part in center) for center in comparison.centers]
+        moved = 1000 * comparison.center_moved
+        text = f"{places[0]} became {places[1]} m ({moved:.4g} mm)"
+    else:
+        reason = comparison.whole.reason or comparison.whole_after.reason
+        text = f"not compared: {reason or 'one weighs nothing'}"
     yield f"  centre of mass  {wrap(text, width - 18, indent=18)}"
 
 

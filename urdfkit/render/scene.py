@@ -21,6 +21,9 @@ from urdfkit.subject import Subject
 #: The least edge of the box that stands for a missing mesh, as a part of the robot.
 PLACEHOLDER_SIZE = 0.045
 
+#: What is smaller than this part of that edge is not seen.
+SPECK = 0.05
+
 #: In m; what is further away than this, or larger, is a slip and not drawn.
 LIMIT = 1e6
 
@@ -280,7 +283,8 @@ def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vecto
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
-    if known := next((half for half in halves if half), None):
+    # A speck stands for no collision rather than for the mesh.
+    if known := next((half for half in halves if half and max(half) > SPECK * least), None):
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
     extents = (_extent(subject, other) for other in bodies)

@@ -159,9 +159,9 @@ def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
     rare = [pair for pair in matrix.pairs if pair.is_seldom]
     if rare:
         yield (
-            f"{len(rare)} of the pairs that collide where the robot begins do so in few samples "
-            "only. An SRDF with them as Default has them checked nowhere: let the robot begin "
-            "elsewhere, with --pose or --joint."
+            f"{len(rare)} of the pairs that collide where the robot begins do so in few other "
+            "poses. An SRDF would disable them in all, as 'Default', and MoveIt miss collisions: "
+            "let the robot begin where they do not collide, by --pose or --joint."
         )
     if not matrix.pairs:
         yield "Nothing to compare: no two links with collision geometry hang on one another."
