@@ -156,7 +156,8 @@ def test_a_box_for_a_mesh_is_as_large_as_the_mesh_beside_it(tmp_path: Path) -> N
 def test_a_speck_for_a_collision_does_not_hide_the_box_for_a_mesh(tmp_path: Path) -> None:
     """CAD exporters write collisions of a micrometre where they mean none."""
     (tmp_path / "robot.urdf").write_text(
-        '<robot name="r"><link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual>'
+        '<robot name="r">'
+        '<link name="base"><visual><geometry><box size="1 1 1"/></geometry></visual>'
         '</link><link name="a"><visual><geometry><mesh filename="lost.stl"/></geometry></visual>'
         '<collision><geometry><box size="1e-6 1e-6 1e-6"/></geometry></collision></link>'
         '<joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint></robot>'
