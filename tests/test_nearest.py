@@ -63,3 +63,10 @@ def test_a_speller_bounds_its_work() -> None:
     assert speller.meant("base_lnk") == "", "more words are not looked at"
     assert speller.meant(slips[0]) == "base_link", "a word is looked at once"
     assert Speller([f"l{n}" for n in range(Speller.MAX_KNOWN + 1)]).meant("l1x") == ""
+
+
+def test_the_hint_of_a_speller() -> None:
+    speller = Speller(["left_arm", "right_arm"])
+    assert speller.hint("left_amr") == "; did you mean 'left_arm'?"
+    assert speller.hint("rght_arm") == "; did you mean 'right_arm'?"
+    assert speller.hint("head") == ""

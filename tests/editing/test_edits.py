@@ -103,6 +103,36 @@ def test_a_value_that_the_file_does_not_hold_is_not_replaced() -> None:
     assert edits.as_written(read("<a x='1\t2'/>").attributes["x"]) == "1\t2"
 
 
+@pytest.mark.parametrize(
+    ("limit", "scaled"),
+    [
+        ('lower="-180" upper="90"', 'lower="-18" upper="9"'),
+        ('lower="0" upper="5"', 'lower="0" upper="0.5"'),
+        ('effort="3" upper="1e-3"', 'effort="3" upper="0.0001"'),
+    ],
+)
+def test_scale_limits(limit: str, scaled: str) -> None:
+    root = read(f"<limit {limit}/>")
+    assert after(root, edits.scale_limits(root, 0.1)) == f"<limit {scaled}/>"
+
+
+def test_limits_that_come_out_of_an_expression_are_not_scaled(tmp_path: Path) -> None:
+    file = tmp_path / "r.xacro"
+    limit = '<limit lower="-90" upper="${9 * 10}"/>'
+    file.write_text(xacro(f'<link name="a"/><joint name="j">{limit}</joint>'))
+    joint = loading.load(file).joints_by_name["j"].at
+    element = joint.child("limit")
+    assert element is not None
+    assert edits.scale_limits(element, 0.1) is None
+
+
+def test_all_or_none() -> None:
+    one = (Edit(read("<a/>").span, "b"),)
+    assert edits.all_or_none([one, (), one]) == (*one, *one)
+    assert edits.all_or_none([one, None]) is None
+    assert edits.all_or_none([]) == ()
+
+
 def test_insert_before_takes_the_indentation() -> None:
     root = read("<a>\r\n\t<b/>\r\n</a>")
     made = edits.insert_before(root.children[0], ("<c/>", "<d/>"))

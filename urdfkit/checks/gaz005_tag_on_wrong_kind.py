@@ -17,6 +17,7 @@ from urdfkit.catalog.extensions import extensions
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.document import Element
 from urdfkit.editing.edits import STEP, insert_after, lines_of, remove_element
+from urdfkit.mechanics.rigid import KEEPING_TAGS
 from urdfkit.model import Joint
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -43,8 +44,6 @@ BAD = """\
 GOOD = BAD.replace('reference="camera"', 'reference="camera_joint"')
 FIXED = GOOD
 
-_FIXED_ONLY = ("preserveFixedJoint", "disableFixedJointLumping")
-
 
 @rule("GAZ005", "tag-on-wrong-kind", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
@@ -64,7 +63,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 help = f'move it into <gazebo reference="{other.name if other else "..."}">'
                 fix = _moved(block, child, other) if other else None
                 yield Finding(child, f"{message} ignores it", help, fix, alike=child.tag)
-            elif joint and child.tag in _FIXED_ONLY and joint.kind not in ("fixed", ""):
+            elif joint and child.tag in KEEPING_TAGS and joint.kind not in ("fixed", ""):
                 message = f"<{child.tag}> has no effect: joint '{name}' is {joint.kind}, not fixed"
                 help = "remove it, or name the fixed joint that is meant"
                 yield Finding(child, message, help, alike=child.tag)
@@ -86,7 +85,7 @@ def _moved(block: Element, child: Element, other: Link | Joint) -> Fix | None:
     is_same_macro = other.at.frame is block.frame is child.frame  # where expressions mean the same
     if name is None or name.written_in or reference.written_in or not is_same_macro:
         return None
-    if isinstance(other, Joint) and child.tag in _FIXED_ONLY and other.kind != "fixed":
+    if isinstance(other, Joint) and child.tag in KEEPING_TAGS and other.kind != "fixed":
         return None
     title = f'move it into <gazebo reference="{other.name}">'
     if len(block.children) == 1:

@@ -35,7 +35,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="lidr">
+  <sensor name="lidar" type="lidr">
     <update_rate>10</update_rate>
   </sensor>
 </gazebo>"""

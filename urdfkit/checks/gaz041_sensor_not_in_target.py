@@ -32,7 +32,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="ray">
+  <sensor name="lidar" type="ray">
     <update_rate>10</update_rate>
   </sensor>
 </gazebo>"""

@@ -31,7 +31,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="imu">
+  <sensor name="imu" type="imu">
     <updat_rate>100</updat_rate>
   </sensor>
 </gazebo>"""

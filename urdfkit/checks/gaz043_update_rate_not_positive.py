@@ -30,7 +30,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <update_rate>0</update_rate>
   </sensor>
 </gazebo>"""

@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base"/>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <update_rate>10</update_rate>
-    <plugin name="p" filename="libcamera_of_ours.so"><updateRate>30</updateRate></plugin>
+    <plugin name="driver" filename="libcamera_of_ours.so"><updateRate>30</updateRate></plugin>
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace(">30<", ">5<")

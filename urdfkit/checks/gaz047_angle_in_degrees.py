@@ -31,7 +31,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="ray">
+  <sensor name="lidar" type="ray">
     <ray>
       <scan>
         <horizontal>

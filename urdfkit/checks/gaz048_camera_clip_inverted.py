@@ -29,7 +29,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <camera><clip><near>10</near><far>0.1</far></clip></camera>
   </sensor>
 </gazebo>"""

@@ -28,29 +28,29 @@ BAD = """\
 <link name="base">
   <inertial>
     <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
   </inertial>
   <collision>
     <geometry><box size="0.2 0.2 0.1"/></geometry>
   </collision>
 </link>
-<link name="eye"/>
-<link name="eye_optical"/>
+<link name="camera_link"/>
+<link name="camera_optical_frame"/>
 <joint name="mount" type="fixed">
   <parent link="base"/>
-  <child link="eye"/>
+  <child link="camera_link"/>
 </joint>
 <joint name="optics" type="fixed">
   <origin rpy="-1.5708 0 -1.5708"/>
-  <parent link="eye"/>
-  <child link="eye_optical"/>
+  <parent link="camera_link"/>
+  <child link="camera_optical_frame"/>
 </joint>
-<gazebo reference="eye_optical">
+<gazebo reference="camera_optical_frame">
   <sensor name="camera" type="camera">
     <update_rate>30</update_rate>
   </sensor>
 </gazebo>"""
-GOOD = BAD.replace('reference="eye_optical"', 'reference="eye"')
+GOOD = BAD.replace('reference="camera_optical_frame"', 'reference="camera_link"')
 
 #: Cosine of the angle up to which z counts as pointing forward.
 _NEARLY = 0.99

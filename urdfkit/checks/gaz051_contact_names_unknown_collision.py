@@ -29,10 +29,10 @@ BAD = """\
 <link name="base">
   <inertial>
     <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
   </inertial>
   <collision>
-    <geometry><sphere radius="1"/></geometry>
+    <geometry><sphere radius="0.1"/></geometry>
   </collision>
 </link>
 <gazebo reference="base">

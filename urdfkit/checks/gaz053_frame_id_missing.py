@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 BAD = """\
 <link name="base"/>
 <gazebo reference="base">
-  <sensor name="eye" type="imu">
+  <sensor name="imu" type="imu">
     <update_rate>100</update_rate>
   </sensor>
 </gazebo>"""

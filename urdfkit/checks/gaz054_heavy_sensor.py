@@ -28,7 +28,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <update_rate>60</update_rate>
     <camera><image><width>1920</width><height>1080</height></image></camera>
   </sensor>

@@ -26,7 +26,7 @@ BAD = """\
 <link name="base">
   <inertial>
     <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
   </inertial>
 </link>
 <link name="base_optical"/>
@@ -36,8 +36,10 @@ BAD = """\
   <child link="base_optical"/>
 </joint>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
-    <plugin name="p" filename="libgazebo_ros_camera.so"><frameName>base</frameName></plugin>
+  <sensor name="camera" type="camera">
+    <plugin name="driver" filename="libgazebo_ros_camera.so">
+      <frameName>base</frameName>
+    </plugin>
   </sensor>
 </gazebo>"""
 GOOD = BAD.replace(">base<", ">base_optical<")

@@ -31,7 +31,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <camera><horizontal_fov>80</horizontal_fov></camera>
   </sensor>
 </gazebo>"""

@@ -39,7 +39,7 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="base">
-  <sensor name="eye" type="camera">
+  <sensor name="camera" type="camera">
     <camera>
       <image><width>640</width><height>480</height><format>RGB888</format></image>
     </camera>

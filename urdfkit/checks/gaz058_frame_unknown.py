@@ -35,8 +35,10 @@ BAD = """\
   </inertial>
 </link>
 <gazebo reference="camera">
-  <sensor name="eye" type="imu">
-    <plugin name="p" filename="libgazebo_ros_imu_sensor.so"><frameName>camra</frameName></plugin>
+  <sensor name="imu" type="imu">
+    <plugin name="driver" filename="libgazebo_ros_imu_sensor.so">
+      <frameName>camra</frameName>
+    </plugin>
   </sensor>
 </gazebo>"""
 FIXED = GOOD = BAD.replace("camra", "camera")

@@ -39,7 +39,7 @@ BAD = """\
 </joint>
 <gazebo>
   <static>true</static>
-  <plugin name="p" filename="libgazebo_ros_control.so"/>
+  <plugin name="control" filename="libgazebo_ros_control.so"/>
 </gazebo>"""
 GOOD = BAD.replace("true", "false")
 

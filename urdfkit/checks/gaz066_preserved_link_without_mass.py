@@ -15,8 +15,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.conversion import KEEPING_TAGS
 from urdfkit.gazebo.values import is_true
+from urdfkit.mechanics.rigid import KEEPING_TAGS
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 

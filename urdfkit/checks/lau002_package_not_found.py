@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 NAME = "robot.launch"
-BAD = '<launch><node name="a" pkg="no_such_package_of_ours" type="a"/></launch>'
-GOOD = '<launch><node name="a" pkg="robot_state_publisher" type="a"/></launch>'
+BAD = '<launch><node name="states" pkg="arm_states" type="joint_state_publisher"/></launch>'
+GOOD = BAD.replace("arm_states", "joint_state_publisher")
 
 
 @rule(

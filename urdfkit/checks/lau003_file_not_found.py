@@ -22,8 +22,9 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 NAME = "robot.launch"
-BAD = '<launch><rosparam file="$(dirname)/config/no_such_file.yaml"/></launch>'
-GOOD = "<launch/>"
+BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'
+GOOD = BAD.replace("controler", "controllers")
+FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 
 
 @rule(

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
 NAME = "bot_bringup/launch/bot.launch"
-BAD = '<launch><node name="a" pkg="bot_driver" type="a"/></launch>'
+BAD = '<launch><node name="driver" pkg="bot_driver" type="driver"/></launch>'
 GOOD = BAD.replace("bot_driver", "bot_control")
 FILES = {
     "bot_bringup/package.xml": b"<package><name>bot_bringup</name>"

@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"{use.who} is {length:.4g} m long, and the rest of the robot "
             f"{rest_of_robot(subject.measured):.3g} m; in mm it would be {length / 1000:.3g} m",
             fix=_fix(use),
-            confidence=Confidence.GUESSED,
+            confidence=Confidence.INFERRED,
             weight=length,
         )
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:include filename="$(find no_such_package)/urdf/arm.xacro"/>
+  <xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>
 </robot>
 """
 GOOD = """\

@@ -15,7 +15,7 @@ from functools import cached_property
 
 from urdfkit.gazebo.values import is_true
 from urdfkit.mechanics.inertia import MassProperties
-from urdfkit.mechanics.rigid import RigidBody, rigid_bodies
+from urdfkit.mechanics.rigid import KEEPING_TAGS, RigidBody, rigid_bodies
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
 
@@ -33,9 +33,6 @@ JOINT_TYPES = {
 }
 #: The link that stands for the ground; Gazebo never makes it.
 WORLD = "world"
-
-#: With one of them a fixed joint is not merged.
-KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
 
 
 class Converter(Record):

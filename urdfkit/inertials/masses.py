@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.document import Element, Tag
 from urdfkit.inertials.weighed import SIGNIFICANT, Weighed, by_tensor
 from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.mechanics.rigid import RigidBody, rigid_bodies
+from urdfkit.mechanics.rigid import KEEPING_TAGS, RigidBody, rigid_bodies
 from urdfkit.mechanics.shapes import Lump
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.mechanics.twins import numbered_pairs, pairs
@@ -34,9 +34,6 @@ LEAST_MOMENT = 1e-15
 
 #: A smallest moment that is this part of the largest is zero to a solver.
 SINGULAR = 1e-9
-
-#: Tags in ``<gazebo>`` that keep a fixed joint as a joint.
-KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
 
 
 class Masses:

@@ -13,6 +13,9 @@ from urdfkit.model import Joint, Link
 from urdfkit.record import Record
 from urdfkit.spatial import Frame
 
+#: Tags in ``<gazebo>`` that keep a fixed joint as a joint.
+KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
+
 
 class RigidBody(Record):
     """Links without a moving joint between them.
