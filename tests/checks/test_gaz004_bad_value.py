@@ -11,9 +11,12 @@ from tests.told import messages, told
     [
         (
             "<mu1>high</mu1>",
-            "<mu1> is 'high', which is no number: Gazebo's converter ends with an exception",
+            "<mu1> is 'high', which is not a number: Gazebo's converter ends with an exception",
         ),
-        ("<kp/>", "<kp> is empty, which is no number: Gazebo's converter ends with an exception"),
+        (
+            "<kp/>",
+            "<kp> is empty, which is not a number: Gazebo's converter ends with an exception",
+        ),
         ("<mu1>0,5</mu1>", "<mu1> is '0,5': Gazebo reads 0, for a comma ends the number"),
         ('<mu1 value="0,5"/>', "<mu1> is '0,5': Gazebo reads 0, for a comma ends the number"),
         ("<kp>1.2.3</kp>", "<kp> is '1.2.3': Gazebo reads 1.2 and passes over '.3'"),

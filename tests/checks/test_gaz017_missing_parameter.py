@@ -37,7 +37,7 @@ def test_a_default_that_names_no_joint() -> None:
     other = text.replace('"right_joint"', '"right_wheel_joint"')
     (message,) = messages("GAZ017", other)
     assert message == (
-        f"plugin 'p' ({DRIVE}) has no <rightJoint>, and its default 'right_joint' is no joint: "
+        f"plugin 'p' ({DRIVE}) has no <rightJoint>, and its default 'right_joint' is not a joint: "
         "it throws as it is loaded"
     )
 

@@ -18,7 +18,7 @@ from tests.srdfs import findings
         ('<disable_collisions link1="arm"/>', "<disable_collisions> has no link2, so MoveIt"),
         (
             '<group_state name="s" group="g"><joint name="shoulder" value="0,5"/></group_state>',
-            "state 's': '0,5' is no position of a joint",
+            "state 's': '0,5' is not a position of a joint",
         ),
     ],
 )

@@ -14,12 +14,12 @@ VISUAL = '<link name="a"><visual>\n<geometry>{}</geometry></visual></link>'
         ("<!-- box -->", "link 'a': <geometry> holds no shape", "<geometry>"),
         (
             '<plane normal="0 0 1"/>',
-            "link 'a': <geometry> begins with <plane>, which is no shape",
+            "link 'a': <geometry> begins with <plane>, which is not a shape",
             '<plane normal="0 0 1"/>',
         ),
         (
             '<material name="m"/><box size="1 1 1"/>',
-            "link 'a': <geometry> begins with <material>, which is no shape",
+            "link 'a': <geometry> begins with <material>, which is not a shape",
             '<material name="m"/>',
         ),
     ],

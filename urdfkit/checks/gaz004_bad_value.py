@@ -85,7 +85,7 @@ def _handled(child: Element, extension: Extension, text: str) -> Iterator[Findin
 def _wrong_number(child: Element, text: str, name: str) -> Iterator[Finding]:
     read, rest = leading(text)
     if not read:
-        message = f"{name}, which is no number: Gazebo's converter ends with an exception"
+        message = f"{name}, which is not a number: Gazebo's converter ends with an exception"
         yield Finding(child, message, "write a number")
     elif rest.startswith(","):
         message = f"{name}: Gazebo reads {read}, for a comma ends the number"

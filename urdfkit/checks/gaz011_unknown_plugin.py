@@ -54,6 +54,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         meant = speller.meant(name)
         yield Finding(
             use.at.attributes["filename"],
-            f"'{name}' is no plugin of Gazebo or ROS that is known here",
+            f"'{name}' is not a plugin of Gazebo or ROS that is known here",
             f"did you mean '{meant}'?" if meant else "",
         )

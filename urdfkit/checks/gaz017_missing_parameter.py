@@ -74,7 +74,7 @@ def _finding(use: Use, parameter: Parameter, default: str) -> Finding:
     where = f" in <{block}>" if block else ""
     if default:
         message = (
-            f"{use.title} has no {what}, and its default '{default}' is no joint: "
+            f"{use.title} has no {what}, and its default '{default}' is not a joint: "
             f"{use.plugin.missing}"
         )
     else:

@@ -1,4 +1,4 @@
-"""A drive plugin turns a joint that is no wheel.
+"""A drive plugin turns a joint that is not a wheel.
 
 A drive sets a velocity and expects the joint to turn for ever: a revolute joint stops at its
 limits, and a prismatic one slides. Make the wheel's joint `continuous`.

@@ -1,7 +1,7 @@
 """The library of a plugin has no class of that name.
 
-The `name` of a gz-sim plugin is no free label, as it is in Gazebo Classic, but the class to be made
-of the library. With another one Gazebo writes "library does not contain requested plugin" and
+The `name` of a gz-sim plugin is not a free label, as it is in Gazebo Classic, but the class to be
+made of the library. With another one Gazebo writes "library does not contain requested plugin" and
 starts without it: the robot does not move, or sends no data.
 
 Sources:

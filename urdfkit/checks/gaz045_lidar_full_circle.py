@@ -1,7 +1,7 @@
 """A lidar's first and last beam point in the same direction, or its beams go round more than once.
 
 The angles span a full circle, and both ends are sampled: the same place is measured twice, and
-programs that match scans see a seam. With more than a circle many places are. Leave one step out:
+programs that match scans see a seam. With more than a circle, many places are. Leave one step out:
 with n samples the last angle is 2 pi (1 - 1/n) after the first.
 
 Sources:

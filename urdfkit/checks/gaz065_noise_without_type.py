@@ -1,9 +1,9 @@
 """The noise of a sensor has no type where Gazebo insists on one.
 
 The noise of pictures and scans has its type in a child, `<type>gaussian</type>`. That of an IMU, a
-GPS, a magnetometer, an altimeter, a pressure or force sensor has it in an attribute,
-`<noise type="gaussian">`, and SDF requires it: without it the whole model is refused. Who copies
-the block of a lidar into an IMU meets this.
+GPS, a magnetometer, an altimeter, a pressure or force sensor has it in an attribute, `<noise
+type="gaussian">`, and SDF requires it: without it the whole model is refused. It happens where the
+block of a lidar is copied into an IMU.
 
 Sources:
     SDF, noise: http://sdformat.org/spec?ver=1.9&elem=sensor

@@ -1,9 +1,9 @@
 """A part of a mesh file is broken, and its readers lose more or less of it.
 
-A reference leads to nothing, a number is no number, a list is cut off. What RViz shows may be
-missing in Gazebo: trimesh and what builds on it drop a whole geometry over a bad colour, others
-show it white, or refuse the file. Export the mesh again, or let `urdfkit mesh convert` write what
-can be read.
+A reference leads to nothing, a number is not one, a list is cut off. What RViz shows may be missing
+in Gazebo: trimesh and what builds on it drop a whole geometry over a bad colour, others show it
+white, or refuse the file. Export the mesh again, or let `urdfkit mesh convert` write what can be
+read.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp

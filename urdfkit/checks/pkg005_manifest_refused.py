@@ -103,13 +103,13 @@ def _tags(package: Element) -> Iterator[Finding]:
         meant = renamed.get(child.tag) or nearest(child.tag, known)
         help = f"write <{meant}>" if meant in known else "remove it"
         number = package.get("format") or "1"
-        yield Finding(Written(child.span), f"<{child.tag}> is no tag of format {number}", help)
+        yield Finding(Written(child.span), f"<{child.tag}> is not a tag of format {number}", help)
 
 
 def _values(package: Element) -> Iterator[Finding]:
     name, version = package.child("name"), package.child("version")
     if name and not _PACKAGE.fullmatch(name.text.strip()):
-        yield Finding(Written(name.span), f"'{name.text.strip()}' is no name of a package")
+        yield Finding(Written(name.span), f"'{name.text.strip()}' is not a name for a package")
     if version and not _VERSION.fullmatch(version.text.strip()):
         message = f"the version '{version.text.strip()}' is not three numbers"
         yield Finding(Written(version.span), message, "write it as 1.0.0")

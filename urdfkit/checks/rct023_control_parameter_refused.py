@@ -1,7 +1,7 @@
-"""A parameter of an interface is misspelt, or its value is no number.
+"""A parameter of an interface is misspelt, or its value is not a number.
 
 `min`, `max` and `initial_value` are read by name. One with a slip in its name does nothing, and the
-joint starts at 0 or is commanded without bounds; text that is no number makes the hardware throw
+joint starts at 0 or is commanded without bounds; text that is not a number makes the hardware throw
 when it is loaded.
 
 Sources:

@@ -1,9 +1,9 @@
 """A transmission has a type that is not there, joints that do not fit it, or a ratio of 0.
 
 ros_control loads transmissions by their type and divides by the ratio of the gear: with an unknown
-type, another number of joints or actuators than the type has, a ratio of 0 or one that is no number
-it leaves the transmission out, and no controller finds the joint; Gazebo leaves out all with more
-than one joint. A misspelt element is passed over, and its default taken.
+type, another number of joints or actuators than the type has, a ratio of 0 or one that is not a
+number it leaves the transmission out, and no controller finds the joint; Gazebo leaves out all with
+more than one joint. A misspelt element is passed over, and its default taken.
 
 Sources:
     ros_control, transmission_parser.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_parser.cpp

@@ -1,6 +1,6 @@
 """Nobody reads a part of the file of controllers.
 
-The file is no YAML, `ros__parameters` is misspelt (two underscores), or parameters stand under a
+The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters stand under a
 name that no controller has. The controller then starts without its joints, and stops: "parameter
 'joints' was not set".
 
@@ -41,7 +41,7 @@ FILES = {
 @rule("RCT026", "parameters-not-read", Severity.ERROR, help="mend the file of controllers")
 def check(subject: Subject) -> Iterator[Finding]:
     for file, span, reason in unparsed(subject):
-        yield Finding(Written(span), f"the file is no YAML: {reason}", related=(file.note,))
+        yield Finding(Written(span), f"the file is not YAML: {reason}", related=(file.note,))
     for file, found in lost(subject):
         for span, message, help in found:
             yield Finding(Written(span), message, help, related=(file.note,))

@@ -1,8 +1,8 @@
 """A wheel controller publishes the pose of a frame that is not in the robot, or not its root.
 
-`base_frame_id` is the child of the transform that the odometry sends. A name that is no link leaves
-the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link that hangs on
-another one gets two parents, and the robot jumps between them.
+`base_frame_id` is the child of the transform that the odometry sends. A name that is not a link
+leaves the robot without a way to `odom` ("no transform from [base_link] to [odom]"); a link that
+hangs on another one gets two parents, and the robot jumps between them.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html

@@ -1,8 +1,8 @@
 """Two transmissions move the same joint, or have the same name.
 
-Who copies a transmission and forgets to change a name meets this. Both write to the joint, and the
-joint that was meant has none: its controller does not find it. Of two transmissions with one name
-ros_control keeps the second.
+It happens where a transmission was copied and a name was not changed. Both write to the joint, and
+the joint that was meant has none: its controller does not find it. Of two transmissions with one
+name ros_control keeps the second.
 
 Sources:
     ros_control, transmission_interface_loader.cpp: https://github.com/ros-controls/ros_control/blob/noetic-devel/transmission_interface/src/transmission_interface_loader.cpp

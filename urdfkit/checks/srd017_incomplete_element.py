@@ -57,5 +57,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             if value is None or not value.value.strip():
                 continue
             if any(number(part) is None for part in value.value.split()):
-                message = f"state '{state.get('name')}': '{value.value}' is no position of a joint"
+                who = f"state '{state.get('name')}'"
+                message = f"{who}: '{value.value}' is not a position of a joint"
                 yield Finding(value, message, "write a number, in rad or m")

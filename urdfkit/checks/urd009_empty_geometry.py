@@ -45,5 +45,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(element, f"{who}: <geometry> holds no shape")
         else:
             yield Finding(
-                element, f"{who}: <geometry> begins with <{element.tag}>, which is no shape"
+                element, f"{who}: <geometry> begins with <{element.tag}>, which is not a shape"
             )

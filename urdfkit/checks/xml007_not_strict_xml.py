@@ -1,4 +1,4 @@
-"""The file is no strict XML, though urdfdom reads it.
+"""The file is not strict XML, though urdfdom reads it.
 
 urdfdom (and with it robot_state_publisher and Pinocchio) forgives white space before the XML
 declaration, a version other than 1.0 and undeclared prefixes; up to release 3 also a comment before
@@ -7,7 +7,7 @@ the declaration. Python's readers, xacro and browsers do not: the robot works he
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
-    measured: 38 of 676 public models are no strict XML, and urdfdom reads 35 of them
+    measured: 38 of 676 public models are not strict XML, and urdfdom reads 35 of them
 """
 
 from __future__ import annotations
