@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests import told as one_text
+from tests.workspaces import add_file, mesh_link
 from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic
+from urdfkit.diagnostic import Diagnostic, Severity
 from urdfkit.examples import whole_robot
 from urdfkit.meshes import samples
 
@@ -46,3 +48,12 @@ def told(
 def messages(folder: Path, code: str, robot: str, files: Mapping[str, bytes]) -> list[str]:
     """The messages of a rule, in the order of the file."""
     return [found.message for found in told(folder, code, robot, files)]
+
+
+def reasons(folder: Path, code: str, name: str, data: bytes) -> list[tuple[str, str]]:
+    """What a rule says of the file of the mesh of a link, as an error, and the help."""
+    add_file(folder / name, data)
+    found = one_text.told(code, mesh_link(name), str(folder / "arm.urdf"))
+    assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
+    start = f"link 'arm': the visual mesh '{name}' "
+    return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]

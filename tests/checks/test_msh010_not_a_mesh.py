@@ -4,21 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.meshed import reasons
 from tests.meshes import made
-from tests.told import told
-from tests.workspaces import add_file, mesh_link
-from urdfkit.diagnostic import Severity
 
 CODE = "MSH010"
-
-
-def reasons(tmp_path: Path, name: str, data: bytes) -> list[tuple[str, str]]:
-    """What is said of a mesh file, and the help."""
-    add_file(tmp_path / name, data)
-    found = told(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
-    assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
-    start = f"link 'arm': the visual mesh '{name}' "
-    return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]
 
 
 FETCH = "fetch the file itself: from the raw link of the page, or with git lfs pull"
@@ -43,9 +32,9 @@ FETCH = "fetch the file itself: from the raw link of the page, or with git lfs p
     ],
 )
 def test_something_else(tmp_path: Path, name: str, data: bytes, reason: str, help_: str) -> None:
-    assert reasons(tmp_path, name, data) == [(reason, help_)]
+    assert reasons(tmp_path, CODE, name, data) == [(reason, help_)]
 
 
 @pytest.mark.parametrize("data", [made.binary_stl(), made.binary_stl()[:-1], b""])
 def test_other_files(tmp_path: Path, data: bytes) -> None:
-    assert reasons(tmp_path, "a.stl", data) == []
+    assert reasons(tmp_path, CODE, "a.stl", data) == []

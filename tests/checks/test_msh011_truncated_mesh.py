@@ -4,21 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.meshed import reasons
 from tests.meshes import made
-from tests.told import told
-from tests.workspaces import add_file, mesh_link
-from urdfkit.diagnostic import Severity
 
 CODE = "MSH011"
-
-
-def reasons(tmp_path: Path, name: str, data: bytes) -> list[tuple[str, str]]:
-    """What is said of a mesh file, and the help."""
-    add_file(tmp_path / name, data)
-    found = told(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
-    assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
-    start = f"link 'arm': the visual mesh '{name}' "
-    return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]
 
 
 @pytest.mark.parametrize(
@@ -41,9 +30,9 @@ def reasons(tmp_path: Path, name: str, data: bytes) -> list[tuple[str, str]]:
     ],
 )
 def test_cut_off_files(tmp_path: Path, name: str, data: bytes, reason: str) -> None:
-    assert reasons(tmp_path, name, data) == [(reason, "fetch or export the mesh again")]
+    assert reasons(tmp_path, CODE, name, data) == [(reason, "fetch or export the mesh again")]
 
 
 @pytest.mark.parametrize("data", [made.binary_stl(), b"<html>", b""])
 def test_other_files(tmp_path: Path, data: bytes) -> None:
-    assert reasons(tmp_path, "a.stl", data) == []
+    assert reasons(tmp_path, CODE, "a.stl", data) == []

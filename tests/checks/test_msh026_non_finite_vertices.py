@@ -4,21 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.meshed import reasons
 from tests.meshes import made
-from tests.told import told
-from tests.workspaces import add_file, mesh_link
-from urdfkit.diagnostic import Severity
 
 CODE = "MSH026"
-
-
-def reasons(tmp_path: Path, name: str, data: bytes) -> list[tuple[str, str]]:
-    """What is said of a mesh file, and the help."""
-    add_file(tmp_path / name, data)
-    found = told(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
-    assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
-    start = f"link 'arm': the visual mesh '{name}' "
-    return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]
 
 
 NAN = float("nan")
@@ -43,9 +32,9 @@ NAN = float("nan")
 )
 def test_vertices_that_are_not_finite(tmp_path: Path, name: str, data: bytes, reason: str) -> None:
     help_ = "export the mesh again, or remove the triangle in a mesh editor"
-    assert reasons(tmp_path, name, data) == [(f"is not finite: {reason}", help_)]
+    assert reasons(tmp_path, CODE, name, data) == [(f"is not finite: {reason}", help_)]
 
 
 @pytest.mark.parametrize(("form", "suffix"), made.SOUND)
 def test_sound_files(tmp_path: Path, form: str, suffix: str) -> None:
-    assert reasons(tmp_path, f"a{suffix}", made.SOUND[form, suffix]) == []
+    assert reasons(tmp_path, CODE, f"a{suffix}", made.SOUND[form, suffix]) == []
