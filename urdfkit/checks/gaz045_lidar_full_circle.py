@@ -16,6 +16,7 @@ from math import pi
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import rewrite
+from urdfkit.gazebo.samples import LIDAR
 from urdfkit.gazebo.sensors import sensors
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -23,27 +24,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="lidar" type="ray">
-    <ray>
-      <scan>
-        <horizontal>
-          <samples>360</samples>
-          <min_angle>-3.1415926</min_angle>
-          <max_angle>3.1415926</max_angle>
-        </horizontal>
-      </scan>
-      <range><min>0.1</min><max>10</max></range>
-    </ray>
-  </sensor>
-</gazebo>"""
+BAD = LIDAR.replace(">-1<", ">-3.1415926<").replace(">1<", ">3.1415926<")
 GOOD = BAD.replace(">3.1415926<", ">3.1241<")
 FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 

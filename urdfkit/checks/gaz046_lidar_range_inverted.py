@@ -15,6 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import swap
+from urdfkit.gazebo.samples import LIDAR
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -23,29 +24,8 @@ from urdfkit.targets import CLASSIC, GZ
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="lidar" type="ray">
-    <ray>
-      <scan>
-        <horizontal>
-          <samples>360</samples>
-          <min_angle>-1</min_angle>
-          <max_angle>1</max_angle>
-        </horizontal>
-      </scan>
-      <range><min>10</min><max>0.1</max></range>
-    </ray>
-  </sensor>
-</gazebo>"""
-GOOD = BAD.replace("<min>10</min><max>0.1</max>", "<min>0.1</min><max>10</max>")
-FIXED = GOOD
+BAD = LIDAR.replace("<min>0.1</min><max>10</max>", "<min>10</min><max>0.1</max>")
+GOOD = FIXED = LIDAR
 
 
 @rule(

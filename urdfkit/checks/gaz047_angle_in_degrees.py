@@ -15,6 +15,7 @@ from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
 from urdfkit.editing.edits import rewrite
+from urdfkit.gazebo.samples import LIDAR
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.model import numbers
 from urdfkit.rules import Finding, rule
@@ -23,29 +24,8 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-<gazebo reference="base">
-  <sensor name="lidar" type="ray">
-    <ray>
-      <scan>
-        <horizontal>
-          <samples>360</samples>
-          <min_angle>-90</min_angle>
-          <max_angle>90</max_angle>
-        </horizontal>
-      </scan>
-      <range><min>0.1</min><max>10</max></range>
-    </ray>
-  </sensor>
-</gazebo>"""
-GOOD = BAD.replace("90<", "1.5708<")
-FIXED = BAD.replace("90<", "1.5708<")
+BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
+GOOD = FIXED = BAD.replace("90<", "1.5708<")
 
 _ANGLES = (
     "scan/horizontal/min_angle",

@@ -1,6 +1,35 @@
-"""Small robots for the examples of rules about drives and controllers."""
+"""Small robots for the examples of rules about sensors, drives and controllers."""
 
 from __future__ import annotations
+
+_BASE = """\
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+  </inertial>
+</link>
+"""
+
+#: A lidar that looks forwards.
+LIDAR = (
+    _BASE
+    + """\
+<gazebo reference="base">
+  <sensor name="lidar" type="ray">
+    <ray>
+      <scan>
+        <horizontal>
+          <samples>360</samples>
+          <min_angle>-1</min_angle>
+          <max_angle>1</max_angle>
+        </horizontal>
+      </scan>
+      <range><min>0.1</min><max>10</max></range>
+    </ray>
+  </sensor>
+</gazebo>"""
+)
 
 _WHEEL = """\
 <link name="{side}_wheel">
@@ -21,19 +50,8 @@ _WHEEL = """\
 </joint>
 """
 
-#: Two wheels of 0.2 m, 0.3 m apart.
-WHEELED = (
-    """\
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
-  </inertial>
-</link>
-"""
-    + _WHEEL.format(side="left", y=0.15)
-    + _WHEEL.format(side="right", y=-0.15)
-)
+#: Two wheels with a radius of 0.1 m, 0.3 m apart.
+WHEELED = _BASE + _WHEEL.format(side="left", y=0.15) + _WHEEL.format(side="right", y=-0.15)
 
 #: One joint.
 ARM = """\
