@@ -159,6 +159,20 @@ def test_an_expression_in_a_name_stands_for_the_files_it_may_mean(tmp_path):
     assert names(discover(str(tmp_path), Config(), Resolver())) == ["other.xacro", "robot.xacro"]
 
 
+@pytest.mark.parametrize("pattern", ["wheel_?.xacro", "wheel_[ab].xacro", "wheel*.xacro"])
+def test_a_pattern_stands_for_the_files_that_it_matches(tmp_path, pattern):
+    write(tmp_path, "robot.xacro", include(pattern) + '<link name="a"/>')
+    write(tmp_path, "wheel_a.xacro", '<link name="w"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["robot.xacro"]
+
+
+def test_a_name_of_many_expressions_is_compared_in_time(tmp_path):
+    write(tmp_path, "robot.xacro", include("${a}e" * 40 + ".xacro") + '<link name="a"/>')
+    other = "e" * 200 + ".urdf"
+    write(tmp_path, other, '<link name="w"/>')
+    assert names(discover(str(tmp_path), Config(), Resolver())) == [other, "robot.xacro"]
+
+
 def test_a_name_that_is_all_expression_hides_nothing(tmp_path):
     write(tmp_path, "robot.xacro", include("${file}") + '<link name="a"/>')
     write(tmp_path, "other.xacro", '<link name="o"/>')

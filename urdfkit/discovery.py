@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator
+from fnmatch import fnmatchcase
 from itertools import islice
 
 from urdfkit.config import Config, Robot, matches
@@ -198,13 +199,12 @@ class IncludeGraph:
         yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
 
     def _alike(self, pattern: str, near: str) -> Iterator[str]:
-        """The files of a package that a name with expressions in it, as ``*``, may mean."""
-        words = [re.escape(word) for word in pattern.split("*")]
-        if not any(os.path.splitext(word)[0].strip(".\\") for word in words):
+        """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""
+        if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
             return  # nothing but an expression: it may mean any file
         folder = os.path.join(os.path.realpath(_package_folder(near, self.resolver)), "")
         for path in self._sources:
-            if path.startswith(folder) and re.fullmatch(".*".join(words), os.path.basename(path)):
+            if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
                 yield path
 
     def _existing(self, path: str) -> str:

@@ -265,8 +265,8 @@ class _Session:
             return ""
         if not (diagnostic.fix.safe or self._unsafe):
             return "unsafe"
-        if key := self._dropped.get(key_of(diagnostic)):
-            return key
+        if dropped := self._dropped.get(key_of(diagnostic)):
+            return dropped
         reasons = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
         return next(filter(None, reasons), "")
 

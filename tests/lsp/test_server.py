@@ -296,23 +296,6 @@ def test_closing_and_files_that_change_on_disk(tmp_path: Path) -> None:
     talk(conversation)
 
 
-def test_closing_and_opening_again_at_once(tmp_path: Path) -> None:
-    (tmp_path / "real").mkdir()
-    (tmp_path / "linked").symlink_to("real")
-    file = tmp_path / "linked" / "r.urdf"  # its URI is the client's, and not that of the path
-    file.write_text('<robot name="r"><link name="a"/></robot>')
-
-    async def conversation(editor: Editor) -> None:
-        document = editor.open(file, file.read_text())
-        await editor.until(document.uri, lambda found: "INE019" in codes(found))
-        editor.client.text_document_did_close(lsp.DidCloseTextDocumentParams(document))
-        editor.open(file, file.read_text())
-        editor.retype(document.uri, '<robot name="r"><link name="a"/><link name="a"/></robot>')
-        await editor.until(document.uri, lambda found: "NAM001" in codes(found))
-
-    talk(conversation)
-
-
 def test_without_pygls_it_says_what_to_install(tmp_path: Path) -> None:
     (tmp_path / "pygls").mkdir()
     (tmp_path / "pygls" / "__init__.py").write_text("raise ModuleNotFoundError(name='pygls')")

@@ -15,7 +15,7 @@ pytest.importorskip("jinja2")
 from tests.meshes import made
 from urdfkit.meshes import samples
 from urdfkit.page import state as module
-from urdfkit.page.document import Told
+from urdfkit.page.document import Told, describe
 from urdfkit.page.state import Wish, read
 
 ROBOT = """<robot name="r"><link name="l"><visual><geometry>
@@ -62,7 +62,6 @@ def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatc
     robot.write_text(ROBOT.format("a.obj"))
     wish = Wish(str(robot), {}, {})
     known = read(wish).stamps
-    describe = module.describe
 
     def described(*words: Any, **more: Any) -> Told:
         told = describe(*words, **more)

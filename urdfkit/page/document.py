@@ -10,7 +10,6 @@ import json
 import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__, rules
@@ -19,6 +18,7 @@ from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.formats import json as as_json
 from urdfkit.gathering import gathered
+from urdfkit.jsontext import finite
 from urdfkit.loading import described
 from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
@@ -124,7 +124,7 @@ def completed(told: Told, progress: Callable[[int, int], None] | None = None) ->
     }
     parts, missing = _computed(told.subject, long)
     missing = told.document["missing"] | missing
-    return told._replace(document=told.document | _finite(parts) | {"missing": missing})
+    return told._replace(document=told.document | finite(parts) | {"missing": missing})
 
 
 def _computed(
@@ -166,17 +166,8 @@ def _document(subject: Subject, report: Report) -> Document:
         **parts,
         "missing": missing,
     }
-    finite: Document = _finite(document)
-    return finite
-
-
-def _finite(value: Any) -> Any:
-    """A value of which JSON can hold every number; those of a hostile robot overflow."""
-    if isinstance(value, float):
-        return value if isfinite(value) else None
-    if isinstance(value, dict):
-        return {key: _finite(inner) for key, inner in value.items()}
-    return [_finite(inner) for inner in value] if isinstance(value, list) else value
+    found: Document = finite(document)
+    return found
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:

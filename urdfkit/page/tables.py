@@ -11,7 +11,7 @@ from urdfkit.source import Span
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, Link
+    from urdfkit.model import Joint, Link, Shape
     from urdfkit.subject import Subject
 
 Row = dict[str, Any]
@@ -59,10 +59,11 @@ def _link(link: Link, total: float) -> Row:
     }
 
 
-def _shape(shape: Any) -> str:
+def _shape(shape: Shape | None) -> str:
+    """The mesh that it is, or its kind."""
     if shape is None:
         return ""
-    return shape.filename.value if shape.filename else str(shape.kind)
+    return shape.filename.value if shape.filename else shape.kind
 
 
 def _place(span: Span) -> Row:
