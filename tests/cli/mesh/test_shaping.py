@@ -51,6 +51,15 @@ def test_decompose(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert out.exists()
 
 
+def test_pieces_are_written_all_or_none(ring: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["mesh", "decompose", str(ring), "--most", "2", "-o", str(ring), "--split"]
+    assert main(words) == 0  # nothing is written to the name itself
+    ring.with_name("ring_1.stl").unlink()
+    assert main(words) == 2
+    assert "ring_2.stl is a good mesh already" in capsys.readouterr().err
+    assert not ring.with_name("ring_1.stl").exists()
+
+
 @pytest.mark.parametrize(
     "words",
     [

@@ -40,18 +40,20 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
         raise options.UsageError("--most must be 1 or more")
     if split and not out:
         raise options.UsageError("--split needs --output")
-    path = destination(file, out, False, force)
+    path = None if split else destination(file, out, False, force)
     mesh = in_metres(load(file))
     found = decompose(mesh, most=most, engine=engine)
     lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(found)))]
     for number, part in enumerate(found.parts, start=1):
         health = examine(part.vertices, part.faces)
         lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")
-    if split and path:
-        stem, suffix = os.path.splitext(path)
-        for number, part in enumerate(found.parts, start=1):
-            one = destination(file, f"{stem}_{number}{suffix}", False, force)
-            lines += save(Mesh((part,)), one)
+    if split and out:
+        stem, suffix = os.path.splitext(out)
+        pieces = {f"{stem}_{n}{suffix}": Mesh((part,)) for n, part in enumerate(found.parts, 1)}
+        for name in pieces:
+            destination(file, name, False, force)  # before the first of them is written
+        for name, piece in pieces.items():
+            lines += save(piece, name)
     else:
         lines += save(found, path)
     output.page(lines)
