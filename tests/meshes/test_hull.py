@@ -53,6 +53,13 @@ def test_pieces_are_convex_and_nearly_the_mesh(engine: str) -> None:
     assert RING.volume * 0.95 < together < 0.5 * (RING.volume + RING.convex_hull.volume)
 
 
+def test_pieces_of_sheet_metal_are_solids() -> None:
+    sheets = [trimesh.creation.box(edges) for edges in ((1, 1, 1e-5), (1e-5, 1, 1))]
+    found = decompose(as_mesh(trimesh.util.concatenate(sheets)), most=8)
+    assert len(found.parts) > 1
+    assert all(as_trimesh(Mesh((part,))).is_volume for part in found.parts)
+
+
 def test_a_convex_mesh_is_one_piece() -> None:
     found = decompose(as_mesh(trimesh.creation.box()))
     assert as_trimesh(found).volume == pytest.approx(1, rel=0.05)

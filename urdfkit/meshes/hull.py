@@ -125,14 +125,15 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     hull(mesh)  # raises where there is no volume
     points, faces = weld(mesh.vertices, mesh.faces)
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
-    if not pieces:
-        return hull(mesh)
-    parts = []
-    for number, corners in enumerate(pieces):
-        shell = hull(_loose(corners))
-        color = _COLORS[number % len(_COLORS)]
-        parts.append(shell.parts[0]._replace(material=Material(f"piece_{number + 1}", color)))
-    return mesh._replace(parts=tuple(parts))
+    parts: list[Part] = []
+    for corners in pieces:
+        try:
+            part = hull(_loose(corners)).parts[0]
+        except NoHull:  # a film that was cut off a thin sheet
+            continue
+        number, color = len(parts) + 1, _COLORS[len(parts) % len(_COLORS)]
+        parts.append(part._replace(material=Material(f"piece_{number}", color)))
+    return mesh._replace(parts=tuple(parts)) if parts else hull(mesh)
 
 
 _COLORS = (
