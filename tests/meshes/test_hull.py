@@ -14,6 +14,7 @@ import trimesh
 
 from tests.meshes.shapes_made import as_mesh, as_part, as_trimesh
 from urdfkit.meshes.geometry import Mesh, Part
+from urdfkit.meshes.health import examine
 from urdfkit.meshes.hull import ENGINES, NoEngine, NoHull, decompose, hull, with_few_corners
 
 RING = trimesh.creation.annulus(0.5, 1.0, 0.5)
@@ -57,7 +58,7 @@ def test_pieces_of_sheet_metal_are_solids() -> None:
     sheets = [trimesh.creation.box(edges) for edges in ((1, 1, 1e-5), (1e-5, 1, 1))]
     found = decompose(as_mesh(trimesh.util.concatenate(sheets)), most=8)
     assert len(found.parts) > 1
-    assert all(as_trimesh(Mesh((part,))).is_volume for part in found.parts)
+    assert all(examine(part.vertices, part.faces).is_solid for part in found.parts)
 
 
 def test_a_convex_mesh_is_one_piece() -> None:

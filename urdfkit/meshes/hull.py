@@ -14,6 +14,8 @@ ENGINES = ("vhacd", "coacd")
 _MOST_CORNERS = 64
 #: Degrees between the faces of a hull with few corners; the first that leaves few enough is taken.
 _APART = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
+#: A volume that is so small against the cube of the longest edge is none.
+_ROUNDING = 1e-14
 #: In which vhacd looks at the mesh; four times as many take four times as long.
 _VOXELS = 50_000
 
@@ -37,7 +39,7 @@ def hull(mesh: Mesh) -> Mesh:
     points = mesh.vertices[np.unique(mesh.faces)]
     points = points[finite(points)]
     solid = Manifold.hull_points(points)
-    if solid.is_empty() or not solid.volume() > 0:
+    if solid.is_empty() or not solid.volume() > _ROUNDING * np.ptp(points, axis=0).max() ** 3:
         raise NoHull("all points lie in a plane, which has no hull")
     found = solid.to_mesh64()
     part = Part(

@@ -29,6 +29,11 @@ class Pieces(NamedTuple):
     high: Floats
     is_closed: Flags
 
+    def corners(self, places: Floats, faces: Integers) -> Floats:
+        """(p, 3), a vertex of each piece."""
+        _, first = np.unique(self.of_face, return_index=True)
+        return np.asarray(places[faces[first, 0]])
+
 
 def take_apart(places: Floats, edges: Edges) -> Pieces:
     """The pieces of a mesh.
@@ -91,14 +96,14 @@ def inside_out(places: Floats, faces: Integers, pieces: Pieces, least: float = 0
         least: the volume up to which a piece does not matter.
     """
     found = np.zeros(len(pieces.volumes), dtype=bool)
+    corners = pieces.corners(places, faces)
     rounding = ROUNDING * np.linalg.norm(pieces.high - pieces.low, axis=1) ** 3
     for piece in np.flatnonzero(pieces.is_closed & (pieces.volumes < -np.maximum(least, rounding))):
         around = pieces.is_closed & (np.abs(pieces.volumes) > abs(pieces.volumes[piece]))
         around &= (pieces.low <= pieces.low[piece]).all(axis=1)
         around &= (pieces.high >= pieces.high[piece]).all(axis=1)
-        corner = places[faces[np.argmax(pieces.of_face == piece), 0]]
         found[piece] = not any(
-            contains(places, faces[pieces.of_face == other], corner)
+            contains(places, faces[pieces.of_face == other], corners[piece])
             for other in np.flatnonzero(around)
         )
     return found

@@ -7,7 +7,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
 from urdfkit.meshes.edges import Edges
-from urdfkit.meshes.geometry import Flags, Floats, Integers, areas
+from urdfkit.meshes.geometry import Flags, Integers, areas
 from urdfkit.meshes.pieces import contains, inside_out, take_apart
 from urdfkit.meshes.repair.soup import Soup
 
@@ -20,46 +20,40 @@ def agree(soup: Soup) -> Soup:
     if not edges.is_twisted.any():
         return soup
     pairs = edges.pairs
-    twisted = edges.is_twisted[edges.count == 2]
-    number = len(soup.faces)
-    graph = coo_array(
-        (np.ones(2 * len(pairs)), (pairs.reshape(-1), pairs[:, ::-1].reshape(-1))),
-        shape=(number, number),
-    ).tocsr()
-    _, pieces = connected_components(graph, directed=False)
-    sign_of_pair = _lookup(pairs, twisted)
+    pieces, is_turned = _senses(len(soup.faces), pairs, edges.is_twisted[edges.count == 2])
     area = areas(soup.points, soup.faces)
-    turn = np.zeros(number, dtype=bool)
-    for piece in np.unique(pieces[np.unique(pairs[twisted])]):
-        members = np.flatnonzero(pieces == piece)
-        signs = _signs(graph, int(members[0]), sign_of_pair, number)
-        wrong = members[signs[members] < 0]
-        if area[wrong].sum() > area[members].sum() / 2:
-            wrong = members[signs[members] > 0]
-        turn[wrong] = True
-    return soup.turned(turn)
+    turned, whole = np.bincount(pieces, area * is_turned), np.bincount(pieces, area)
+    return soup.turned(is_turned ^ (turned > whole / 2)[pieces])
 
 
-def _lookup(pairs: Integers, twisted: Flags) -> dict[tuple[int, int], bool]:
-    return {
-        (one, other): bad
-        for (one, other), bad in zip(
-            map(tuple, np.sort(pairs, axis=1).tolist()), twisted.tolist(), strict=True
-        )
-    }
+def _senses(number: int, pairs: Integers, twisted: Flags) -> tuple[Integers, Flags]:
+    """The pieces of a surface, and which faces do not agree with the first one of their piece.
+
+    Args:
+        number: of faces.
+        pairs: (k, 2), faces that share an edge.
+        twisted: (k,), True for those that see it in the same direction.
+
+    Returns:
+        (m,), the number of the piece of each face; (m,), True for those to be turned.
+    """
+    _, pieces = connected_components(_graph(pairs, number), directed=False)
+    _, first = np.unique(pieces, return_index=True)
+    # From a node beyond all faces one of each piece is reached, and from there its neighbours.
+    starts = np.column_stack([np.full(len(first), number), first])
+    order, before = breadth_first_order(
+        _graph(np.concatenate([pairs, starts]), number + 1), number, directed=False
+    )
+    is_twisted = dict(zip(map(tuple, pairs.tolist()), twisted.tolist(), strict=True))
+    is_turned = [False] * (number + 1)
+    for face, origin in zip(order[1:].tolist(), before[order[1:]].tolist(), strict=True):
+        bad = is_twisted.get((origin, face)) or is_twisted.get((face, origin), False)
+        is_turned[face] = is_turned[origin] != bad
+    return pieces, np.array(is_turned[:number])
 
 
-def _signs(
-    graph: coo_array, start: int, twisted: dict[tuple[int, int], bool], number: int
-) -> Floats:
-    """(m,), 1 or -1 for the faces that agree with the first one as they are, or turned."""
-    order, before = breadth_first_order(graph, start, directed=False)
-    signs = np.ones(number)
-    for face in order[1:].tolist():
-        origin = int(before[face])
-        pair = (origin, face) if origin < face else (face, origin)
-        signs[face] = -signs[origin] if twisted[pair] else signs[origin]
-    return signs
+def _graph(links: Integers, number: int) -> coo_array:
+    return coo_array((np.ones(len(links)), links.T), shape=(number, number)).tocsr()
 
 
 def face_outwards(soup: Soup) -> Soup:
@@ -73,11 +67,13 @@ def face_outwards(soup: Soup) -> Soup:
     wrong = inside_out(soup.points, soup.faces, pieces)
     if not wrong.any():
         return soup
-    turn = wrong[pieces.of_face]
+    corners = pieces.corners(soup.points, soup.faces)
+    turn = wrong.copy()
     for outer in np.flatnonzero(wrong):
-        shell = soup.faces[pieces.of_face == outer]
-        for inner in np.flatnonzero(~wrong):
-            inside = pieces.of_face == inner
-            if contains(soup.points, shell, soup.points[soup.faces[inside][0, 0]]):
-                turn |= inside
-    return soup.turned(turn)
+        within = ~wrong & (pieces.low[outer] <= corners).all(axis=1)
+        within &= (corners <= pieces.high[outer]).all(axis=1)
+        if within.any():
+            shell = soup.faces[pieces.of_face == outer]
+            for inner in np.flatnonzero(within):
+                turn[inner] |= contains(soup.points, shell, corners[inner])
+    return soup.turned(turn[pieces.of_face])
