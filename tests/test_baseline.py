@@ -37,6 +37,17 @@ def test_what_was_there_is_tolerated_wherever_it_moves(tmp_path):
     assert sift(moved, known, str(tmp_path)) == ([], 2)
 
 
+def test_what_was_there_is_tolerated_in_a_file_that_was_renamed(tmp_path):
+    known = load(save(tmp_path, robot(tmp_path, "a", "b")))
+    (tmp_path / "r.urdf").rename(tmp_path / "renamed.urdf")
+    moved = check(tmp_path / "renamed.urdf", select=["JNT020"]).diagnostics
+    assert sift(moved, known, str(tmp_path)) == ([], 2)
+    # A copy is new: the file that had the findings is still there.
+    robot(tmp_path, "a", "b")
+    new, tolerated = sift(moved, known, str(tmp_path))
+    assert (len(new), tolerated) == (2, 0)
+
+
 def test_one_more_of_the_same_is_new(tmp_path):
     known = load(save(tmp_path, robot(tmp_path, "a", "b")))
     new, tolerated = sift(robot(tmp_path, "a", "b", "c"), known, str(tmp_path))

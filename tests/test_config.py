@@ -92,7 +92,8 @@ def test_everything_that_can_be_set(tmp_path):
         ("[arguments]\na = []", ["'arguments.a'"]),
         ('[[robot]]\nfile = "nowhere.urdf"', ["robot[1]", "nowhere.urdf"]),
         ("[[per-file-ignores]]\nfiles = ['a']", ["per-file-ignores[1]", "'codes'"]),
-        ("trust = 1", ["'trust'", "bool"]),
+        ("trust = 1", ["'trust'", "true or false"]),
+        ("[per-file-ignores]\n'vendor/*' = ['URD']", ["written [[per-file-ignores]]"]),
         ("a = ", ["not TOML"]),
     ],
 )

@@ -218,11 +218,11 @@ class TestTheWholeFile:
             ("links: [a, b]", "the file is no XML: there is no tag in it"),
             (
                 "<!DOCTYPE html>\n<html><br></html>",
-                "the file is a web page, not a robot; download the raw file",
+                "the file is a web page, not a robot",
             ),
             (
                 "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n",
-                "the file is a pointer of Git LFS, not the robot itself; run: git lfs pull",
+                "the file is a pointer of Git LFS, not the robot itself",
             ),
         ],
     )

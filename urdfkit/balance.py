@@ -19,6 +19,7 @@ class Slip(Record):
         message: what is wrong.
         notes: other places that explain it, as (start, end, message).
         trailing: True for what follows the end of the root element.
+        help: what to do; empty where the message says it.
     """
 
     start: int
@@ -26,6 +27,7 @@ class Slip(Record):
     message: str
     notes: tuple[tuple[int, int, str], ...] = ()
     trailing: bool = False
+    help: str = ""
 
 
 class Tag(Record):

@@ -1,7 +1,8 @@
 """A baseline: the findings that a project had when it began to check, and tolerates until later.
 
 A finding is known again by its rule, its file and the text of its line, not by the line's number
-or the numbers in its message, so that edits elsewhere do not bring it back.
+or the numbers in its message, so that edits elsewhere do not bring it back. Where a file is no
+more, it may have been moved: what it had is tolerated in another one.
 """
 
 from __future__ import annotations
@@ -96,11 +97,16 @@ def sift(
     diagnostics: Iterable[Diagnostic], known: Counter[Fingerprint], folder: str
 ) -> tuple[list[Diagnostic], int]:
     """The findings that a baseline does not tolerate, and how many it does."""
-    left = Counter(known)
+    paths = {key.path for key in known}
+    gone = {path for path in paths if not os.path.lexists(os.path.join(folder, path))}
+    left: Counter[Fingerprint] = Counter()
+    for key, count in known.items():
+        left[key._replace(path="") if key.path in gone else key] += count
     new: list[Diagnostic] = []
     tolerated = 0
     for diagnostic in diagnostics:
-        key = fingerprint(diagnostic, folder)
+        own = fingerprint(diagnostic, folder)
+        key = own if left[own] > 0 else own._replace(path="")
         if left[key] > 0:
             left[key] -= 1
             tolerated += 1

@@ -203,6 +203,16 @@ def _robots(reader: _Reader, folder: str) -> list[Robot]:
     return robots
 
 
+#: What TOML calls the values that settings have.
+_KINDS = {
+    bool: "true or false",
+    dict: "a table",
+    int: "a whole number",
+    list: "a list",
+    str: "text",
+}
+
+
 class _Reader:
     """Takes settings out of a table one by one; what is left at the end does not exist."""
 
@@ -221,7 +231,7 @@ class _Reader:
         self._known.append(key)
         value = self._left.pop(key, default)
         if not isinstance(value, kind):
-            raise self.error(f"'{key}' must be of type {kind.__name__}, not {value!r}")
+            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
         return value
 
     def width(self) -> int:
@@ -311,8 +321,8 @@ class _Reader:
         }
 
     def tables(self, key: str) -> list[_Reader]:
-        values = self.take(key, list, [])
-        if not all(isinstance(value, dict) for value in values):
+        values = self.take(key, object, [])
+        if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
             raise self.error(f"'{key}' must be tables, written [[{key}]]")
         return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
 

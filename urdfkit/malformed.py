@@ -40,6 +40,9 @@ _DECLARATION = re.compile(
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 
 
+_NAME_ANOTHER = "name the URDF or xacro of the robot"
+
+
 def syntax_slips(data: bytes) -> list[Slip]:
     """All errors of a text in the order of their places; none if it is not known what is wrong.
 
@@ -47,11 +50,12 @@ def syntax_slips(data: bytes) -> list[Slip]:
         data: UTF-8.
     """
     if other := _other_kind(data):
-        return [Slip(0, 0, other)]
+        message, help = other
+        return [Slip(0, 0, message, help=help)]
     controls = _controls(data)
     if len(controls) > MAX_CONTROLS:
         message = f"the file is no text: it holds {len(controls)} control characters"
-        return [Slip(*controls[0], message)]
+        return [Slip(*controls[0], message, help=_NAME_ANOTHER)]
     scanner = _Scanner(data)
     scanner.run()
     first: dict[int, Slip] = {}
@@ -60,18 +64,18 @@ def syntax_slips(data: bytes) -> list[Slip]:
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
 
 
-def _other_kind(data: bytes) -> str:
-    """What the file is if it is something else altogether."""
+def _other_kind(data: bytes) -> tuple[str, str] | None:
+    """What the file is if it is something else altogether, and what to do."""
     start = data[:1000].lstrip().lower()
     if not data.strip():
-        return "the file is empty"
+        return "the file is empty", "write a <robot> into it, or name another file"
     if start.startswith((b"<!doctype html", b"<html")):
-        return "the file is a web page, not a robot; download the raw file"
+        return "the file is a web page, not a robot", "download the raw file"
     if start.startswith(b"version https://git-lfs"):
-        return "the file is a pointer of Git LFS, not the robot itself; run: git lfs pull"
+        return "the file is a pointer of Git LFS, not the robot itself", "run: git lfs pull"
     if b"<" not in data:
-        return "the file is no XML: there is no tag in it"
-    return ""
+        return "the file is no XML: there is no tag in it", _NAME_ANOTHER
+    return None
 
 
 class _Scanner:

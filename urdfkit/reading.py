@@ -364,6 +364,7 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
             "XML006" if slip.trailing else "XML001",
             Span(source, slip.start, slip.end),
             slip.message,
+            slip.help,
             related=tuple(Related(Span(source, *place), text) for *place, text in slip.notes),
         )
         for slip in syntax_slips(data)

@@ -42,6 +42,7 @@ def test_rules_that_need_the_robot_are_skipped_and_say_why() -> None:
 def test_a_file_without_a_byte(name: str) -> None:
     (found,) = told("XML001", b"", name)
     assert (found.message, found.span.line, found.span.column) == ("the file is empty", 1, 1)
+    assert found.help == "write a <robot> into it, or name another file"
 
 
 def test_in_a_file_that_a_xacro_includes(tmp_path: Path) -> None:

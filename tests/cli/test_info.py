@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -125,3 +126,13 @@ def test_the_first_error_is_told_not_a_warning_before_it(
     told = capsys.readouterr().err
     assert "name 'x' is not defined" in told
     assert "more" not in told
+
+
+def test_instead_of_a_folder_its_robots_are_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2
+    told = capsys.readouterr().err
+    assert f"is a folder; name one of its robots: {os.path.relpath(ARM)}\n" in told
+    assert main(["info", str(tmp_path)]) == 2
+    assert capsys.readouterr().err.endswith("is a folder; name the file of a robot\n")

@@ -274,6 +274,7 @@ def test_skipped_rules_are_counted_by_reason() -> None:
             Skipped("ABC003", "a.urdf", "it cannot be read"),
             Skipped("", "c.xacro", "it needs arguments"),
             Skipped("", "d.xacro", "it needs arguments"),
+            *(Skipped("", f"{number}.xacro", "it makes no link") for number in range(4)),
         ),
         suppressed=1,
         tolerated=4,
@@ -281,7 +282,8 @@ def test_skipped_rules_are_counted_by_reason() -> None:
     )
     assert render(checked, width=300) == (
         "no findings in 2 files (1 rule skipped: it cannot be read; 2 rules skipped: not a xacro;"
-        " 2 files skipped: it needs arguments; 1 finding suppressed; 4 findings in the baseline)\n"
+        " 4 files skipped: it makes no link; c.xacro, d.xacro skipped: it needs arguments;"
+        " 1 finding suppressed; 4 findings in the baseline)\n"
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -9,16 +10,23 @@ import click
 
 from urdfkit import rules
 from urdfkit.cli import options, stdin
+from urdfkit.config import Config
 from urdfkit.diagnostic import Severity
-from urdfkit.errors import UnreadableRobot
+from urdfkit.discovery import discover
+from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.meshes.facts import counted
+from urdfkit.source import shown
 from urdfkit.subject import Subject
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from urdfkit.reading import Problem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+#: Robots of a folder that an error names.
+_NAMED = 5
 
 _TRUST = click.option(
     "--trust", is_flag=True, help="Let the model run any expression, read any file."
@@ -65,7 +73,20 @@ def only_file(values: Mapping[str, Any]) -> str:
     files = options.files(values)
     if len(files) != 1:
         raise options.UsageError("name one file; xacro arguments are written name:=value")
+    if os.path.isdir(files[0]):
+        raise options.UsageError(f"{files[0]}: is a folder; {_robots_in(files[0])}")
     return files[0]
+
+
+def _robots_in(folder: str) -> str:
+    """What to name instead of a folder."""
+    try:
+        found = discover(folder, Config(), Resolver()).robots
+    except UnreadableFile:
+        return "name the file of a robot"
+    paths = [shown(robot.file) for robot in found]
+    more = f" and {len(paths) - _NAMED} more" if len(paths) > _NAMED else ""
+    return f"name one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
 def robot(

@@ -16,6 +16,8 @@ from urdfkit.source import Span
 MAX_CALLS = 8
 #: Letters of arguments; they may be paths.
 MAX_VALUES = 160
+#: Skipped files that are named.
+MAX_FILES = 3
 
 _COLORS = {Severity.ERROR: "1;31", Severity.WARNING: "1;33", Severity.INFO: "1;36"}
 _STEPS = {"macro": "called by <xacro:{}> at", "include": "included at", "launch": "started at"}
@@ -88,7 +90,7 @@ def _launched(report: Report) -> Iterator[str]:
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:
-    """Reasons, and how many rules or whole files were skipped for them."""
+    """Reasons, and which files or how many rules were skipped for them."""
     codes: dict[str, set[str]] = {}
     files: dict[str, set[str]] = {}
     for skip in report.skipped:
@@ -96,11 +98,12 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             codes.setdefault(skip.reason, set()).add(skip.code)
         else:
             files.setdefault(skip.reason, set()).add(skip.path)
-    return [
-        (reason, _many(len(skipped[reason]), noun))
-        for noun, skipped in (("rule", codes), ("file", files))
-        for reason in sorted(skipped)
-    ]
+    found = [(reason, _many(len(codes[reason]), "rule")) for reason in sorted(codes)]
+    for reason in sorted(files):
+        paths = sorted(files[reason])
+        named = ", ".join(paths) if len(paths) <= MAX_FILES else _many(len(paths), "file")
+        found.append((reason, printable(named)))
+    return found
 
 
 def _many(count: int, noun: str) -> str:

@@ -14,6 +14,7 @@ from stat import S_ISREG
 from urdfkit.libraries import load
 from urdfkit.meshes import binary_stl, facts
 from urdfkit.meshes.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
+from urdfkit.source import why_unreadable
 
 #: No mesh of a robot is larger.
 _LARGEST = 1024**3
@@ -84,7 +85,7 @@ def sniff_file(path: str) -> MeshFacts:
         with open(path, "rb") as file:
             data = file.read(state.st_size if state.st_size <= MAX_BYTES else _HEAD)
     except OSError as error:
-        return MeshFacts("", 0, unreadable(f"cannot be read: {error.strerror or error}"))
+        return MeshFacts("", 0, unreadable(why_unreadable(path, error)))
     except ValueError:
         return MeshFacts("", 0, unreadable("cannot be read: its name holds a NUL"))
     if state.st_size > MAX_BYTES:
