@@ -2,17 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
-from pathlib import Path
-
-import pytest
-
-from urdfkit.examples import whole_robot
-
-CHECK_URDF = shutil.which("check_urdf")
-needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is not installed")
-
 
 def joint(name: str, kind: str, content: str = "", parent: str = "base") -> str:
     """A joint that holds the link of its name, with that link; on two lines."""
@@ -38,11 +27,3 @@ def robot(*joints: str) -> str:
 
 def of_xacro(content: str) -> str:
     return f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{content}</robot>'
-
-
-def urdfdom_reads(text: str, folder: Path) -> bool:
-    """True if urdfdom takes the robot."""
-    assert CHECK_URDF is not None
-    (folder / "robot.urdf").write_text(whole_robot(text), encoding="utf-8")
-    run = subprocess.run([CHECK_URDF, folder / "robot.urdf"], capture_output=True, check=False)
-    return run.returncode == 0

@@ -6,23 +6,19 @@ differs on purpose, the reason stands beside the case.
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
+from tests.urdfdom import needs_check_urdf, urdfdom
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
 from urdfkit.schema import JOINT_TYPES
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
-
-CHECK_URDF = shutil.which("check_urdf")
-needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is not installed")
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 SHAPE = '<geometry><box size="1 1 1"/></geometry>'
@@ -226,16 +222,10 @@ MILDER = {
 }
 
 
-def urdfdom_objects(file: Path) -> bool:
+def urdfdom_objects(text: str, folder: Path) -> bool:
     """True if urdfdom refuses the robot, logs an error about a part of it, or does not end."""
-    assert CHECK_URDF is not None
-    try:
-        run = subprocess.run(
-            [CHECK_URDF, file], capture_output=True, text=True, timeout=5, check=False
-        )
-    except subprocess.TimeoutExpired:
-        return True
-    return run.returncode != 0 or "Error:" in run.stdout + run.stderr
+    code, words = urdfdom(text, folder)
+    return code != 0 or "Error:" in words
 
 
 def errors(text: str) -> list[str]:
@@ -248,18 +238,15 @@ def errors(text: str) -> list[str]:
 @needs_check_urdf
 @pytest.mark.parametrize("case", CASES)
 def test_an_error_where_urdfdom_objects_and_none_elsewhere(case: str, tmp_path: Path) -> None:
-    file = tmp_path / "robot.urdf"
-    file.write_bytes(CASES[case].encode())
     found = errors(CASES[case])
-    assert bool(found) == urdfdom_objects(file), found
+    assert bool(found) == urdfdom_objects(CASES[case], tmp_path), found
 
 
 @needs_check_urdf
 @pytest.mark.parametrize("case", STRICTER)
 def test_stricter_where_another_reader_suffers(case: str, tmp_path: Path) -> None:
     text, _reason = STRICTER[case]
-    (tmp_path / "robot.urdf").write_bytes(text.encode())
-    assert not urdfdom_objects(tmp_path / "robot.urdf")
+    assert not urdfdom_objects(text, tmp_path)
     assert len(errors(text)) == 1
 
 

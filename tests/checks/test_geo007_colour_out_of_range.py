@@ -1,14 +1,12 @@
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from tests.massive import link
 from tests.told import fixed, messages, places, told
-from urdfkit.examples import whole_robot
+from tests.urdfdom import needs_check_urdf, urdfdom
 
 
 def paint(rgba: str) -> str:
@@ -52,11 +50,9 @@ def test_materials_in_visuals() -> None:
     assert messages("GEO007", robot) == ["the material: 9 is not between 0 and 1"]
 
 
-@pytest.mark.skipif(shutil.which("check_urdf") is None, reason="check_urdf is not installed")
+@needs_check_urdf
 @pytest.mark.parametrize(("rgba", "refused"), [("1 0 0 1", False), ("255 0 0 1", True)])
 def test_urdfdom_refuses_the_colour(rgba: str, refused: bool, tmp_path: Path) -> None:
-    file = tmp_path / "robot.urdf"
-    file.write_text(whole_robot(paint(rgba) + link("a")), encoding="utf-8")
-    done = subprocess.run(["check_urdf", file], capture_output=True, text=True, check=False)
-    assert ("malformed color" in done.stdout + done.stderr) is refused
-    assert bool(messages("GEO007", paint(rgba) + link("a"))) is refused
+    robot = paint(rgba) + link("a")
+    assert ("malformed color" in urdfdom(robot, tmp_path)[1]) is refused
+    assert bool(messages("GEO007", robot)) is refused

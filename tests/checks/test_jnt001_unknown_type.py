@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.jointed import joint, needs_check_urdf, robot, urdfdom_reads
+from tests.jointed import joint, robot
 from tests.told import fixed, messages, places, told
+from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit.schema import JOINT_TYPES
 
 LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.jointed import joint, needs_check_urdf, robot, urdfdom_reads
+from tests.jointed import joint, robot
 from tests.told import messages, places, told
+from tests.urdfdom import needs_check_urdf, urdfdom_reads
 
 CASES = {
     ("revolute", ""): ["joint 'j' is revolute and has no <limit>"],

@@ -37,13 +37,14 @@ def test_many_joints_side_by_side_are_not_deep() -> None:
     assert told("TRE009", f'<link name="l0"/>{joints}') == []
 
 
-def test_a_hundred_thousand_links_in_a_row_through_every_rule_of_the_tree() -> None:
-    found = told("TRE", chain(100_000))
-    assert [(one.code, one.element) for one in found] == [("TRE009", "link/l100000")]
+def test_a_long_chain_has_no_other_finding_of_the_tree() -> None:
+    """Of a hundred thousand links the tests of bad input tell."""
+    found = told("TRE", chain(10_000))
+    assert [(one.code, one.element) for one in found] == [("TRE009", "link/l10000")]
 
 
 def test_as_many_loops_as_links_through_every_rule_of_the_tree() -> None:
-    size = 20_000
+    size = 5_000
     back = "".join(
         f'<joint name="back{n}" type="fixed"><parent link="l{n}"/><child link="l0"/></joint>'
         for n in range(1, size + 1)

@@ -1,12 +1,11 @@
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from tests.told import told
+from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from tests.xacros import NAMESPACE
 from urdfkit import engine
 from urdfkit.diagnostic import Severity
@@ -44,8 +43,6 @@ def test_a_file_that_defines_or_includes_is_a_xacro() -> None:
     assert told("XAC018", robot) == []
 
 
-@pytest.mark.skipif(shutil.which("check_urdf") is None, reason="check_urdf is not installed")
+@needs_check_urdf
 def test_urdfdom_passes_over_it(tmp_path: Path) -> None:
-    (tmp_path / "a.urdf").write_text(f'<robot name="r">{CALLS}</robot>')
-    command = ["check_urdf", str(tmp_path / "a.urdf")]
-    assert subprocess.run(command, capture_output=True, check=False).returncode == 0
+    assert urdfdom_reads(f'<robot name="r">{CALLS}</robot>', tmp_path)

@@ -1,12 +1,11 @@
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from tests.told import fixed, told
+from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit import engine
 from urdfkit.source import Source
 
@@ -75,24 +74,16 @@ def test_the_robot_is_checked_all_the_same() -> None:
     assert {"XML007", "NAM001"} <= {one.code for one in report.diagnostics}
 
 
-@pytest.mark.skipif(shutil.which("check_urdf") is None, reason="check_urdf is not installed")
+@needs_check_urdf
 @pytest.mark.parametrize(
     "before", ["\n", '<?xml verison="1.0"?>', '<?xml version="0.0"?>', "\n<?xml?>"]
 )
 def test_urdfdom_forgives_it(before: str, tmp_path: Path) -> None:
-    (tmp_path / "robot.urdf").write_text(before + REST)
-    result = subprocess.run(
-        ["check_urdf", tmp_path / "robot.urdf"], capture_output=True, check=False
-    )
-    assert result.returncode == 0
+    assert urdfdom_reads(before + REST, tmp_path)
 
 
-@pytest.mark.skipif(shutil.which("check_urdf") is None, reason="check_urdf is not installed")
+@needs_check_urdf
 def test_urdfdom_does_not_forgive_text_before_the_declaration(tmp_path: Path) -> None:
     robot = f'text <?xml version="1.0"?>{REST}'
-    (tmp_path / "robot.urdf").write_text(robot)
-    result = subprocess.run(
-        ["check_urdf", tmp_path / "robot.urdf"], capture_output=True, check=False
-    )
-    assert result.returncode != 0
+    assert not urdfdom_reads(robot, tmp_path)
     assert told("XML001", robot)
