@@ -79,6 +79,13 @@ class Packages:
         self._levels: dict[str, tuple[Level, ...]] = {}
         self._scans: dict[Level, _Scan] = {}
         self._searched: dict[str, tuple[str, ...]] = {}
+        self._folders_of: dict[str, str] = {}
+
+    def folder_of(self, path: str) -> str:
+        """The absolute folder of a file; worked out once, as a robot names a hundred meshes."""
+        if path not in self._folders_of:
+            self._folders_of[path] = os.path.dirname(os.path.abspath(path))
+        return self._folders_of[path]
 
     def candidates(self, name: str, near: str) -> Iterator[Candidate]:
         """The folders that may be a package, the best first of those that are certain.
@@ -93,7 +100,7 @@ class Packages:
             return
         if name in ("", ".", "..") or "/" in name or "\\" in name:
             return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         yield from (Candidate(at) for at in _upwards(start) if self.name_of(at) == name)
         for folder in self._in_environment(name):
             yield Candidate(folder, trusted=True)
@@ -110,7 +117,7 @@ class Packages:
         """Where ``candidates`` looks, in words a user can check."""
         if name in self.explicit:
             return (f"{self.explicit[name]} (given for {name}; no such folder)",)
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         if start not in self._searched:  # a robot may name a missing package a hundred times
             self._searched[start] = self._search_of(start, near)
         return self._searched[start]
@@ -127,7 +134,7 @@ class Packages:
     def known(self, near: str) -> dict[str, str]:
         """The packages around a file: folders by name, the nearest of each name."""
         found: dict[str, str] = {}
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         for at in _upwards(start):
             name = self.name_of(at)
             if name:
@@ -139,7 +146,7 @@ class Packages:
 
     def enclosing(self, path: str) -> tuple[str, str] | None:
         """Name and folder of the package that a file lies in."""
-        for folder in _upwards(os.path.dirname(os.path.abspath(path))):
+        for folder in _upwards(self.folder_of(path)):
             name = self.name_of(folder)
             if name:
                 return name, folder
@@ -150,7 +157,7 @@ class Packages:
 
         The outermost repository or workspace around it, else its package, else its own folder.
         """
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         inside = [level.root for level in self.levels(near) if level.inside]
         if inside:
             return inside[-1]
@@ -159,7 +166,7 @@ class Packages:
 
     def levels(self, near: str) -> tuple[Level, ...]:
         """What is scanned for packages that a file refers to, from the inside out."""
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         if start not in self._levels:
             self._levels[start] = self._find_levels(start)
         return self._levels[start]
@@ -238,7 +245,7 @@ class Packages:
 
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
         """Folders of that name beside those above a file."""
-        start = os.path.dirname(os.path.abspath(near))
+        start = self.folder_of(near)
         above = [folder for folder in _upwards(start) if folder not in self._too_wide]
         for folder in above:
             beside = os.path.join(folder, name)

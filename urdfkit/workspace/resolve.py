@@ -134,8 +134,8 @@ class Resolver:
             near: path of the file in which the reference stands.
             top: path of the checked file, if another; relative references start there first.
         """
-        near, top = os.path.abspath(near), os.path.abspath(top or near)
-        key = (reference, os.path.dirname(near), os.path.dirname(top))
+        top = top or near
+        key = (reference, self.packages.folder_of(near), self.packages.folder_of(top))
         if key not in self._located:
             self._located[key] = self._locate(reference, near, top)
         return self._located[key]
@@ -251,7 +251,7 @@ class Resolver:
 
     def _relative(self, reference: str, text: str, near: str, top: str) -> Located:
         tried: list[str] = []
-        for folder in dict.fromkeys((os.path.dirname(top), os.path.dirname(near))):
+        for folder in dict.fromkeys(map(self.packages.folder_of, (top, near))):
             for relative in _spellings(text):
                 tried.append(_join(folder, relative))
                 path = self.folders.find(folder, relative)
@@ -264,7 +264,7 @@ class Resolver:
 
         Where some are only called so, the first that has the wanted file.
         """
-        key = (name, os.path.dirname(os.path.abspath(near)))
+        key = (name, self.packages.folder_of(near))
         if key not in self._candidates:
             found = _until_certain(self.packages.candidates(name, near))
             self._candidates[key] = tuple(sorted(found, key=lambda one: not one.certain))
