@@ -15,6 +15,7 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from urdfkit.document import Element
     from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import Joint, Link, RobotModel
 
@@ -141,8 +142,26 @@ def _about_transmissions(model: RobotModel) -> set[str]:
         return set(ABOUT_TRANSMISSIONS)
     names = [transmission.get("name") for transmission in model.transmissions]
     moved = [joint.get("name") for one in model.transmissions for joint in one.all("joint")]
-    is_plain = len({*names}) == len(names) and len({*moved}) == len(moved)
-    return {"RCT030"} if is_plain else set()
+    codes = {"RCT030"} if len({*names}) == len(names) and len({*moved}) == len(moved) else set()
+    moving = {joint.name for joint in model.joints if joint.kind != "fixed"}
+    if all(_is_whole(transmission, moving) for transmission in model.transmissions):
+        codes |= {"RCT003", "RCT016"}
+        if not model.ros2_controls:
+            codes |= {"RCT001", "RCT002"}
+    return codes
+
+
+def _is_whole(transmission: Element, moving: set[str]) -> bool:
+    """True if a transmission has a name, a type, actuators, and joints that move."""
+    kind, joints = transmission.child("type"), transmission.all("joint")
+    actuators = transmission.all("actuator")
+    interfaces = [joint.child("hardwareInterface") for joint in joints]
+    return (
+        bool(transmission.get("name") and kind and kind.text.strip() and joints and actuators)
+        and all(joint.get("name") in moving for joint in joints)
+        and all(actuator.get("name") for actuator in actuators)
+        and all(interface and interface.text.strip() for interface in interfaces)
+    )
 
 
 def _about_statics(model: RobotModel, tree: KinematicTree) -> set[str]:
@@ -253,6 +272,8 @@ def _about_shapes(model: RobotModel) -> set[str]:
         codes.add("GEO003")
     if any(link.visuals or link.collisions for link in model.links):
         codes.add("GEO008")
+    if all(link.visuals or link.collisions or not link.mass for link in model.links):
+        codes.add("COL005")
     shapes = model.shapes
     if all(min(shape.scale) > 0 for shape in shapes):
         codes |= ABOUT_SCALES

@@ -25,7 +25,7 @@ _CODES = {
     Kind.NOT_A_MESH: "MSH010",
     Kind.TRUNCATED: "MSH011",
 }
-_SEPARATORS = r"[_\-. ]+"
+_SEPARATORS = str.maketrans("_-.", "   ")
 
 
 class MeshReference(Record):
@@ -381,7 +381,7 @@ def _numbers(name: str) -> list[str]:
 
 
 def _words(name: str) -> list[str]:
-    return [word for word in re.split(_SEPARATORS, os.path.splitext(name)[0].casefold()) if word]
+    return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
 
 
 def _suffix(name: str) -> str:

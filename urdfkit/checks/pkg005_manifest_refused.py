@@ -12,7 +12,6 @@ Sources:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
@@ -57,8 +56,6 @@ FILES = {
 
 #: What reading calls a text that is no XML.
 _BROKEN = ("XML001", "XML002", "XML006")
-_VERSION = re.compile(r"\d+\.\d+\.\d+")
-_PACKAGE = re.compile(r"[A-Za-z0-9][\w-]*")
 
 
 @rule("PKG005", "manifest-refused", Severity.ERROR, help="mend the package.xml")
@@ -108,9 +105,9 @@ def _tags(package: Element) -> Iterator[Finding]:
 
 def _values(package: Element) -> Iterator[Finding]:
     name, version = package.child("name"), package.child("version")
-    if name and not _PACKAGE.fullmatch(name.text.strip()):
+    if name and not _is_name(name.text.strip()):
         yield Finding(Written(name.span), f"'{name.text.strip()}' is not a name for a package")
-    if version and not _VERSION.fullmatch(version.text.strip()):
+    if version and not _is_version(version.text.strip()):
         message = f"the version '{version.text.strip()}' is not three numbers"
         yield Finding(Written(version.span), message, "write it as 1.0.0")
     for maintainer in package.all("maintainer"):
@@ -125,3 +122,12 @@ def _values(package: Element) -> Iterator[Finding]:
     for child in package.children:
         if own and child.tag.endswith("depend") and child.text.strip() == own:
             yield Finding(Written(child.span), "the package depends on itself", "remove it")
+
+
+def _is_name(text: str) -> bool:
+    return text[:1].isalnum() and text.replace("_", "").replace("-", "").isalnum()
+
+
+def _is_version(text: str) -> bool:
+    numbers = text.split(".")
+    return len(numbers) == 3 and all(map(str.isdecimal, numbers))

@@ -40,8 +40,8 @@ _OPERATORS = {
     ast.Mod: "fence modulo",
 }
 
-#: A name, or a value of a table by its key: most expressions are, and nothing can be wrong with it.
-_PLAIN = r"(?a)(?!__)[A-Za-z_]\w*(\[(['\"])\w+\2\])*"
+#: A value of a table by its key.
+_ITEM = r"(?a)(?!__)[A-Za-z_]\w*(\[(['\"])\w+\2\])+"
 
 #: The place of a node that stands in no text.
 _NOWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0, "end_lineno": 1, "end_col_offset": 0}
@@ -56,7 +56,7 @@ def compile_expression(text: str) -> CodeType:
         UnsafeExpression: it is refused.
         TooLarge: it is longer, or nested deeper, than any model's.
     """
-    if (text.isidentifier() or "[" in text) and re.fullmatch(_PLAIN, text):
+    if _is_plain(text):
         return compile(text, "<expression>", "eval")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what Python thinks of its style is nobody's business
@@ -66,6 +66,13 @@ def compile_expression(text: str) -> CodeType:
             return compile(_fenced(ast.parse(text, "<expression>", "eval")), "<expression>", "eval")
         except (RecursionError, MemoryError) as error:
             raise TooLarge("an expression that is nested too deeply") from error
+
+
+def _is_plain(text: str) -> bool:
+    """True for a name or an item, as most expressions are: nothing can be wrong with them."""
+    if text.isidentifier():
+        return text.isascii() and not text.startswith("__")
+    return "[" in text and re.fullmatch(_ITEM, text) is not None
 
 
 def _fenced(tree: ast.Expression) -> ast.Expression:

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from itertools import chain
 
+from urdfkit.catalog.sensors import types
+from urdfkit.gazebo.drives import drive_of
 from urdfkit.gazebo.plugins import Use, fate
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.static import TYPE_CHECKING
@@ -69,7 +71,8 @@ def about_plugins(uses: tuple[Use, ...], targets: Targets, conversion: Conversio
         codes.add("GAZ028")
     if conversion.model.transmissions or conversion.model.ros2_controls:
         codes.add("GAZ029")
-    if len({use.name for use in uses}) == len(uses):
+    nodes = [use.name for use in uses if use.plugin and use.plugin.node]
+    if len({*nodes}) == len(nodes):
         codes.add("GAZ027")
     return codes
 
@@ -140,10 +143,12 @@ _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
     "GAZ030": _has_absolute_name,
     "GAZ031": _has_odometry,
     "GAZ034": _is_named_oddly,
+    "GAZ064": lambda use: drive_of(use) is not None,
 }
 
 #: Silent if no sensor is odd in this way.
 _ABOUT_SENSORS: dict[str, Callable[[Sensor], bool]] = {
+    "GAZ040": lambda sensor: sensor.type not in types(),
     "GAZ043": _has_no_rate,
     "GAZ049": _is_on_optical_frame,
     "GAZ060": lambda sensor: not sensor.name.strip(),

@@ -7,7 +7,8 @@ an intention, and the twin that is right tells the value that was meant.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 from urdfkit.mechanics.joints import MOVING
 from urdfkit.spatial import Vector
@@ -49,8 +50,10 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     return found
 
 
-def _right_twins(name: str) -> Iterator[str]:
+@lru_cache(maxsize=4096)
+def _right_twins(name: str) -> tuple[str, ...]:
     """A name with one of its words for left turned into right, the last word first."""
+    twins: list[str] = []
     for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
         right = _RIGHT_OF.get(word.lower())
@@ -62,7 +65,8 @@ def _right_twins(name: str) -> Iterator[str]:
             right = right.upper()
         elif word[0].isupper():
             right = right.capitalize()
-        yield name[: match.start()] + right + name[match.end() :]
+        twins.append(name[: match.start()] + right + name[match.end() :])
+    return tuple(twins)
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:

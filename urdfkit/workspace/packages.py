@@ -28,7 +28,6 @@ _SHARED_BY_ALL = frozenset(
     "/usr/local /usr/src /var /var/tmp /Users /Volumes".split()
 )
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
-_NAME = rb"<name>\s*([^<>\s]+)\s*</name>"
 _MODEL_PATH = rb"""\bgazebo_model_path\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 
 
@@ -326,8 +325,9 @@ class _Scan:
 def _package_name(folder: str) -> str | None:
     data = _read_marker(folder, "package.xml")
     if data:
-        match = re.search(_NAME, data)
-        return match.group(1).decode("utf-8", "replace") if match else None
+        name = data.partition(b"<name>")[2].partition(b"</name>")[0].strip()
+        is_one = b"<" not in name and len(name.split()) == 1
+        return name.decode("utf-8", "replace") if is_one else None
     # rosbuild: the name is that of the folder.
     if b"<package" in _read_marker(folder, "manifest.xml"):
         return os.path.basename(folder)

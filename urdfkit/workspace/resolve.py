@@ -17,7 +17,6 @@ from urdfkit.source import Source
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.packages import Candidate, Packages, path_list
 
-_SCHEME = r"([A-Za-z][A-Za-z0-9+.-]+)://"
 _DRIVE = r"/?[A-Za-z]:/"
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
@@ -189,9 +188,7 @@ class Resolver:
 
     def _locate(self, reference: str, near: str, top: str) -> Located:
         text = reference.replace("\\", "/")
-        match = re.match(_SCHEME, text)
-        scheme = match.group(1).lower() if match else ""
-        rest = text[match.end() :] if match else text
+        scheme, rest = _split(text)
         if scheme in ("package", "model"):
             name, _, relative = rest.partition("/")
             if scheme == "model":
@@ -320,6 +317,19 @@ def _until_certain(candidates: Iterator[Candidate]) -> Iterator[Candidate]:
         yield candidate
         if candidate.certain:
             return
+
+
+def _split(text: str) -> tuple[str, str]:
+    """The scheme before ``://``, in small letters, and the rest; without one, all is the rest.
+
+    One letter is no scheme but a drive.
+    """
+    scheme, is_written, rest = text.partition("://")
+    letters = scheme.replace("+", "").replace(".", "").replace("-", "")
+    is_scheme = scheme.isascii() and scheme[:1].isalpha() and letters.isalnum()
+    if is_written and is_scheme and len(scheme) > 1:
+        return scheme.lower(), rest
+    return "", text
 
 
 def _spellings(text: str) -> Iterator[str]:
