@@ -56,7 +56,7 @@ def test_pieces_are_convex_and_nearly_the_mesh(engine: str) -> None:
 
 def test_pieces_of_sheet_metal_are_solids() -> None:
     sheets = [trimesh.creation.box(edges) for edges in ((1, 1, 1e-5), (1e-5, 1, 1))]
-    found = decompose(as_mesh(trimesh.util.concatenate(sheets)), most=8)
+    found = decompose(Mesh(tuple(map(as_part, sheets))), most=8)
     assert len(found.parts) > 1
     assert all(examine(part.vertices, part.faces).is_solid for part in found.parts)
 

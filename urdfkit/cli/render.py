@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit.cli import options
+from urdfkit.cli import options, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import printable
@@ -119,19 +118,17 @@ def _picture(scene: Scene, values: dict[str, Any]) -> None:
     if values["thumbnail"]:
         values["size"] = values["size"] or THUMBNAIL
         values["background"] = values["background"] or "transparent"
-    progress = on_terminal()
-    image = render.picture(
-        scene,
-        VIEWS if named == ["all"] else named,
-        size=_size(values["size"] or SIZE),
-        floor=not values["no_ground"],
-        background=_background(values["background"]),
-        quality=values["quality"],
-        progress=progress,
-        **_camera(values),
-    )
-    if progress is not None:
-        progress.wipe()
+    with progress.shown() as bar:
+        image = render.picture(
+            scene,
+            VIEWS if named == ["all"] else named,
+            size=_size(values["size"] or SIZE),
+            floor=not values["no_ground"],
+            background=_background(values["background"]),
+            quality=values["quality"],
+            progress=bar,
+            **_camera(values),
+        )
     render.save(image, values["output"])
 
 
@@ -150,16 +147,14 @@ def _animation(
     else:
         scenes = render.sweep(scene, robot, values["sweep"], pose)
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
-    progress = on_terminal()
-    images = render.animated(
-        shots,
-        floor=not values["no_ground"],
-        background=_background(values["background"]),
-        quality=values["quality"],
-        progress=progress,
-    )
-    if progress is not None:
-        progress.wipe()
+    with progress.shown() as bar:
+        images = render.animated(
+            shots,
+            floor=not values["no_ground"],
+            background=_background(values["background"]),
+            quality=values["quality"],
+            progress=bar,
+        )
     render.save_animation(images, path)
 
 

@@ -9,7 +9,7 @@ import click
 from urdfkit import atomic
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.progress import on_terminal
+from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import judged, only_file
 from urdfkit.diagnostic import Severity
 from urdfkit.page.csv import COLUMNS
@@ -49,8 +49,7 @@ def command(
     Exit codes: 0 done, 1 findings of the severity of --fail-on or worse, 2 it cannot be done.
     """
     file = only_file(values)
-    progress = on_terminal()
-    try:
+    with shown() as bar:
         text, document = report(
             stdin.opened(file),
             form_of(output_file) if output_file else "markdown",
@@ -62,11 +61,8 @@ def command(
             targets=options.words(values, "target"),
             trust=values["trust"],
             config=options.config(values, file),
-            progress=progress,
+            progress=bar,
         )
-    finally:
-        if progress:
-            progress.wipe()
     if output_file:
         atomic.write(output_file, output.encode(text))
     else:

@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import on_terminal
+from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.formats._layout import wrap
@@ -120,12 +120,8 @@ def _statics(
     from urdfkit.dynamics.statics import statics
 
     loaded = Dynamics(subject.tree, payload) if payload else bare
-    bar = on_terminal()
-    try:
+    with shown() as bar:
         return statics(loaded, given, samples=samples, seed=seed, progress=bar)
-    finally:
-        if bar:
-            bar.wipe()
 
 
 def _stability(

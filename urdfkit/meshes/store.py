@@ -11,6 +11,8 @@ import os
 import re
 from functools import lru_cache
 
+from urdfkit import atomic
+from urdfkit.errors import UnwritableFile
 from urdfkit.meshes import facts
 from urdfkit.meshes.facts import MAX_BYTES
 from urdfkit.meshes.measures import Measures, from_json, to_json
@@ -144,14 +146,11 @@ def _write(entry: str, known: Measures | str) -> None:
 
     content = known if isinstance(known, str) else to_json(known)
     folder = os.path.dirname(entry)
-    temporary = f"{entry}.{os.getpid()}.tmp"
     try:
         os.makedirs(folder, exist_ok=True)
         _make_room(folder)
-        with open(temporary, "x", encoding="utf-8") as file:
-            json.dump(content, file)
-        os.replace(temporary, entry)
-    except OSError:
+        atomic.write(entry, json.dumps(content).encode())
+    except (OSError, UnwritableFile):
         return
 
 

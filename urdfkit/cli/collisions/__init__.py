@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 import click
 
 from urdfkit import atomic
-from urdfkit.cli import output
+from urdfkit.cli import output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import on_terminal
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.jsontext import dumped
@@ -115,16 +114,13 @@ def _sampled(
     Raises:
         UrdfkitError: coal is not installed, or the robot is beyond it.
     """
-    progress = on_terminal()
-    try:
-        return subject.collisions.matrix(
-            samples=samples, seed=seed, begin=begin, units=units, jobs=jobs, progress=progress
-        )
-    except Unavailable as reason:
-        raise UrdfkitError(str(reason)) from reason
-    finally:
-        if progress:
-            progress.wipe()
+    with progress.shown() as bar:
+        try:
+            return subject.collisions.matrix(
+                samples=samples, seed=seed, begin=begin, units=units, jobs=jobs, progress=bar
+            )
+        except Unavailable as reason:
+            raise UrdfkitError(str(reason)) from reason
 
 
 def _write(matrix: Matrix, path: str) -> None:
