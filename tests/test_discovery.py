@@ -314,3 +314,28 @@ def test_the_controllers_that_launch_files_load_are_compared_with_the_robots(pac
     assert "joint 'axel'" in found.message
     assert found.span.source.path == str(package / "c.yaml")
     assert [Path(file).name for file in report.files].count("cart.xacro") == 1
+
+
+def test_a_folder_of_launch_files_alone_is_checked(tmp_path):
+    (tmp_path / "a.launch").write_text("<launch><group></launch>")
+    assert [found.code for found in check(tmp_path, select=["LAU"]).diagnostics] == ["LAU001"]
+
+
+def test_a_robot_is_checked_with_the_arguments_of_launch_files(package):
+    """What is left out without them is told once."""
+    (package / "urdf").mkdir(exist_ok=True)
+    (package / "urdf" / "arm.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="sim" default="false"/><link name="base"/>'
+        '<xacro:if value="$(arg sim)"><gazebo reference="bsae"><mu1>1</mu1></gazebo></xacro:if>'
+        "</robot>"
+    )
+    (package / "launch").mkdir(exist_ok=True)
+    for name in "ab":
+        (package / "launch" / f"{name}.launch").write_text(
+            '<launch><param name="robot_description" '
+            'command="xacro $(dirname)/../urdf/arm.urdf.xacro sim:=true"/></launch>'
+        )
+    (found,) = check(package, select=["GAZ001"]).diagnostics
+    assert found.span.text == "bsae"
+    assert [step.name for step in found.calls[0].via] == ["a.launch"]

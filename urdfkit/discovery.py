@@ -65,7 +65,9 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
         return Found(configured, ())
     found = IncludeGraph(descriptions(folder, config), resolver).entry_points()
     if not found.robots and not found.libraries:
-        raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
+        raise UnreadableFile(
+            f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
+        )
     return found
 
 

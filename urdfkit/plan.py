@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 
 from urdfkit.diagnostic import Launched, Skipped
+from urdfkit.errors import UnreadableFile
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
@@ -18,8 +19,12 @@ if TYPE_CHECKING:
     from urdfkit.config import Config
     from urdfkit.discovery import Found
     from urdfkit.document import Frame
-    from urdfkit.launch.found import FileUse
+    from urdfkit.launch.found import Description, FileUse
     from urdfkit.subject import Subject
+
+
+#: Sets of arguments of the launch files of a folder with which one robot is checked.
+MAX_LAUNCHED = 4
 
 
 class Job(Record):
@@ -82,6 +87,8 @@ class Plan:
         self.arguments = dict(arguments)
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
+        #: The arguments with which the robots of a folder are checked, by path.
+        self._launched: dict[str, list[dict[str, str]]] = {}
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """A file, with its variants if the configuration has some, or a folder."""
@@ -90,12 +97,16 @@ class Plan:
         elif os.path.isdir(file):
             from urdfkit.config import Config
             from urdfkit.discovery import discover, launch_files
-            from urdfkit.glance import ABOUT_PARAMETERS
 
             folder, config = os.fspath(file), self.config or Config()
-            self._add_found(discover(folder, config, self.resolver), folder)
-            for path in launch_files(folder, config):
-                self._add_launch(self.resolver.read(_spelt(path, folder)), ABOUT_PARAMETERS)
+            launches = list(launch_files(folder, config))
+            try:
+                self._add_found(discover(folder, config, self.resolver), folder)
+            except UnreadableFile:
+                if not launches:  # of robots that lie elsewhere
+                    raise
+            for path in launches:
+                self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
         else:
             self._add_file(os.fspath(file))
 
@@ -132,24 +143,38 @@ class Plan:
         for robot in variants if not self.arguments else ():
             self._add(source, robot.name, robot.arguments, found=False)
 
-    def _add_launch(self, source: Source, codes: frozenset[str] = frozenset()) -> None:
+    def _add_launch(self, source: Source, *, found: bool = False) -> None:
         """A launch file, and the robots that it describes.
 
         Args:
             source: of the launch file.
-            codes: the rules that its robots are checked with; all if empty. Robots of a folder are
-                checked anyway, and only what a launch file adds to them is left.
+            found: it was found in a folder, whose robots are checked anyway. What is left is a
+                robot with the arguments that the launch file gives it, and its controllers.
         """
+        from urdfkit.glance import ABOUT_PARAMETERS
         from urdfkit.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
         launch = read_launch(source, self.resolver, self.arguments)
-        for description in launch.descriptions if launch.parameters or not codes else ():
-            robot = self.resolver.read(_spelt(description.path, source.path))
+        # Of several robots nobody knows which one the controllers are for.
+        parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
+        for one in launch.descriptions:
+            is_new = not found or self._is_other(one)
+            if not is_new and not parameters:
+                continue
+            robot = self.resolver.read(_spelt(one.path, source.path))
             common = self.config.arguments if self.config else {}
-            arguments = {**common, **description.arguments}
-            job = Job(robot, "", arguments, False, description.frame, launch.parameters)
-            self.jobs.append(job._replace(codes=codes))
+            arguments = {**common, **one.arguments}
+            job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
+            self.jobs.append(job if is_new else job._replace(codes=ABOUT_PARAMETERS))
+
+    def _is_other(self, description: Description) -> bool:
+        """True if a robot is not checked yet with these arguments, nor too often with others."""
+        sets = self._launched.setdefault(os.path.realpath(description.path), [{}])
+        if description.arguments in sets or len(sets) > MAX_LAUNCHED:
+            return False
+        sets.append(description.arguments)
+        return True
 
     def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
         common = self.config.arguments if self.config else {}

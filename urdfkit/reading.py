@@ -75,9 +75,15 @@ def is_xacro(source: Source) -> bool:
     return has_namespace and re.search(rb"\$[{(]", text) is not None
 
 
+_LAUNCH = (
+    ".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py",
+    ".launch.yaml", "_launch.yaml", ".launch.yml", "_launch.yml",
+)  # fmt: skip
+
+
 def is_launch(path: str) -> bool:
     """True for the names that launch files have."""
-    return path.endswith((".launch", ".launch.xml", "_launch.xml", ".launch.py", "_launch.py"))
+    return path.endswith(_LAUNCH)
 
 
 def read_xml(source: Source, frame: Frame | None = None) -> tuple[Document | None, list[Problem]]:

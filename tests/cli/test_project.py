@@ -66,7 +66,7 @@ def test_a_folder_without_robots_cannot_be_checked(project: Project) -> None:
     (project.folder / "empty").mkdir()
     code, out, err = project.check("empty")
     assert (code, out) == (2, "")
-    assert err == "error: empty: no .urdf and no .xacro with a <robot> in it\n"
+    assert err == "error: empty: no .urdf, no .xacro with a <robot> and no launch file in it\n"
 
 
 def test_the_nearest_configuration_counts_unless_told_otherwise(project: Project) -> None:

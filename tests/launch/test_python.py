@@ -176,3 +176,81 @@ def test_other_ways_to_the_robot(package, body):
 )
 def test_hostile_programs_are_read(text):
     read_launch(Source("a.launch.py", text.encode()), Resolver(environment={}))
+
+
+def include(name: str, rest: str = "") -> str:
+    return (
+        "IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(\n"
+        f"    get_package_share_directory('arm'), 'launch', '{name}')){rest})"
+    )
+
+
+ARM = """
+side = LaunchConfiguration('side')
+DeclareLaunchArgument('side', default_value='none')
+Command(['xacro ', FindPackageShare('arm'), '/urdf/arm.xacro side:=', side])
+"""
+
+
+def included(package: Path, name: str = "rsp.launch.py", body: str = ARM) -> None:
+    lines = "".join(f"    {line}\n" for line in body.strip().splitlines())
+    (package / "launch" / name).write_text(HEAD + lines)
+
+
+@pytest.mark.parametrize(
+    ("body", "side"),
+    [
+        (include("rsp.launch.py"), "none"),
+        (include("rsp.launch.py", ", launch_arguments={'side': 'left'}.items()"), "left"),
+        (include("rsp.launch.py", ", launch_arguments=[('side', 'left')]"), "left"),
+        (
+            "DeclareLaunchArgument('side', default_value='right')\n" + include("rsp.launch.py"),
+            "right",
+        ),
+        ("yes = 'true'\n" + include("rsp.launch.py", ", condition=IfCondition(yes)"), "none"),
+    ],
+)
+def test_the_robot_of_an_included_file(package, body, side):
+    included(package)
+    (description,) = read(package, body).descriptions
+    assert description.arguments == {"side": side}
+    assert [step.name for step in description.frame.steps()] == ["a.launch.py", "rsp.launch.py"]
+
+
+@pytest.mark.parametrize(
+    "rest",
+    [
+        ", launch_arguments={'side': unknown()}.items()",
+        ", launch_arguments=unknown()",
+        ", condition=IfCondition('false')",
+        ", condition=UnlessCondition('True')",
+    ],
+)
+def test_what_is_not_known_of_an_included_file_is_left(package, rest):
+    included(package)
+    assert read(package, include("rsp.launch.py", rest)).descriptions == ()
+
+
+def test_files_that_include_each_other_end(package):
+    included(package, body=f"{ARM}\n{include('a.launch.py')}\n{include('rsp.launch.py')}")
+    assert len(read(package, include("rsp.launch.py")).descriptions) == 1
+
+
+def test_xml_includes_python_and_python_xml(package):
+    included(package)
+    (package / "launch" / "m.launch.xml").write_text(
+        "<launch><include file='$(find-pkg-share arm)/launch/rsp.launch.py'>"
+        "<arg name='side' value='left'/></include></launch>"
+    )
+    (description,) = read(package, include("m.launch.xml")).descriptions
+    assert description.arguments == {"side": "left"}
+    steps = [step.name for step in description.frame.steps()]
+    assert steps == ["a.launch.py", "m.launch.xml", "rsp.launch.py"]
+
+
+@pytest.mark.parametrize("mappings", ["{'side': unknown(), 'up': 'z'}", "unknown()"])
+def test_arguments_that_are_not_known(package, mappings):
+    path = "FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'"
+    (description,) = read(package, f"xacro.process_file({path}, mappings={mappings})").descriptions
+    assert not description.is_whole
+    assert "side" not in description.arguments

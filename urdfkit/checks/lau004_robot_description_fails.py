@@ -17,6 +17,7 @@ from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.launch.found import Description
     from urdfkit.subject import Subject
 
 NAME = "robot.launch"
@@ -36,12 +37,14 @@ GOOD = BAD.replace("bad.xacro", "good.xacro")
 def check(subject: Subject) -> Iterator[Finding]:
     for description in subject.launch.descriptions:
         robot = subject.beside(description.path, description.arguments)
-        if robot.reading.document is None:
-            count = len(robot.reading.problems)
-            errors = (
-                "1 error, told at its place"
-                if count == 1
-                else f"{count} errors, told at their places"
-            )
+        if robot.reading.document is None and not _may_expand(description, robot):
+            first, *others = (problem.message for problem in robot.reading.problems)
+            more = f", and {len(others)} more" if others else ""
             place = Written(description.frame.call.span, description.frame.outer)
-            yield Finding(place, f"'{description.path}' does not expand: {errors}")
+            yield Finding(place, f"'{description.path}' does not expand: {first}{more}")
+
+
+def _may_expand(description: Description, robot: Subject) -> bool:
+    """True if it lacks arguments only, and is given some whose values are not known here."""
+    codes = {problem.code for problem in robot.reading.problems}
+    return not description.is_whole and codes == {"XAC010"}

@@ -1,7 +1,7 @@
 """Launch files: which robot they describe, and which files and packages they need.
 
-XML of ROS 1 and ROS 2 and the Python of ROS 2 are read, as far as constants reach; nothing of a
-launch file is run.
+XML of ROS 1 and ROS 2, and YAML and Python of ROS 2 are read, as far as constants reach; nothing of
+a launch file is run.
 """
 
 from __future__ import annotations
@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.document import Frame
+    from urdfkit.launch.collect import Collector
     from urdfkit.launch.found import Launch
     from urdfkit.source import Source
     from urdfkit.workspace.resolve import Resolver
@@ -18,15 +20,28 @@ if TYPE_CHECKING:
 def read_launch(
     source: Source, resolver: Resolver, arguments: Mapping[str, str] | None = None
 ) -> Launch:
-    """Read a launch file.
+    """Read a launch file, and those that it includes.
 
     Args:
         source: the file.
         resolver: finds packages.
         arguments: of the launch file, ``name:=value``.
     """
+    from urdfkit.launch.collect import Collector
+
+    collector = Collector(resolver, _read)
+    _read(collector, source, arguments or {}, None)
+    return collector.launch()
+
+
+def _read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
     if source.path.endswith(".py"):
         from urdfkit.launch.python import read
     else:
         from urdfkit.launch.xml import read
-    return read(source, resolver, dict(arguments or {}))
+    read(collector, source, arguments, frame)

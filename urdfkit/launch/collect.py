@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import os
 import shlex
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from urdfkit.document import Frame, Tag
-from urdfkit.errors import PackageNotFound
-from urdfkit.launch.found import Description, FileUse, Launch, PackageUse, Started
+from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.launch.found import (
+    MAX_DEPTH,
+    MAX_INCLUDED,
+    PARAMETERS,
+    Description,
+    FileUse,
+    Launch,
+    PackageUse,
+    Started,
+)
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -15,14 +26,30 @@ from urdfkit.workspace.resolve import Resolver
 #: Stands for the folder of a package that was not found; files in it are not judged.
 UNKNOWN = "/package-not-found"
 
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
 _XACRO = ("xacro", "xacro.py")
+#: Reads a launch file with the values of its arguments, included at a place.
+Reader: TypeAlias = "Callable[[Collector, Source, Mapping[str, str | None], Frame | None], None]"
 
 
 class Collector:
-    """Gathers what launch files need while they are read."""
+    """Gathers what launch files need while they are read.
 
-    def __init__(self, resolver: Resolver) -> None:
+    Args:
+        resolver: finds packages, and reads files.
+        reader: reads launch files of any kind.
+        outer: the launch files that include the one that is read.
+        included: how many have been included so far.
+    """
+
+    def __init__(
+        self, resolver: Resolver, reader: Reader, outer: tuple[str, ...] = (), included: int = 0
+    ) -> None:
         self.resolver = resolver
+        self._reader = reader
+        self.outer = outer
         self.descriptions: list[Description] = []
         self.files: list[FileUse] = []
         self.packages: dict[str, PackageUse] = {}
@@ -30,7 +57,7 @@ class Collector:
         self.started: list[Started] = []
         self.is_whole = True
         self.names_parameters = False
-        self.included = 0
+        self.included = included
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The folder of a package; notes that it is needed."""
@@ -67,12 +94,43 @@ class Collector:
         if len(files) == 1:
             self.description(files[0], arguments, span, frame)
 
-    def description(self, path: str, arguments: dict[str, str], span: Span, frame: Frame) -> None:
-        """A file that is the robot description, expanded with arguments."""
+    def description(
+        self, path: str, arguments: Mapping[str, str | None], span: Span, frame: Frame
+    ) -> None:
+        """A file that is the robot description, expanded with arguments; None is not known."""
         if not os.path.exists(path):
             path = self.resolver.installed(path) or path
         if self.file(path, span, "the robot description"):
-            self.descriptions.append(Description(path, arguments, frame))
+            known = {name: value for name, value in arguments.items() if value is not None}
+            is_whole = len(known) == len(arguments)
+            self.descriptions.append(Description(path, known, frame, is_whole))
+
+    def follow(
+        self, path: str, source: Source, arguments: Mapping[str, str | None], frame: Frame
+    ) -> None:
+        """Take over the robots and the parameters of an included launch file.
+
+        What else is in it is told when it is read by itself.
+
+        Args:
+            path: of the included file.
+            source: the file that includes it.
+            arguments: that it is given; None for those that only running it would tell.
+            frame: the place of the include.
+        """
+        outer = (*self.outer, source.path)
+        if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
+            return
+        try:
+            included = self.resolver.read(path)
+        except UnreadableFile:
+            return
+        inner = Collector(self.resolver, self._reader, outer, self.included + 1)
+        self._reader(inner, included, arguments, frame)
+        self.included = inner.included
+        self.descriptions += inner.descriptions
+        self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
+        self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
         return Launch(

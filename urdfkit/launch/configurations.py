@@ -54,24 +54,41 @@ class Configurations:
             yield from not_given(known, taken, source, self._values.span(call), None)
         self._known |= taken.names  # which an include leaves behind
 
+    def given(self, call: ast.Call) -> dict[str, str | None] | None:
+        """The arguments of an include, with their values as far as those are known.
+
+        None if not even the names are. In ROS 2 an included file sees those of this one, too.
+        """
+        pairs = self._pairs(call)
+        if pairs is None:
+            return None
+        text = self._values.text
+        own = {name: self._values.configuration(name) for name in self._values.arguments}
+        return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
+
     def _passed(self, call: ast.Call) -> list[tuple[str, Span]] | None:
         """The names of the arguments that an include passes; None if not all are known."""
-        node = self._values.meant(argument(call, 1, "launch_arguments"))
-        if node is None:
-            return [] if argument(call, 1, "launch_arguments") is None else None
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            node = self._values.meant(node.func.value) if node.func.attr == "items" else None
-        keys: list[ast.expr | None] = []
-        if isinstance(node, ast.Dict):
-            keys += node.keys
-        elif isinstance(node, (ast.List, ast.Tuple)):
-            pairs = [item for item in node.elts if isinstance(item, ast.Tuple)]
-            keys += [pair.elts[0] for pair in pairs] if len(pairs) == len(node.elts) else [None]
-        else:
+        pairs = self._pairs(call)
+        if pairs is None:
             return None
-        names = [(self._values.text(key), key) for key in keys]
+        names = [(self._values.text(key), key) for key, _ in pairs]
         known = [(name, self._values.span(key)) for name, key in names if name and key]
         return known if len(known) == len(names) else None
+
+    def _pairs(self, call: ast.Call) -> list[tuple[ast.expr | None, ast.expr]] | None:
+        """The names and values that an include passes; None if they are not written out."""
+        written = argument(call, 1, "launch_arguments")
+        if written is None:
+            return []
+        node = self._values.meant(written)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            node = self._values.meant(node.func.value) if node.func.attr == "items" else None
+        if isinstance(node, ast.Dict):
+            return list(zip(node.keys, node.values, strict=True))
+        if not isinstance(node, (ast.List, ast.Tuple)):
+            return None
+        pairs = [i.elts for i in node.elts if isinstance(i, ast.Tuple) and len(i.elts) == 2]
+        return [(k, v) for k, v in pairs] if len(pairs) == len(node.elts) else None
 
     def undeclared(self) -> Iterator[Problem]:
         """The uses of arguments that neither this file nor one that it includes declares."""

@@ -23,11 +23,13 @@ class Description(Record):
         path: of the URDF or xacro.
         arguments: for xacro.
         frame: the launch file's place, for the chain of calls.
+        is_whole: False if it is given arguments that only running the launch file would tell.
     """
 
     path: str
     arguments: dict[str, str]
     frame: Frame
+    is_whole: bool = True
 
 
 class FileUse(Record):

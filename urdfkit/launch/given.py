@@ -13,9 +13,10 @@ from urdfkit.document import Element, Frame
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch import read_launch
 from urdfkit.launch.found import Description
+from urdfkit.launch.markup import parsed
 from urdfkit.launch.signature import arguments_in
 from urdfkit.launch.values import argument, called
-from urdfkit.reading import Problem, is_launch, read_xml
+from urdfkit.reading import Problem, is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -147,7 +148,7 @@ def _constant(node: ast.expr | None) -> str:
 
 
 def _of_xml(source: Source) -> dict[str, list[str]]:
-    document, _ = read_xml(source)
+    document, _ = parsed(source)
     declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
     found: dict[str, list[str]] = {}
     for element in declared:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Mapping
 from itertools import pairwise
 
 from urdfkit import pythontext
@@ -10,39 +11,47 @@ from urdfkit.document import Frame, Tag
 from urdfkit.launch.collect import Collector, frame_at
 from urdfkit.launch.commands import run_together
 from urdfkit.launch.configurations import Configurations
-from urdfkit.launch.found import PARAMETERS, Launch, Started
+from urdfkit.launch.found import PARAMETERS, Started
 from urdfkit.launch.signature import of_python
 from urdfkit.launch.values import Values, argument, called
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
-from urdfkit.workspace.resolve import Resolver
 
 _PARAMETER_FILES = (".yaml", ".yml")
 _ROBOT_FILES = (".urdf", ".xacro")
 
 
-def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launch:
+def read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
     """What a launch file in Python needs, as far as constants reach."""
-    collector = Collector(resolver)
     try:
         tree = pythontext.parse(source.data, source.path)
     except SyntaxError as error:
         start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)
         collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
-        return collector.launch()
-    _Reader(collector, source, tree, arguments).read()
-    return collector.launch()
+        return
+    _Reader(collector, source, tree, arguments, frame).read()
 
 
 class _Reader:
     """Reads the calls of one launch file that make actions."""
 
     def __init__(
-        self, collector: Collector, source: Source, tree: ast.Module, arguments: dict[str, str]
+        self,
+        collector: Collector,
+        source: Source,
+        tree: ast.Module,
+        arguments: Mapping[str, str | None],
+        frame: Frame | None,
     ) -> None:
         self.collector = collector
         self.source = source
+        self.frame = frame
         self.values = Values(collector, source, tree, arguments)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         self.configurations = Configurations(self.values, of_python(tree), self.calls)
@@ -126,6 +135,18 @@ class _Reader:
             is_there = self.collector.file(path, self.values.span(node), "the included launch file")
         self.collector.is_whole = self.collector.is_whole and is_there
         self.collector.problems += self.configurations.include(call, path)
+        passed = self.configurations.given(call)
+        if is_there and passed is not None and not self._is_off(call):
+            self.collector.follow(path, self.source, passed, self._frame(call))
+
+    def _is_off(self, action: ast.Call) -> bool:
+        """True if its condition does not hold; what cannot be known counts as on."""
+        condition = self.values.meant(argument(action, None, "condition"))
+        if not isinstance(condition, ast.Call):
+            return False
+        value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
+        off = {"IfCondition": ("false", "0"), "UnlessCondition": ("true", "1")}
+        return value in off.get(called(condition), ())
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")
@@ -159,18 +180,18 @@ class _Reader:
         if path is None:
             return
         mappings = self.values.meant(argument(call, None, "mappings"))
-        arguments: dict[str, str] = {}
+        arguments: dict[str, str | None] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):
-                name, text = self.values.text(key), self.values.text(value)
-                if name and text is not None:
-                    arguments[name] = text
+                arguments[self.values.text(key) or ""] = self.values.text(value)
+        elif argument(call, None, "mappings") is not None:
+            arguments[""] = None
         span = self.values.span(call)
         self.collector.description(self.values.path(path), arguments, span, self._frame(call))
 
     def _frame(self, call: ast.Call) -> Frame:
         start = self.values.span(call).start
-        return frame_at(self.source, Tag(self.source, start, start), None)
+        return frame_at(self.source, Tag(self.source, start, start), self.frame)
 
     def _file(self, node: ast.expr, purpose: str) -> None:
         path = self.values.text(node)

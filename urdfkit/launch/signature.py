@@ -9,8 +9,8 @@ from collections.abc import Iterator
 
 from urdfkit import pythontext
 from urdfkit.document import Element
+from urdfkit.launch.markup import parsed
 from urdfkit.launch.values import argument, called
-from urdfkit.reading import read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source
 
@@ -64,7 +64,7 @@ def signature(source: Source) -> Signature:
         except SyntaxError:
             return _UNKNOWN
         return of_python(tree)
-    document, _ = read_xml(source)
+    document, _ = parsed(source)
     if document is None or document.root.tag != "launch":
         return _UNKNOWN
     required: set[str] = set()

@@ -18,7 +18,8 @@ _PACKAGE_FOLDER = ("get_package_share_directory", "FindPackageShare", "get_packa
 _JOINED = ("PathJoinSubstitution", "join", "joinpath")
 _PASSED_ON = (
     "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
-    "XMLLaunchDescriptionSource", "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
+    "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
+    "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
 )  # fmt: skip
 
 
@@ -29,7 +30,8 @@ class Values:
         collector: is told of the packages that are met.
         source: the file.
         tree: its program.
-        arguments: of the launch file; texts, or expressions of their defaults.
+        arguments: of the launch file; texts, or expressions of their defaults; None for those
+            that are not known.
     """
 
     def __init__(
@@ -37,11 +39,11 @@ class Values:
         collector: Collector,
         source: Source,
         tree: ast.Module,
-        arguments: Mapping[str, str],
+        arguments: Mapping[str, str | None],
     ) -> None:
         self.collector = collector
         self.source = source
-        self.arguments: dict[str, ast.expr | str] = dict(arguments)
+        self.arguments: dict[str, ast.expr | str | None] = dict(arguments)
         self._scopes = Scopes(tree)
 
     def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
@@ -130,10 +132,14 @@ class Values:
         folder = self.collector.package(package, self.source, self.span(call))
         return f"{UNKNOWN}/{package}" if folder is None else folder
 
+    def configuration(self, name: str, depth: int = 0) -> str | None:
+        """The value of an argument of the launch file; None where it is not known."""
+        value = self.arguments.get(name)
+        return value if isinstance(value, str) else self.text(value, depth + 1)
+
     def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
         name = self.text(argument(call, 0, "variable_name"), depth + 1)
-        value = self.arguments.get(name or "")
-        return value if isinstance(value, str) else self.text(value, depth + 1)
+        return self.configuration(name or "", depth)
 
 
 def called(call: ast.Call) -> str:

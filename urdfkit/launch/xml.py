@@ -1,16 +1,17 @@
-"""Launch files in XML, of ROS 1 and ROS 2."""
+"""Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
 
 from __future__ import annotations
 
 import os
 import re
 import shlex
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from urdfkit.document import Attribute, Element, Frame
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch.collect import Collector, frame_at
-from urdfkit.launch.found import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Launch, Started, Word
+from urdfkit.launch.found import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Started, Word
+from urdfkit.launch.markup import YAML, parsed
 from urdfkit.launch.passing import (
     declares_others,
     is_included,
@@ -22,10 +23,9 @@ from urdfkit.launch.passing import (
 from urdfkit.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.launch.substitutions import Substitutions, pieces
 from urdfkit.launch.tags import dialect, slips
-from urdfkit.reading import Problem, read_xml
+from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.resolve import Resolver
 
 _RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
 #: Groups inside one another that are followed.
@@ -39,11 +39,14 @@ _UNKNOWN_WORD = "\0"
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
-def read(source: Source, resolver: Resolver, arguments: dict[str, str]) -> Launch:
-    """What a launch file in XML needs; files that it includes are followed."""
-    collector = Collector(resolver)
-    _File(collector, source, arguments).read()
-    return collector.launch()
+def read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
+    """What a launch file in XML or YAML needs; files that it includes are followed."""
+    _File(collector, source, arguments, (), frame, collector.outer).read()
 
 
 class _File:
@@ -53,7 +56,7 @@ class _File:
         self,
         collector: Collector,
         source: Source,
-        arguments: dict[str, str],
+        arguments: Mapping[str, str | None],
         lent: Iterable[str] = (),
         frame: Frame | None = None,
         outer: tuple[str, ...] = (),
@@ -61,27 +64,29 @@ class _File:
         self.collector = collector
         self.source = source
         self.given = dict(arguments)
-        self.values: dict[str, str] = dict(arguments)
+        self.values = {name: value for name, value in arguments.items() if value is not None}
         self.substitutions = Substitutions(collector, source, self.values)
         self.frame = frame
         self.outer = outer
         self._ros: int | None = None
         self._level = 0
         #: Names of arguments, those that the including file lends among them.
-        self._declared: set[str] = {*lent}
+        self._declared: set[str] = {*arguments, *lent}
         self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
         self._is_whole = True
 
     def read(self) -> None:
-        document, problems = read_xml(self.source)
+        document, problems = parsed(self.source)
         is_launch = document is not None and document.root.tag == "launch"
+        is_yaml = self.source.path.endswith(YAML)
         broken = [problem for problem in problems if problem.code in _BROKEN]
         if broken:
             self._unreadable(broken[0].span, broken[0].message)
         elif not is_launch:
-            self._unreadable(Span(self.source, 0, 0), "the root element is not <launch>")
+            root = "root key is not launch" if is_yaml else "root element is not <launch>"
+            self._unreadable(Span(self.source, 0, 0), f"the {root}")
         if document is not None and is_launch:
-            self._ros = dialect(document.root) or self._ros_of_package()
+            self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
             self._children(document.root)
             self._tell_undeclared()
 
@@ -198,13 +203,17 @@ class _File:
         self._compare(element, taken, source)
         if self._ros == 2:
             self._declared |= taken.names  # which an include leaves behind
+        frame = frame_at(self.source, element.tag_at, self.frame)
+        if path.endswith(".py"):
+            self.collector.is_whole = False
+            self.collector.follow(path, self.source, self._passed(element), frame)
+            return
         here = (*self.outer, self.source.path)
-        is_followed = path not in here and len(here) <= MAX_DEPTH and not path.endswith(".py")
+        is_followed = path not in here and len(here) <= MAX_DEPTH
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
             self.collector.is_whole = False
             return
-        frame = frame_at(self.source, element.tag_at, self.frame)
         lent = {child.get("name") or "" for child in element.children}
         if self._lends(element):
             lent |= self._declared
@@ -231,14 +240,13 @@ class _File:
         if self._ros == 1 or not self._may_be_lent():
             problems += not_given(known, taken, source, element.span, self.frame)
 
-    def _passed(self, element: Element) -> dict[str, str]:
-        passed = dict(self.values) if self._lends(element) else {}
+    def _passed(self, element: Element) -> dict[str, str | None]:
+        """The arguments of an include; None for those that only running it would tell."""
+        passed: dict[str, str | None] = {**self.values} if self._lends(element) else {}
         for child in element.children:
             attribute = child.attributes.get("value")
             if child.tag in ("arg", "let") and attribute:
-                value = self.text(attribute)
-                if value is not None:
-                    passed[child.get("name") or ""] = value
+                passed[child.get("name") or ""] = self.text(attribute)
         return passed
 
     def _param(self, element: Element) -> None:
