@@ -172,3 +172,92 @@ def test_what_a_macro_wrote_through_an_include_is_from_a_macro(tmp_path: Path) -
         "within": True,
         "plain": False,
     }
+
+
+def test_add_attribute(tmp_path: Path) -> None:
+    root = read("<a x='1'  y = \"2\" ><c/></a>")
+    made = [edits.add_attribute(root.attributes[name], "z", "3") for name in "xy"]
+    assert [after(root, one) for one in made] == [
+        '<a x=\'1\' z="3"  y = "2" ><c/></a>',
+        '<a x=\'1\'  y = "2" z="3" ><c/></a>',
+    ]
+    (tmp_path / "r.xacro").write_text(
+        xacro('<link><xacro:attribute name="name" value="a"/></link><link name="b"/>')
+    )
+    put, plain = loading.load(tmp_path / "r.xacro").links
+    assert edits.add_attribute(put.at.attributes["name"], "z", "3") is None
+    assert edits.add_attribute(plain.at.attributes["name"], "z", "3") is not None
+
+
+def test_swap_exchanges_attributes_and_texts() -> None:
+    root = read("<a x='1' y='2'><b> left </b><c>right</c><d><e/></d></a>")
+    x, y = root.attributes.values()
+    b, c, d = root.children
+    assert after(root, edits.swap(x, y)).startswith("<a x='2' y='1'><b> left </b>")
+    assert "<b> right </b><c>left</c>" in after(root, edits.swap(b, c))
+    assert after(root, edits.swap(x, c)) == (
+        "<a x='right' y='2'><b> left </b><c>1</c><d><e/></d></a>"
+    )
+    assert edits.swap(x, d) is None
+    assert edits.swap(d, x) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("<a>\n  <b/>\n  <b/>\n  <c/>\n</a>", "<a>\n  <c/>\n</a>"),
+        ("<a><b/><b/></a>", "<a></a>"),
+        ("<a>\n  <b/>\n  <c/>\n  <b/>\n</a>", "<a>\n  <c/>\n</a>"),
+        ("<a>\n\n  <b/>\n\n  <b/>\n\n  <c/>\n</a>", "<a>\n\n  <c/>\n</a>"),
+    ],
+)
+def test_what_is_left_where_several_were(text: str, left: str) -> None:
+    root = read(text)
+    wrong = [child for child in root.children if child.tag == "b"]
+    assert after(root, edits.remove_elements(wrong[::-1])) == left
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "last"),
+    [
+        ("<a/>", "<a>\n  <n/>\n</a>", "<a>\n  <n/>\n</a>"),
+        ("<a ></a>", "<a ><n/></a>", "<a ><n/></a>"),
+        ("<a>\n</a>", "<a>\n  <n/>\n</a>", "<a>\n  <n/>\n</a>"),
+        ("<a>1</a>", "<a><n/>1</a>", "<a>1<n/></a>"),
+        (
+            "<a>\r\n    <b/>\r\n</a>",
+            "<a>\r\n    <n/>\r\n    <b/>\r\n</a>",
+            "<a>\r\n    <b/>\r\n    <n/>\r\n</a>",
+        ),
+    ],
+)
+def test_lines_put_into_an_element(text: str, first: str, last: str) -> None:
+    root = read(text)
+    assert after(root, edits.insert_first(root, ("<n/>",))) == first
+    assert after(root, edits.insert_last(root, ("<n/>",))) == last
+
+
+def test_lines_behind_an_element_and_in_its_place() -> None:
+    root = read("<a>\n\t<b>\n\t</b>\n</a>")
+    (child,) = root.children
+    lines = ("<c/>", "", "<d/>")
+    assert after(root, edits.insert_after(child, lines)) == (
+        "<a>\n\t<b>\n\t</b>\n\t<c/>\n\n\t<d/>\n</a>"
+    )
+    assert after(root, edits.replace(child.tag_at.whole_span, lines)) == (
+        "<a>\n\t<c/>\n\n\t<d/>\n</a>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "moved"),
+    [
+        ("<a><b><c/></b></a>", "<a><b></b><c/></a>"),
+        ("<a>\n  <b><c/></b>\n</a>", "<a>\n  <b></b><c/>\n</a>"),
+        ("<a><b>\n  <c/>\n</b></a>", "<a><b>\n</b><c/></a>"),
+    ],
+)
+def test_what_shares_its_line_is_moved_as_it_is(text: str, moved: str) -> None:
+    root = read(text)
+    (outer,) = root.children
+    assert after(root, edits.move_after(outer.children[0], outer)) == moved

@@ -64,6 +64,10 @@ def test_a_link_without_a_number_weighs_nothing() -> None:
         (joint("a", "b") + joint("b", "a"), []),  # a loop without a root
         (joint("a", "b") + joint("b", "c") + joint("a", "c"), [("", ["a", "b", "c"])]),
         (joint("a", "a") + joint("x", "b"), [("", ["a"]), ("", ["b"])]),
+        (  # a link that two joints hold is in one body
+            joint("a", "b", "continuous") + joint("c", "b", "continuous"),
+            [("", ["a"]), ("", ["c"]), ("b_joint", ["b"])],
+        ),
     ],
 )
 def test_every_graph(joints: str, expected: list[tuple[str, list[str]]]) -> None:

@@ -57,6 +57,28 @@ def test_cycles(links: str, joints: tuple[str, ...], found: list[str]) -> None:
     assert loops(tree(links, *joints)) == found
 
 
+@pytest.mark.parametrize(
+    ("links", "joints", "sound"),
+    [
+        ("a", (), True),
+        ("a b c", ("a b", "b c"), True),
+        ("a b c", ("a c", "a b"), True),
+        ("", (), False),
+        ("a b", (), False),  # two roots
+        ("a b b", ("a b", "a b"), False),  # one link twice, and one joint
+        ("a b b", ("a b",), False),
+        ("a b", ("a b", "a b"), False),  # two joints to one link
+        ("r a b", ("a b", "b a"), False),  # a loop beside the root
+        ("a b c", ("a b", "a c", "b c"), False),  # two parents
+        ("a b c", ("a b", "a b"), False),  # one joint too few, one twice
+        ("a b", ("a x",), False),
+        ("a", ("a a",), False),
+    ],
+)
+def test_a_sound_tree(links: str, joints: tuple[str, ...], sound: bool) -> None:
+    assert tree(links, *joints).is_sound is sound
+
+
 def test_loops_have_a_bound() -> None:
     names = [f"l{number}" for number in range(50)]
     back = [f"{name} l0" for name in names[1:]]

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
-from urdfkit.mechanics.twins import apart, numbered_pairs, pairs
+from tests.massive import joint, link, subject
+from urdfkit.mechanics.twins import apart, joint_pairs, numbered_pairs, pairs
 
 
 @pytest.mark.parametrize(
@@ -133,3 +136,41 @@ def test_a_long_chain_takes_no_long_time() -> None:
     parents = {f"link_{number}": f"link_{number - 1}" for number in range(1, count)}
     found = [(f"link_{number}", f"link_{number + 1}") for number in range(count - 1)]
     assert apart(found, parents) == []
+
+
+def twins(*joints: str) -> list[tuple[str, str]]:
+    """The names of the joints that are pairs in a robot of joints."""
+    names = sorted({name for one in joints for name in re.findall(r'(?<=link=")\w+', one)})
+    tree = subject("".join(map(link, names)) + "".join(joints)).tree
+    return [(left.name, right.name) for left, right in joint_pairs(tree)]
+
+
+def moving(parent: str, child: str, place: str = "0 0 0", kind: str = "continuous") -> str:
+    return joint(parent, child, kind, xyz=place)
+
+
+def test_joints_are_pairs_by_name_wherever_they_hang() -> None:
+    found = twins(
+        moving("base", "l_hip"),
+        moving("l_hip", "l_knee"),
+        moving("base", "r_hip"),
+        moving("r_hip", "r_knee"),
+    )
+    assert sorted(found) == [("l_hip_joint", "r_hip_joint"), ("l_knee_joint", "r_knee_joint")]
+
+
+def test_numbered_joints_are_pairs_by_place_on_one_link() -> None:
+    beside = (moving("base", "leg_1", "1 2 0"), moving("base", "leg_2", "1 -2 0"))
+    assert twins(*beside) == [("leg_1_joint", "leg_2_joint")]
+    assert twins(beside[0], moving("base", "box"), moving("box", "leg_2", "1 -2 0")) == []
+    # A name that tells its side is in no second pair.
+    assert twins(*beside, moving("base", "l_arm", "1 2 0"), moving("base", "r_arm", "1 -2 0")) == [
+        ("l_arm_joint", "r_arm_joint"),
+        ("leg_1_joint", "leg_2_joint"),
+    ]
+
+
+def test_fixed_joints_and_what_hangs_on_one_another_are_no_pairs() -> None:
+    assert twins(moving("base", "l", kind="fixed"), moving("base", "r", kind="fixed")) == []
+    assert twins(moving("base", "l"), moving("l", "r")) == []
+    assert twins(moving("base", "l"), moving("base", "r")) == [("l_joint", "r_joint")]
