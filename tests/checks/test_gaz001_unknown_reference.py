@@ -22,3 +22,9 @@ def test_links_joints_and_the_model_are_known(reference: str) -> None:
 
 def test_nothing_is_lost_of_an_empty_block() -> None:
     assert told("GAZ001", BASE + '<gazebo reference="other"/>') == []
+
+
+def test_what_nothing_is_like_has_no_hint() -> None:
+    (found,) = told("GAZ001", BASE + block("<mu1>1</mu1>", "turret"))
+    assert found.fix is None
+    assert "did you mean" not in found.help

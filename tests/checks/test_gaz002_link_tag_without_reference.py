@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.gazebos import BASE, block
+from tests.gazebos import BASE, block, child
 from tests.told import messages, places, told
 
 
@@ -56,3 +56,9 @@ def test_of_a_block_it_is_told_once() -> None:
     assert places("GAZ002", robot)[0][1] == "<gazebo>"
     longer = BASE + block(f"{tags}<selfCollide>1</selfCollide>", "")
     assert " <kd> and others here: " in messages("GAZ002", longer)[0]
+
+
+def test_a_joint_by_another_name_of_the_reference() -> None:
+    flag = '<gazebo joint="arm_joint"><preserveFixedJoint>true</preserveFixedJoint></gazebo>'
+    (found,) = told("GAZ002", BASE + child("arm", "fixed") + flag)
+    assert found.help == 'write reference="arm_joint"'

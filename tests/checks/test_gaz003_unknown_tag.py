@@ -15,6 +15,9 @@ def test_slips_are_mended(wrong: str, right: str) -> None:
 
 
 def test_one_finding_for_a_name_that_nothing_is_like() -> None:
+    assert messages("GAZ003", BASE + block("<stopKp>1</stopKp>")) == [
+        "Gazebo knows no <stopKp>, and ignores it"
+    ]
     text = BASE + block("<stopKp>1</stopKp>") + block("<stopKp>2</stopKp>")
     (found,) = told("GAZ003", text)
     assert found.message == "Gazebo knows no <stopKp>, and ignores it (2 times)"

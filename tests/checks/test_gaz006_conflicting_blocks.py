@@ -12,14 +12,21 @@ def test_the_last_one_wins() -> None:
     assert [note.span.line for one in told("GAZ006", text) for note in one.related] == [4]
 
 
-def test_a_merged_body_has_one_gravity() -> None:
+@pytest.mark.parametrize(
+    ("tag", "one", "other"),
+    [
+        ("turnGravityOff", "true", "false"),
+        ("selfCollide", "true", "false"),
+        ("dampingFactor", "0.1", "0.2"),
+    ],
+)
+def test_a_merged_body_has_one_value(tag: str, one: str, other: str) -> None:
     robot = BASE + child("cam", "fixed")
-    text = robot + block("<turnGravityOff>true</turnGravityOff>", "cam")
-    text += block("<turnGravityOff>false</turnGravityOff>")
+    text = robot + block(f"<{tag}>{one}</{tag}>", "cam") + block(f"<{tag}>{other}</{tag}>")
     assert messages("GAZ006", text) == [
         (
-            "<turnGravityOff> is true and then false for 'cam' and 'base', which Gazebo merges "
-            "into 'base': one value is lost"
+            f"<{tag}> is {one} and then {other} for 'cam' and 'base', which Gazebo merges into "
+            "'base': one value is lost"
         )
     ]
 
@@ -32,7 +39,8 @@ def test_a_merged_body_has_one_gravity() -> None:
         block("<mu1>1</mu1>") + block("<mu1>2</mu1>", "cam"),  # each keeps its own surface
         block("<selfCollide>true</selfCollide>") + block("<selfCollide>True</selfCollide>"),
         block("<gravity>true</gravity>") + block("<gravity>false</gravity>", "cam"),
-        block("<sensor/>") + block("<sensor/>"),
+        block("<sensor>1</sensor>") + block("<sensor>2</sensor>"),
+        block("<vendor>1</vendor>") + block("<vendor>2</vendor>"),
     ],
 )
 def test_no_conflict(blocks: str) -> None:

@@ -27,7 +27,9 @@ def test_the_nearest_is_written(wrong: str, right: str) -> None:
 )
 def test_nothing_is_near(name: str) -> None:
     (found,) = told("GAZ007", BASE + block(f"<material>{name}</material>"))
-    assert found.fix is None
+    said = f"Gazebo has no material '{name}'" if name else "<material> names no material"
+    assert (found.message, found.fix) == (said, None)
+    assert "did you mean" not in found.help
 
 
 @pytest.mark.parametrize("name", [*materials(), "PR2/Red"])

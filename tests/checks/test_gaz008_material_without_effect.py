@@ -23,3 +23,9 @@ def test_gz_sim_has_no_textures() -> None:
 def test_classic_has_both() -> None:
     assert heard("classic-ros1") == []
     assert told("GAZ008", ROBOT) == [], "nothing tells which Gazebo is meant"
+
+
+def test_a_value_may_stand_in_an_attribute() -> None:
+    text = BASE + block('<material value="Gazebo/Wood"/>')
+    (found,) = told("GAZ008", text, targets=("gz-fortress",))
+    assert found.message == WOOD

@@ -11,6 +11,7 @@ VENDOR = '<plugin name="p" filename="libvendor.so"/>'
 SHADER = '<plugin name="p" filename="gz-sim-shader-param-system"/>'
 MODEL = "a <gazebo> block without a reference"
 SENSOR = "a <sensor> in the block of a link"
+VISUAL = "a <visual> in the block of a link"
 
 
 @pytest.mark.parametrize(
@@ -25,6 +26,7 @@ SENSOR = "a <sensor> in the block of a link"
             "gazebo_ros_init",
             f"{MODEL}, and is for a system",
         ),
+        (block(f"<visual>{LASER}</visual>"), "gazebo_ros_laser", f"{VISUAL}, and is for a sensor"),
     ],
 )
 def test_the_wrong_place(text: str, file: str, message: str) -> None:

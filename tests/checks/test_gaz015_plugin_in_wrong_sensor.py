@@ -29,6 +29,7 @@ def test_the_wrong_sensor(kind: str, file: str, wanted: str) -> None:
         ("lidar", "libgazebo_ros_laser.so"),
         ("gpu_lidar", "libgazebo_ros_gpu_laser.so"),
         ("depth", "libgazebo_ros_camera.so"),
+        ("depth_camera", "libgazebo_ros_openni_kinect.so"),
         ("wideanglecamera", "libgazebo_ros_camera.so"),
         ("wide_angle_camera", "libgazebo_ros_camera.so"),
         ("navsat", "libgazebo_ros_gps_sensor.so"),

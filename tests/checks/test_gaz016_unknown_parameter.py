@@ -30,6 +30,8 @@ def test_slips_and_other_generations_have_rules_of_their_own() -> None:
     tags = "<odometryFrme>odom</odometryFrme><odometryRate>1</odometryRate>"
     assert told("GAZ016", BASE + plugin(MOVE, tags)) == []
     assert told("GAZ016", BASE + plugin(MOVE, tags), targets=("classic-ros2",)) == []
+    (found,) = told("GAZ016", BASE + plugin(MOVE, tags + "<enableYAxis>1</enableYAxis>"))
+    assert found.message.endswith("does not read <enableYAxis>")
 
 
 def test_nothing_is_known_of_what_a_vendor_reads() -> None:

@@ -10,7 +10,7 @@ TAGS = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
 ROBOT = WHEELS + plugin(DRIVE, TAGS)
 
 
-@pytest.mark.parametrize("kind", ["revolute", "prismatic", "floating"])
+@pytest.mark.parametrize("kind", ["revolute", "prismatic", "floating", "planar"])
 def test_no_wheel(kind: str) -> None:
     text = ROBOT.replace('"left_joint" type="continuous"', f'"left_joint" type="{kind}"')
     assert messages("GAZ024", text) == [

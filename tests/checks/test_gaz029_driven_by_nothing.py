@@ -23,6 +23,8 @@ def test_one_finding_names_all() -> None:
 def test_many_are_counted() -> None:
     (found,) = told("GAZ029", BASE + "".join(child(f"w{n}") for n in range(6)) + MOVE)
     assert "'w3_joint' and 2 more in Gazebo" in found.message
+    (found,) = told("GAZ029", BASE + "".join(child(f"w{n}") for n in range(4)) + MOVE)
+    assert "'w2_joint', 'w3_joint' in Gazebo" in found.message
 
 
 @pytest.mark.parametrize(

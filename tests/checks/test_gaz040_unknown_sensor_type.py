@@ -35,3 +35,14 @@ def test_a_type_that_a_foreign_plugin_brings_is_its_own_affair():
 )
 def test_other_types_are_told_with_a_plugin_too(type, library):
     assert len(findings("GAZ040", type, SONAR.format(library))) == 1
+
+
+def test_a_sensor_without_a_type():
+    (finding,) = findings("GAZ040", "")
+    assert finding.message == "sensor 's' is without a type, which no Gazebo knows"
+
+
+@pytest.mark.parametrize(("target", "meant"), [("classic-ros1", "sonar"), ("gz-harmonic", None)])
+def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, meant):
+    (finding,) = findings("GAZ040", "sonarr", targets=(target,))
+    assert (finding.fix.title if finding.fix else None) == (f"write {meant}" if meant else None)

@@ -1,5 +1,6 @@
 """GAZ045: see the rule."""
 
+import re
 from math import pi
 
 import pytest
@@ -34,3 +35,16 @@ def test_more_than_a_circle(first, last, count):
 
 def test_one_beam_points_one_way():
     assert findings("GAZ045", "ray", scan(-4, 4, 1)) == []
+
+
+def test_the_finding_tells_whether_beams_coincide_or_repeat():
+    said = [findings("GAZ045", "ray", scan(-pi, last))[0].message for last in (pi, pi + 0.1)]
+    assert said[0].endswith("a full circle: the first and the last coincide")
+    assert "more than a full circle: the last beams repeat the first" in said[1]
+
+
+@pytest.mark.parametrize("tag", ["min_angle", "max_angle", "samples"])
+def test_without_a_number_nothing_is_known(tag):
+    text = re.sub(f"<{tag}>.*</{tag}>", "", scan(-4, 4))
+    assert f"<{tag}>" not in text
+    assert findings("GAZ045", "ray", text) == []

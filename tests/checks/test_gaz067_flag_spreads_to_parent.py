@@ -16,6 +16,7 @@ OFF = "<turnGravityOff>true</turnGravityOff>"
         ('<turnGravityOff value="1"/>', "loses its weight"),
         ("<gravity>false</gravity>", "loses its weight"),
         ("<selfCollide>yes</selfCollide>", "collides with its own robot"),
+        ("<self_collide>1</self_collide>", "collides with its own robot"),
     ],
 )
 def test_a_switch_of_a_merged_link(tag: str, does: str) -> None:
@@ -29,7 +30,13 @@ def test_a_switch_of_a_merged_link(tag: str, does: str) -> None:
         (OFF, "base", ""),
         (OFF, "camera", block(OFF)),  # meant for both
         (OFF, "camera", block("<preserveFixedJoint>true</preserveFixedJoint>", "camera_joint")),
-        ("<turnGravityOff>no</turnGravityOff>", "camera", ""),
+        *(
+            (f"<{tag}>{value}</{tag}>", "camera", "")
+            for tag in ("turnGravityOff", "selfCollide")
+            for value in ("no", "0", "false")
+        ),
+        ("<gravity>true</gravity>", "camera", ""),
+        *((f"<self_collide>{value}</self_collide>", "camera", "") for value in ("0", "false")),
         ("<gravity>1</gravity>", "camera", ""),
         ("<mu1>0.1</mu1>", "camera", ""),
     ],

@@ -36,3 +36,9 @@ def test_a_whole_side_is_one_finding() -> None:
         (6, "link 'c': its visual"),
         (7, "link 'c': its collision"),
     ]
+
+
+def test_twenty_places_are_enough() -> None:
+    (found,) = told("GEO006", "".join(mesh(f"a{number}", "1 -1 1") for number in range(30)))
+    assert found.message.endswith("(29 more meshes likewise)")
+    assert len(found.related) == 20

@@ -29,3 +29,25 @@ def test_what_may_be_meant_is_calm(name: str, size: str) -> None:
 
 def test_alone_it_tells_nothing() -> None:
     assert messages("GEO013", LINK.format("hand", "50 50 240")) == []
+
+
+@pytest.mark.parametrize(
+    ("size", "found"),
+    [
+        (15.1, 1),  # more than fifty times the 0.3 m of the arm
+        (14.9, 0),
+    ],
+)
+def test_fifty_times_the_rest(size: float, found: int) -> None:
+    assert len(messages("GEO013", SMALL + LINK.format("hand", f"{size} 1 1"))) == found
+
+
+@pytest.mark.parametrize(("size", "found"), [(5.1, 1), (4.9, 0)])
+def test_five_metres_at_least(size: float, found: int) -> None:
+    tiny = LINK.format("arm", "0.01 0.01 0.02")
+    assert len(messages("GEO013", tiny + LINK.format("hand", f"{size} 1 1"))) == found
+
+
+@pytest.mark.parametrize("word", "ground floor world plane room map terrain field".split())
+def test_the_surroundings_may_be_large(word: str) -> None:
+    assert messages("GEO013", SMALL + LINK.format(f"my_{word}_link", "50 50 240")) == []

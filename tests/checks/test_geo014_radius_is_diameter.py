@@ -32,3 +32,14 @@ def test_twice_the_radius() -> None:
 )
 def test_other_shapes_are_calm(seen: str, origin: str, touched: str) -> None:
     assert messages("GEO014", LINK.format(seen, origin, touched)) == []
+
+
+def test_of_several_shapes_none_is_the_other_of_one() -> None:
+    text = LINK.format(SMALL, "", LARGE)
+    one, other = (
+        text[text.index(f"<{tag}>") : text.index(f"</{tag}>")] + f"</{tag}>"
+        for tag in ("visual", "collision")
+    )
+    assert len(messages("GEO014", f'<link name="a">{one}{other}</link>')) == 1
+    assert messages("GEO014", f'<link name="a">{one}{one}{other}</link>') == []
+    assert messages("GEO014", f'<link name="a">{one}{other}{other}</link>') == []

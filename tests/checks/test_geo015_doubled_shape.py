@@ -19,3 +19,9 @@ def test_a_visual_and_its_collision_are_calm() -> None:
     visual = BODY.format(1).replace("collision", "visual")
     assert messages("GEO015", link(BODY.format(1), visual)) == []
     assert messages("GEO015", link(BODY.format(1), BODY.format(2))) == []
+
+
+def test_two_meshes_at_one_place_are_two_shapes() -> None:
+    mesh = '<visual><geometry><mesh filename="{}.stl"/></geometry></visual>\n'
+    assert messages("GEO015", link(mesh.format("a"), mesh.format("b"))) == []
+    assert len(messages("GEO015", link(mesh.format("a"), mesh.format("a")))) == 1

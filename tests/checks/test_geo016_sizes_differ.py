@@ -69,3 +69,27 @@ def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
     ]
     assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1e+03")
     assert said(' scale="1.4 1.4 1.4"') == said(' scale="2 2 2.5"') == []
+
+
+@pytest.mark.parametrize(
+    ("factor", "why"),
+    [
+        (1000, "millimetres taken for metres"),
+        (100, "centimetres taken for metres"),
+        (39.37, "inches taken for metres"),
+        (25.4, "inches taken for millimetres, or the other way round"),
+        (10, "a decimal point"),
+    ],
+)
+def test_the_units_that_were_confused(factor: float, why: str) -> None:
+    def said(times: float) -> str:
+        (message,) = messages(
+            "GEO016", pair(f'<box size="{0.1 * times} {0.2 * times} {0.3 * times}"/>', HAND)
+        )
+        return message
+
+    assert f" as the collision, as by {why}; they are" in said(factor)
+    assert why in said(1.05 * factor)
+    assert why in said(factor / 1.05)
+    assert "as by" not in said(1.12 * factor)
+    assert "as by" not in said(factor / 1.12)

@@ -48,7 +48,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use, found in subject.unread:
         if found.meant is None or found.other is not None:
             continue
-        element, name = found.item.at, found.meant.rpartition("/")[2]
+        element, name = found.item.at, found.meant
         assert isinstance(element, Element)
         edits = rename_element(element, name)
         yield Finding(

@@ -14,7 +14,7 @@ class Unread(Record):
     Attributes:
         item: the tag.
         other: the plugin of another generation that reads it, or None.
-        meant: the path that it is a slip of, or None.
+        meant: the tag that it is a slip of, or None.
     """
 
     item: Item
