@@ -1,6 +1,8 @@
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -8,6 +10,7 @@ import pytest
 from tests.conftest import manifest, model_id, needs_corpus
 from urdfkit import examples, glance, rules
 from urdfkit.gazebo.silence import about_blocks, about_plugins, about_sensors, about_tags
+from urdfkit.judge import applicable
 from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -66,6 +69,32 @@ def test_no_rule_is_silenced_that_would_speak_of_an_example(code: str, which: st
         subject = examples.subject_of(rule, source)
         assert overlooked(subject) == []
         assert which == "GOOD" or code not in silent(subject)
+
+
+_NUMBER = r'(?<=[" >])-?\d+(?:\.\d+)?(?=[" <])'
+
+#: Those that look at more than the model: packages, SRDF files, libraries that are heavy.
+_OF_MORE = ("CFG", "COL", "DYN", "LAU", "MSH", "PKG", "SRD", "XAC", "XML")
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_no_rule_is_left_out_that_would_speak_of_other_numbers(seed: int) -> None:
+    """Numbers of the examples are made larger, smaller and negative."""
+    codes = [code for code in rules.codes() if not code.startswith(_OF_MORE)]
+    random = Random(seed)
+    for code in random.sample(codes, 60):
+        text = examples.whole_robot(rules.get(code).example("BAD") or "")
+        for _ in range(random.randint(1, 3)):
+            numbers = list(re.finditer(_NUMBER, text))
+            if not numbers:
+                continue
+            number = random.choice(numbers)
+            other = random.choice(("0", "-1", "0.001", "0.5", "1", "4", "45", "90", "1000"))
+            text = text[: number.start()] + other + text[number.end() :]
+        subject = Subject(Source("robot.urdf", text.encode()), Resolver(environment={}))
+        asked = {rule.code for rule in applicable(subject, codes)}
+        found = [one for one in codes if one not in asked and any(rules.get(one).check(subject))]
+        assert found == [], text
 
 
 @needs_corpus

@@ -203,7 +203,7 @@ def _about_sense(model: RobotModel) -> set[str]:
     if not any(joint.kind == "fixed" and joint.limit for joint in joints):
         codes.add("JNT035")
     if all(abs(part) < 0.5 for joint in joints for part in joint.origin.position):
-        codes.add("JNT037")
+        codes.add("JNT037")  # which begins at 0.5 m
     names = " ".join(model.links_by_name).lower()
     if "wheel" not in names and not any("wheel" in joint.name.lower() for joint in joints):
         codes |= {"JNT033", "JNT034", "JNT043"}
@@ -226,9 +226,9 @@ def _about_strengths(joints: tuple[Joint, ...]) -> set[str]:
     efforts = [limit.effort.value for limit in limits if limit.effort]
     codes: set[str] = set()
     if max(speeds, default=0.0) < 45:
-        codes.add("JNT040")
+        codes.add("JNT040")  # which begins there
     if len(limits) < 4 or (_are_alike(speeds, 20) and _are_alike(efforts, 200)):
-        codes.add("JNT039")
+        codes.add("JNT039")  # which compares one joint with three others, by these factors
     return codes
 
 
@@ -280,8 +280,8 @@ def _about_shapes(model: RobotModel) -> set[str]:
     lengths = [(*(shape.size or ()), shape.radius, shape.length) for shape in shapes]
     if all(value is None or value > 0 for values in lengths for value in values):
         codes |= ABOUT_SIZES
-    if all(value is None or value < 5 for values in lengths for value in values):
-        codes.add("GEO013")
+    if all(value is None or value < 1.6 for values in lengths for value in values):
+        codes.add("GEO013")  # which begins at 5 m, as a capsule has with a length and two radii
     if not any(len(link.visuals) > 1 or len(link.collisions) > 1 for link in model.links):
         codes.add("GEO015")
     if not any(_radii(link) for link in model.links):
@@ -325,8 +325,10 @@ def _about_types(kinds: list[str]) -> set[str]:
         codes.add("JNT043")
     if not {"floating", "planar"}.intersection(kinds):
         codes.add("JNT022")
+    if len(kinds) < 2:
+        codes.add("JNT031")
     if sum(kind in DEGREES_OF_FREEDOM for kind in kinds) < 2:
-        codes |= {"JNT025", "JNT031", "JNT042"}
+        codes |= {"JNT025", "JNT042"}
     if "prismatic" not in kinds:
         codes |= {"JNT032", "JNT038"}
     return codes

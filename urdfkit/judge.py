@@ -180,6 +180,8 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
 def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
     """The rules that tell what the parts of the Subject have found, where they have something."""
     told = set(subject.deviations)
+    if not subject.model.joints:
+        told.add("JNT011")  # which is about the shapes and inertias of links, too
     if any(shape.filename for shape in subject.model.shapes):
         told |= _told_by_meshes(subject, chosen)
     if not rules.TOLD_BY_MASSES.isdisjoint(chosen):

@@ -15,6 +15,24 @@ def test_a_box_in_millimetres() -> None:
 
 
 @pytest.mark.parametrize(
+    ("shape", "length"),
+    [
+        ('sphere radius="3"', 6),
+        ('cylinder radius="4" length="4"', 8),
+        ('capsule radius="2" length="2"', 6),
+    ],
+)
+def test_a_radius_in_millimetres(shape: str, length: int) -> None:
+    ball = f'<link name="ball"><collision><geometry><{shape}/></geometry></collision></link>'
+    small = LINK.format("arm", "0.1 0.05 0.05")
+    (message,) = messages("GEO013", small + ball)
+    assert message == (
+        f"link 'ball': the collision is {length} m long, and nothing else of the robot is longer "
+        "than 0.1 m"
+    )
+
+
+@pytest.mark.parametrize(
     ("name", "size"),
     [
         ("hand", "0.05 0.05 0.24"),

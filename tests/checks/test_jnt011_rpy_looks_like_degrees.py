@@ -69,3 +69,10 @@ def test_what_an_expression_gave_is_not_edited() -> None:
     text = of_xacro(turned("${90} 0 0"))
     assert [found.fix for found in told("JNT011", text, "robot.xacro")] == [None]
     assert told("JNT011", of_xacro(turned("${radians(90)} 0 0")), "robot.xacro") == []
+
+
+def test_a_robot_of_one_link() -> None:
+    shape = '<origin rpy="90 0 0"/><geometry><sphere radius="1"/></geometry>'
+    assert messages("JNT011", f'<link name="a"><visual>{shape}</visual></link>') == [
+        "link 'a': <visual> is turned by 90 rad, 14.3 times round; that looks like degrees"
+    ]

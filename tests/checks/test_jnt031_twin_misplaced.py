@@ -40,3 +40,10 @@ def test_a_slip_of_a_sign(right: str, reason: str) -> None:
 )
 def test_what_may_be_meant_is_calm(left: str, right: str, rpy: str) -> None:
     assert messages("JNT031", robot(left, right, rpy)) == []
+
+
+def test_cameras_that_do_not_move() -> None:
+    fixed = robot("0.1 0.2 0", "0.1 0.2 0").replace("continuous", "fixed")
+    assert messages("JNT031", fixed) == [
+        "joint 'right_joint' at 0.1 0.2 0 m is at the place of its twin 'left_joint' at 0.1 0.2 0 m"
+    ]
