@@ -11,13 +11,14 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
+from urdfkit.catalog.ros_control import hardware as simulators
 from urdfkit.diagnostic import Related
 from urdfkit.errors import UrdfkitError
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import nearest
 from urdfkit.placed_yaml import Key, Node, Value, load, slip
 from urdfkit.record import Record
-from urdfkit.ros_control import control_plugins
+from urdfkit.ros_control import components, control_plugins
 from urdfkit.source import Source, Span
 from urdfkit.static import TYPE_CHECKING
 
@@ -97,7 +98,7 @@ def parameter_files(subject: Subject) -> list[ParameterFile]:
         for use in subject.parameters
         if os.path.isfile(use.path)
     }
-    for plugin in control_plugins(subject.model):
+    for plugin in () if _runs_on_hardware(subject) else control_plugins(subject.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
             if not path.startswith("/") or is_expression(path) or "\0" in path:
@@ -105,6 +106,17 @@ def parameter_files(subject: Subject) -> list[ParameterFile]:
             found = path if os.path.isfile(path) else subject.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
+
+
+def _runs_on_hardware(subject: Subject) -> bool:
+    """True if a launch file starts the robot on hardware that is no simulator's.
+
+    The control plugin is in the description then, but no Gazebo runs it, and its controllers may
+    be those of another variant of the robot.
+    """
+    hardware = [component.hardware for component in components(subject.model)]
+    is_real = bool(hardware) and simulators().keys().isdisjoint(hardware)
+    return bool(subject.parameters) and is_real
 
 
 def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controller]]]:

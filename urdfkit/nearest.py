@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Collection, Iterable
 
@@ -58,11 +59,20 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     return f"; did you mean '{found}'?" if found else ""
 
 
+def nearest_file(path: str) -> str | None:
+    """The name of the file of the same kind that was meant by a path to nothing, in its folder."""
+    folder, name = os.path.split(path)
+    stem, suffix = os.path.splitext(name)
+    beside = map(os.path.splitext, os.listdir(folder) if os.path.isdir(folder) else ())
+    meant = nearest(stem, [other for other, kind in beside if kind == suffix])
+    return meant and meant + suffix
+
+
 class Speller:
     """Finds the names that unknown names were meant to be, within a bound of work.
 
     Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4``, nor
-    ``left_arm`` to be ``right_arm``.
+    ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link`` that it is on.
     """
 
     #: Unknown names that are looked at, and known ones that each is compared with.
@@ -91,7 +101,18 @@ class Speller:
 
 def _are_siblings(word: str, other: str) -> bool:
     sides, others = _sides(word), _sides(other)
-    return bool(sides and others and sides != others)
+    return bool(sides and others and sides != others) or _has_more_words(word, other)
+
+
+def _has_more_words(word: str, other: str) -> bool:
+    """True if a name is another one with words in its midst; ends are easily forgotten."""
+    words, others = (name.casefold().split("_") for name in (word, other))
+    return (
+        len(words) > len(others) > 1
+        and words[-1] == others[-1]
+        and words[0] == others[0]
+        and set(others) < set(words)
+    )
 
 
 def _sides(name: str) -> list[str]:

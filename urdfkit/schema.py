@@ -207,6 +207,7 @@ ROBOT = Grammar(
         "ros2_control": ANYTHING,
         "sensor": ANYTHING,
         "mujoco": ANYTHING,
+        "webots": ANYTHING,
         "frame": ANYTHING,  # Drake
         "loop_joint": ANYTHING,  # Drake, Isaac Sim
         "collision_filter_group": ANYTHING,  # Drake

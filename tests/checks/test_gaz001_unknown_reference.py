@@ -28,3 +28,12 @@ def test_what_nothing_is_like_has_no_hint() -> None:
     (found,) = told("GAZ001", BASE + block("<mu1>1</mu1>", "turret"))
     assert found.fix is None
     assert "did you mean" not in found.help
+
+
+def test_a_frame_is_not_the_link_that_it_is_on() -> None:
+    """PAL's TIAGo has a block for a 'base_imu_link' that this variant lacks."""
+    block = '<gazebo reference="base_{}"><sensor name="s" type="imu"/></gazebo>'
+    (found,) = told("GAZ001", '<link name="base_link"/>' + block.format("imu_link"))
+    assert found.help == "name a link or a joint of this robot"
+    (found,) = told("GAZ001", '<link name="base_link"/>' + block.format("lnk"))
+    assert found.help == "did you mean 'base_link'?"

@@ -46,3 +46,22 @@ def test_other_ways_are_told_and_mended(rpy: str, way: str) -> None:
 )
 def test_what_may_be_meant_is_calm(rpy: str, camera: str, optical: str) -> None:
     assert messages("JNT030", robot(rpy, camera, optical)) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "rpy", "count"),
+    [
+        ("front_camera", "1.5707963 0 1.5707963", 0),  # in a vehicle whose z points down
+        ("down_camera", "0 0 1.5707963", 0),
+        ("downward_camera", "3.1415927 0 0", 0),
+        ("front_camera", "0 0 1.5707963", 1),
+        ("dome_camera", "0 0 1.5707963", 1),
+    ],
+)
+def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
+    text = (
+        f'<link name="{name}_link"/><link name="{name}_optical"/>'
+        f'<joint name="j" type="fixed"><parent link="{name}_link"/><child link="{name}_optical"/>'
+        f'<origin rpy="{rpy}"/></joint>'
+    )
+    assert len(told("JNT030", text)) == count

@@ -18,6 +18,14 @@ def test_the_nearest_file_is_named(tmp_path):
     assert "'robot.yaml'" in finding.help
 
 
+def test_neither_folders_nor_other_kinds_of_files_are_offered(tmp_path):
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot.launch").write_text("<launch/>")
+    text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'
+    (finding,) = check(Source(str(tmp_path / "a.launch"), text)).diagnostics
+    assert finding.help == "make the file, or mend its name"
+
+
 def test_a_file_that_is_there_is_calm(tmp_path):
     (tmp_path / "robot.yaml").write_text("a: 1")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'

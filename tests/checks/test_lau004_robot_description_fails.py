@@ -24,3 +24,11 @@ def test_a_robot_that_expands_is_checked_with_the_launch_file_in_the_chain(tmp_p
     (finding,) = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["URD"]).diagnostics
     assert finding.code == "URD001"
     assert [step.kind for step in finding.calls[0].via] == ["launch"]
+
+
+def test_a_package_that_is_not_on_this_machine_is_told_once(tmp_path):
+    """In one repository, a camera's package that was not there made five errors of one."""
+    text = ROBOT.format("a").replace("<link", '<xacro:include filename="$(find camera)/a"/>\n<link')
+    (tmp_path / "r.xacro").write_text(text)
+    report = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU", "XAC"])
+    assert [diagnostic.code for diagnostic in report.diagnostics] == ["XAC011"]

@@ -45,3 +45,10 @@ def test_launch_files_that_come_with_ros_declare_nothing(tmp_path: Path) -> None
 def test_a_file_that_others_include_may_get_it_there(tmp_path: Path) -> None:
     outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
     assert told(tmp_path, "LAU012", "a.launch.py", USE, outer) == []
+
+
+def test_a_file_whose_name_is_put_together_elsewhere_may_get_it_there(tmp_path: Path) -> None:
+    includes = "IncludeLaunchDescription([folder, '/launch/gz_', name, '{}'])\n"
+    for end, count in ((".launch.py", 0), ("_arm.launch.py", 0), ("_base.launch.py", 1)):
+        outer = {"launch/b.launch.py": includes.format(end)}
+        assert len(told(tmp_path, "LAU012", "gz_arm.launch.py", USE, outer)) == count

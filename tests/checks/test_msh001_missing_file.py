@@ -7,6 +7,7 @@ import pytest
 from tests.told import fixed, messages, places, told
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.diagnostic import Severity
+from urdfkit.gathering import gathered
 
 CODE = "MSH001"
 
@@ -52,7 +53,7 @@ def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
 
 
 def test_a_name_that_is_only_alike_is_offered_but_not_mended(robot: str) -> None:
-    text = mesh_link("package://arm/meshes/upperarm.stl")
+    text = mesh_link("package://arm/meshes/forearm_cad.stl")
     (found,) = told(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
     assert found.fix is None
@@ -109,3 +110,37 @@ def test_the_calls_of_a_macro_are_one_finding(robot: str) -> None:
     ]
     assert "wheel_3.dae' does not exist" in found.calls[2].message
     assert found.fix is None
+
+
+def test_what_one_lost_folder_takes_along_is_one_finding_for_people(robot: str) -> None:
+    """A URDF that another machine has made: all is below a home that is not here."""
+    home = "file:///home/somebody/ws/install"
+    paths = ["ur/visual/a.dae", "ur/collision/a.stl", "gripper/meshes/b.stl"]
+    found = told(CODE, mesh_link(*(f"{home}/{path}" for path in paths)), robot)
+    assert len(found) == 3
+    (seen,) = gathered(found)
+    assert seen.message == (
+        f"link 'arm': the visual mesh '{home}/ur/visual/a.dae' does not exist (and 2 more likewise)"
+    )
+
+
+def test_offers_are_gathered_with_their_fixes(robot: str) -> None:
+    folder = Path(robot).parents[1] / "meshes"
+    for name in ("hand.stl", "foot.stl"):
+        add_file(folder / name)
+    names = ("forearm", "hand", "foot")
+    text = mesh_link(*(f"file:///home/somebody/arm/meshes/{name}.stl" for name in names))
+    (seen,) = gathered(told(CODE, text, robot))
+    assert seen.help == "did you mean 'package://arm/meshes/forearm.stl'?"
+    assert [note.message.rpartition(": ")[2] for note in seen.related] == [
+        f"did you mean 'package://arm/meshes/{name}.stl'?" for name in names[1:]
+    ]
+    assert seen.fix is not None
+    assert len(seen.fix.edits) == 3
+
+
+def test_a_file_of_another_part_is_not_offered(robot: str) -> None:
+    """The names of meshes end alike: of ``lidar_link.stl`` no ``base_link.stl`` is made."""
+    add_file(Path(robot).parents[1] / "meshes" / "lidar_link.stl")
+    (found,) = told(CODE, mesh_link("package://arm/meshes/base_link.stl"), robot)
+    assert found.help == "make the mesh, or copy it to where the robot looks for it"

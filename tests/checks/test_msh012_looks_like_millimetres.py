@@ -58,3 +58,11 @@ def test_the_unit_of_the_file_and_the_scale_count(tmp_path: Path) -> None:
     inches = collada('<unit meter="25.4"/>')
     found = messages(tmp_path, "MSH012", robot(mesh("a.dae")), {"a.dae": inches})
     assert ["25.4 m long" in message for message in found] == [True]
+
+
+def test_scenery_has_no_measure(tmp_path: Path) -> None:
+    """One link with a field of 300 m and a tree in it, as Clearpath's worlds are."""
+    both = mesh("a.stl") + mesh("tree.stl")
+    files = {"a.stl": HUGE, "tree.stl": stl(box((0, 0, 0), (0.5, 0.5, 2)))}
+    assert messages(tmp_path, "MSH012", link(both), files) == []
+    assert len(messages(tmp_path, "MSH012", robot(both), files)) == 1

@@ -48,3 +48,10 @@ def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
     assert check(part, select=["RCT001"]).diagnostics == ()
     (found,) = check(tmp_path / "whole.xacro", select=["RCT001"]).diagnostics
     assert found.span.source.path.endswith("part.xacro")
+
+
+def test_a_description_of_the_hardware_alone() -> None:
+    """Such as those of webots_ros2, whose joints are in the world; or of one controller manager."""
+    block = control(driven("left motor"), driven("right motor"))
+    assert told("RCT001", block) == told("RCT001", '<link name="base"/>' + block) == []
+    assert len(told("RCT001", ROBOT + block)) == 2

@@ -28,3 +28,11 @@ def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
     text = control(driven("swing")) + control(sensor, name="s", kind="sensor")
     assert told("RCT007", ROBOT + text) == [], "and a command is not a state"
     assert told("RCT007", ROBOT + control(driven("swing"), driven("slide"))) == []
+
+
+def test_a_sensor_and_a_gpio_of_one_name_are_two_things() -> None:
+    """As in the hands of Robotis: the GPIO holds the settings of the sensor's bus."""
+    state = '<state_interface name="pressure"/>'
+    sensor = f'<sensor name="s">{state}</sensor>'
+    assert told("RCT007", ROBOT + control(sensor, f'<gpio name="s">{state}</gpio>')) == []
+    assert len(told("RCT007", ROBOT + control(sensor, sensor))) == 1

@@ -2,6 +2,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.controls import NEXT, ROBOT, plugin
 from tests.told import messages, places, told
 from urdfkit import check
@@ -16,6 +18,12 @@ def test_a_path_that_leads_nowhere() -> None:
         "file of parameters '/no/such/folder/c.yaml' does not exist"
     ]
     assert places("RCT012", robot("/no/such/folder/c.yaml")) == [(NEXT, "<parameters>")]
+
+
+@pytest.mark.parametrize("folder", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"])
+def test_a_file_that_is_made_when_it_is_needed_is_calm(folder: str) -> None:
+    assert told("RCT012", robot(f"{folder}/controllers.yaml")) == []
+    assert len(told("RCT012", robot(f"{folder}/config/controllers.yaml"))) == 1
 
 
 def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:

@@ -61,3 +61,22 @@ def test_what_is_not_known_is_not_judged(tmp_path: Path) -> None:
     )
     assert told(tmp_path, other) == []
     assert TRAJECTORY in other
+
+
+@pytest.mark.parametrize(("hardware", "count"), [("acme/Motors", 0), (GZ, 1)])
+def test_a_launch_file_that_starts_the_real_robot(
+    tmp_path: Path, hardware: str, count: int
+) -> None:
+    """What its Gazebo plugin would load is that of another variant, as in open_manipulator."""
+    text = controller("arm", joints="[swing]", command_interfaces="[position]")
+    (tmp_path / "gazebo.yaml").write_text(text)
+    (tmp_path / "real.yaml").write_text(text.replace("[position]", "[effort]"))
+    blocks = control(driven("swing", "effort"), plugin=hardware)
+    names = plugin("gz_ros2_control-system", f"<parameters>{tmp_path}/gazebo.yaml</parameters>")
+    (tmp_path / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    (tmp_path / "r.launch.py").write_text(
+        f"robot = Command(['cat ', '{tmp_path}/r.urdf'])\n"
+        "Node(package='controller_manager', executable='ros2_control_node',\n"
+        f"     parameters=[{{'robot_description': robot}}, '{tmp_path}/real.yaml'])\n"
+    )
+    assert len(check(tmp_path / "r.launch.py", select=["RCT021"]).diagnostics) == count

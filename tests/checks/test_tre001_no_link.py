@@ -23,3 +23,8 @@ def test_the_robot_is_the_place() -> None:
 )
 def test_a_library_and_what_other_rules_tell(robot: str, path: str) -> None:
     assert told("TRE001", robot, path) == []
+
+
+def test_the_settings_of_the_webots_driver_are_no_robot() -> None:
+    webots = '<webots><plugin type="webots_ros2_control::Ros2Control"/></webots>'
+    assert told("TRE001", webots) == told("URD001", webots) == []

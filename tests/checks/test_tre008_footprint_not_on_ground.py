@@ -119,3 +119,14 @@ def test_the_height_is_not_known_where_a_mesh_may_reach_lower() -> None:
     (found,) = told("TRE008", text)
     assert found.fix is None
     assert told("TRE008", robot(BOX, 1.9))[0].fix is not None
+
+
+def test_a_leg_does_not_stand_as_it_is_at_zero() -> None:
+    """The Unitree Go2: its legs are stretched there, and its footprint is its base."""
+    hinge = JOINT.replace('type="fixed"', 'type="revolute"')
+    thigh = LINK.format("thigh", "0 0 0", "0 0 0", BOX)
+    foot = LINK.format("foot", "0 0 0", "0 0 0", BOX)
+    hip = hinge.format("base_link", "0 0 -2", "0 0 0", "thigh")
+    text = robot(BOX, 2) + thigh + hip
+    assert len(told("TRE008", text)) == 1, "one hinge may be that of a rocker"
+    assert told("TRE008", text + foot + hinge.format("thigh", "0 0 -2", "0 0 0", "foot")) == []

@@ -41,6 +41,15 @@ def test_nothing_to_expand(robot: str) -> None:
     assert told("XAC003", robot) == []
 
 
+def test_a_blank_that_a_launch_file_fills_in_is_calm() -> None:
+    """As in a package whose launch file replaces the word before Gazebo gets the robot."""
+    plugin = "<gazebo><plugin><parameters>{}</parameters></plugin></gazebo>"
+    assert told("XAC003", plugin.format("$(controllers_yaml_path)")) == []
+    assert len(told("XAC003", plugin.format("$(find arm)/controllers.yaml"))) == 1
+    assert len(told("XAC003", plugin.format("$(cwd)/controllers.yaml"))) == 1
+    assert len(told("XAC003", '<link name="$(side)_arm"/>')) == 1, "of which URDF makes a name"
+
+
 def test_what_a_xacro_escapes_is_meant() -> None:
     robot = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="$${a}"/></robot>'

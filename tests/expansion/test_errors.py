@@ -258,3 +258,26 @@ def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> 
 def test_what_was_meant_is_told(tmp_path: Path, body: str, help: str) -> None:
     (problem,) = run(tmp_path, body).problems
     assert help in problem.help
+
+
+def test_a_property_without_prefix_is_one_problem(tmp_path: Path) -> None:
+    """The old style, of which one robot made 620 errors; a comment defines nothing."""
+    xacro = run(
+        tmp_path,
+        '<!-- <property name="r" value="0"/> --><property name="r" value="1"/>\n'
+        '<a b="${r}"/>\n<a b="${2 * r}" c="${s}"/>\n<!-- <property name="s" value="1"/> -->',
+    )
+    assert briefs(xacro) == [
+        'robot.xacro:2:40 <property name="r" value="1"/>',
+        "robot.xacro:4:20 ${s}",
+    ]
+    bare = xacro.problems[0]
+    assert bare.message == (
+        "name 'r' is not defined: xacro passes over a <property> without the prefix"
+    )
+    assert related(bare) == ["3:7 needed here", "4:7 needed here"]
+
+
+def test_a_key_that_is_not_there(tmp_path: Path) -> None:
+    (problem,) = run(tmp_path, "<a b=\"${dict(left=1)['']}\"/>").problems
+    assert problem.message == "there is no key '' in ${dict(left=1)['']}"

@@ -186,3 +186,10 @@ def test_what_it_starts(package):
 )
 def test_hostile_files_are_read(package, text):
     assert len(read(package, text).problems) <= 1001
+
+
+def test_an_included_file_in_yaml_is_no_xml(package):
+    for name in ("b.launch.yml", "b.launch.yaml"):
+        (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
+        launch = read(package, f'<include file="$(dirname)/{name}"/>')
+        assert launch.problems == ()

@@ -53,7 +53,8 @@ def claims(measured: Measured) -> dict[str, list[Use]]:
         for code, is_doubtful in OF_FILES.items():
             if is_doubtful(use):
                 found.setdefault(code, []).append(use)
-    span = rest_of_robot(measured)
+    # What has no joints may be scenery, where a landscape lies beside a tree.
+    span = rest_of_robot(measured) if measured.model.joints else 0.0
     shared = _shared(measured)
     for use in measured.uses:
         if looks_like_millimetres(use, span):

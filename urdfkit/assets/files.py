@@ -18,6 +18,8 @@ from urdfkit.workspace.resolve import Located, Resolver
 MAX_FOLDERS = 2000
 #: Two words are one word misspelt above this ratio of common letters.
 _SLIP = 0.75
+#: How like another name that of a file must be to be offered; "base_link" is no "lidar_link".
+_LIKE = 0.7
 
 _CODES = {
     Kind.EMPTY: "MSH008",
@@ -324,10 +326,12 @@ class Files:
             for name, is_folder in entries.items()
             if not is_folder and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
         ]
-        name = nearest(wanted, meshes)
-        if name is None:
+        # Without the endings, which are alike anyway.
+        stems = {os.path.splitext(name)[0]: name for name in meshes}
+        stem = nearest(os.path.splitext(wanted)[0], stems, _LIKE)
+        if stem is None:
             return None, False
-        return os.path.join(folder, name), is_slip(wanted, name)
+        return os.path.join(folder, stems[stem]), is_slip(wanted, stems[stem])
 
 
 def _codes(facts: MeshFacts, path: str) -> set[str]:

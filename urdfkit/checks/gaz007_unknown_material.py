@@ -66,4 +66,5 @@ def _finding(child: Element, name: str, right: str) -> Finding:
         f"Gazebo has no material '{name}'" if name else "<material> names no material",
         f"did you mean '{right}'?" if right else "",
         Fix.of(f"write {right}", edits),
+        alike=name,
     )

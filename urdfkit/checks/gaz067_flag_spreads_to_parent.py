@@ -81,6 +81,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 tag,
                 f"<{tag.tag}> of '{name}' holds for all of '{into}', which it is merged into and "
                 f"which {_DOES[tag.tag]}",
+                alike=f"{tag.tag} of {into}",
             )
 
 

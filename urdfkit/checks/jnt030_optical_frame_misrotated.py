@@ -34,6 +34,10 @@ FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963
 
 #: From the frame of a camera to its optical frame; its columns are the optical axes.
 _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
+#: The same where z points down, as vehicles under water have it; or a camera that hangs head down.
+_OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+#: Words in the names of cameras that do not look forwards, whatever their frame does.
+_ELSEWHERE = ("down", "bottom", "belly", "nadir", "up", "ceiling")
 #: People write pi with four digits.
 _TOLERANCE = 0.01
 
@@ -48,7 +52,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         if "optical" not in below or "optical" in above or not _is_of_one_camera(above, below):
             continue
         rotation = joint.origin.rotation
-        if _is_square(rotation) and not _is_near(rotation, _OPTICAL):
+        is_meant = _is_near(rotation, _OPTICAL) or _is_near(rotation, _OPTICAL_DOWN)
+        if _is_square(rotation) and not is_meant and not _looks_elsewhere(below):
             origin = joint.at.child("origin")
             yield Finding(
                 origin or joint.at,
@@ -58,6 +63,10 @@ def check(subject: Subject) -> Iterator[Finding]:
                 None if _sees_along(joint.child.value, subject) else _fix(joint),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _looks_elsewhere(name: str) -> bool:
+    return any(word.startswith(_ELSEWHERE) for word in name.split("_"))
 
 
 def _sees_along(link: str, subject: Subject) -> bool:

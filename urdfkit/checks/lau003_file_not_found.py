@@ -9,11 +9,10 @@ Sources:
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.nearest import nearest
+from urdfkit.nearest import nearest_file
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.shipping import Shipping
@@ -37,8 +36,7 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:
         if not file.exists and not _may_be_made(subject, file.path):
-            folder, name = os.path.split(file.path)
-            meant = nearest(name, os.listdir(folder)) if os.path.isdir(folder) else None
+            meant = nearest_file(file.path)
             hint = f"there is '{meant}' beside it" if meant else ""
             yield Finding(Written(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
 

@@ -1,7 +1,8 @@
 """The robot description of a launch file does not expand.
 
 The launch stops, or `robot_state_publisher` starts without a robot. The errors themselves are
-reported at their places in the xacro.
+reported at their places in the xacro. If all that it lacks is a package that is not on this
+machine, that is reported there alone.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -45,6 +46,9 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _may_expand(description: Description, robot: Subject) -> bool:
-    """True if it lacks arguments only, and is given some whose values are not known here."""
+    """True if it lacks arguments only, and is given some whose values are not known here.
+
+    Or packages only, that this machine lacks: that is reported where they are needed.
+    """
     codes = {problem.code for problem in robot.reading.problems}
-    return not description.is_whole and codes == {"XAC010"}
+    return codes == {"XAC011"} or (not description.is_whole and codes == {"XAC010"})

@@ -26,6 +26,7 @@ from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
+    from urdfkit.workspace.resolve import Located
 
 BAD = """\
 <link name="arm">
@@ -56,13 +57,29 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         located = mesh.located
         where = f" in package '{located.package}'" if located.package else ""
-        message = f"{mesh.who} does not exist{where}; tried {located.attempts}"
+        # An absolute path is what was tried.
+        tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
+        message = f"{mesh.who} does not exist{where}{tried}"
         meant = files.nearest(mesh)
         if meant is None:
-            yield Finding(mesh.at, message, alike=os.path.dirname(mesh.at.value) or ".")
+            yield Finding(mesh.at, message, alike=_lost_folder(located))
             continue
         edits = (
             replace_value(mesh.literal, meant.reference) if mesh.literal and meant.sure else None
         )
         fix = Fix.of(f"refer to {meant.reference}", edits)
-        yield Finding(mesh.at, message, f"did you mean '{meant.reference}'?", fix)
+        yield Finding(
+            mesh.at,
+            message,
+            f"did you mean '{meant.reference}'?",
+            fix,
+            alike=f"{'mended' if fix else 'offered'} {_lost_folder(located)}",
+        )
+
+
+def _lost_folder(located: Located) -> str:
+    """The topmost folder that is not there; the file's own if that is there."""
+    lost = os.path.dirname(os.path.abspath(located.tried[0]))
+    while not os.path.isdir(above := os.path.dirname(lost)):
+        lost = above
+    return lost

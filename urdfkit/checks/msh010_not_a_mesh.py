@@ -45,4 +45,4 @@ FILES = {
 def check(subject: Subject) -> Iterator[Finding]:
     for mesh, reason in subject.files.with_defect(Kind.NOT_A_MESH):
         pull = "run git lfs pull" if "Git LFS" in reason else ""
-        yield Finding(mesh.at, f"{mesh.who} {reason}", pull)
+        yield Finding(mesh.at, f"{mesh.who} {reason}", pull, alike=pull)

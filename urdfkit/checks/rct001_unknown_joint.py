@@ -57,6 +57,8 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
+    if not known:
+        return  # a description of the hardware alone; Webots, say, has the joints in its world
     speller = Speller(known)
     for name, owner in _named(subject):
         if name.value in known or is_expression(name.value):
@@ -68,6 +70,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             name,
             f"{owner} names joint '{name.value}', which is not in the model{hint}",
             fix=_fix(name, speller.meant(name.value)),
+            alike="" if hint else owner,
         )
     yield from _not_in_block(subject)
 

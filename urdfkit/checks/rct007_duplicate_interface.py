@@ -53,12 +53,13 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 @rule("RCT007", "duplicate-interface", Severity.ERROR, help="keep one of them")
 def check(subject: Subject) -> Iterator[Finding]:
     """One finding for each joint: with two blocks, all of its interfaces are there twice."""
-    first: dict[tuple[str, str, str], Related] = {}
+    first: dict[tuple[str, ...], Related] = {}
     told: set[tuple[int, str]] = set()
     for number, component in enumerate(components(subject.model)):
         for part in component.parts:
             for interface in part.interfaces:
-                key = (part.name, interface.direction, interface.name)
+                # Of one name, <sensor> and <gpio> are two things to the drivers that have both.
+                key = (part.kind, part.name, interface.direction, interface.name)
                 if not part.name or not interface.name:
                     continue
                 if key not in first:

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 
 from urdfkit.controllers import parameter_files
 from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
+from urdfkit.nearest import nearest_file
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -40,6 +40,10 @@ FILES = {
 }
 
 
+#: Folders for what programs write.
+_FOR_MADE_FILES = ("generated", "temp", "tmp")
+
+
 @rule(
     "RCT012",
     "parameters-file-missing",
@@ -49,6 +53,8 @@ FILES = {
 def check(subject: Subject) -> Iterator[Finding]:
     for file in parameter_files(subject):
         if file.found is None and file.element:  # LAU003 tells those of launch files
-            folder, name = os.path.split(file.path)
-            hint = did_you_mean(name, os.listdir(folder)) if os.path.isdir(folder) else ""
+            if os.path.basename(os.path.dirname(file.path)) in _FOR_MADE_FILES:
+                continue  # the launch file writes it first
+            meant = nearest_file(file.path)
+            hint = f"; did you mean '{meant}'?" if meant else ""
             yield Finding(file.element, f"file of parameters '{file.path}' does not exist{hint}")

@@ -105,8 +105,9 @@ def _lowest(
 ) -> tuple[float, str, bool] | None:
     """Height in m and link of the lowest point, unless it may be on the ground.
 
-    All joints stand at zero. A mesh, or a link that is seen but has no collision, may reach lower
-    than what can be measured: the third value is False then.
+    All joints are at zero; a robot whose legs or arms reach lowest there does not stand so.
+    A mesh, or a link that is seen but has no collision, may reach lower than what can be measured:
+    the third value is False then.
     """
     ground = tree.frames[footprint]
     up = _column(ground.rotation, 2)
@@ -122,8 +123,20 @@ def _lowest(
             else:
                 heights.append((bottom - dot(up, ground.position), name))
     lowest = min(heights, default=(0.0, ""))
+    if lowest[1] in _limbs(tree):
+        return None
     floats = lowest[0] > TOLERANCE and not unknown
     return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
+
+
+def _limbs(tree: KinematicTree) -> set[str]:
+    """The links that hang on two hinges or more with ends, as those of legs do."""
+    hinges = dict.fromkeys(tree.frames, 0)
+    for joint in tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        hinges[joint.child.value] = hinges[joint.parent.value] + (joint.kind == "revolute")
+    return {name for name, count in hinges.items() if count > 1}
 
 
 def _bottom(body: Body, link: Frame, up: Vector) -> float | None:

@@ -13,6 +13,7 @@ Sources:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
@@ -35,6 +36,10 @@ GOOD = """\
 """
 
 
+#: All uses of a name want the one definition, and all definitions without prefix the prefix.
+_UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
+
+
 @rule(
     "XAC001",
     "xacro-error",
@@ -43,4 +48,6 @@ GOOD = """\
     help="mend the expression or the call; the related places show what it refers to",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC001")
+    for finding in told(subject, "XAC001"):
+        lacking = _UNDEFINED.match(finding.message)
+        yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding

@@ -11,9 +11,11 @@ Sources:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.grammar import is_expression
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -22,6 +24,10 @@ if TYPE_CHECKING:
 
 BAD = '<link name="${side}_arm"/>'
 GOOD = '<link name="left_arm"/>'
+
+
+#: The substitutions that xacro has.
+_SUBSTITUTION = re.compile(r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b")
 
 
 @rule(
@@ -37,11 +43,12 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     for element in subject.document.root.walk():
         for attribute in element.attributes.values():
-            if _is_expression(attribute.value):
+            if is_expression(attribute.value):
                 yield Finding(attribute, f'{attribute.name}="{attribute.value}" is not expanded')
-        if not element.children and _is_expression(element.text):
+        if not element.children and _is_of_xacro(element.text):
             yield Finding(element, f"<{element.tag}>{element.text.strip()} is not expanded")
 
 
-def _is_expression(text: str) -> bool:
-    return "${" in text or "$(" in text
+def _is_of_xacro(text: str) -> bool:
+    """False for ``$(name)`` alone, a blank in a plugin's settings that a launch file fills in."""
+    return is_expression(text) and ("${" in text or _SUBSTITUTION.search(text) is not None)

@@ -17,7 +17,7 @@ from urdfkit.expansion.notes import notes_of
 from urdfkit.expansion.spot import Located, Spot, spot
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
-from urdfkit.expansion.wording import macro_of, words
+from urdfkit.expansion.wording import bare_property, macro_of, words
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Span
 
@@ -66,6 +66,8 @@ def problem(
     if wanting := _argument_of_missing_file(run, root_cause(error)):
         return wanting
     node, local = node_in(frame)
+    if bare := bare_property(run, root_cause(error)):
+        return _without_prefix(run, *bare, node and spot(node, local, used).span)
     if node is None:
         return _made(run, error, located, Spot(Span(run.source, 0, 0), None))
     if located.resolving:
@@ -106,6 +108,17 @@ def _made(run: Run, error: Exception, located: Located, at: Spot) -> Problem:
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
         message += f" in {token}"
     return Problem(code, at.span, message, help, at.frame)
+
+
+def _without_prefix(run: Run, name: str, at: Span, use: Span | None) -> Problem:
+    """One problem for all uses: who writes ``<property>`` uses it everywhere."""
+    return Problem(
+        "XAC001",
+        at,
+        f"name '{name}' is not defined: xacro passes over a <property> without the prefix",
+        "write <xacro:property>, and the prefix at the other tags of xacro, too",
+        related=related(use, "needed here") if use else (),
+    )
 
 
 def _argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 #: How like a tag of xacro the name of a macro must be to be taken for a slip of it.
 _SLIP = 0.8
+#: How like another file's name a name must be for that file to be offered.
+_LIKE = 0.7
 #: Folders that a help lists.
 _FEW = 10
 
@@ -31,6 +33,8 @@ _NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
 _CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
 _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
+_BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
@@ -60,6 +64,8 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
     if isinstance(cause, BrokenYaml):
         where = cause.span.source.path
         return Words(f"{where} is no YAML: {cause.reason}", "correct the file")
+    if isinstance(cause, KeyError):
+        return Words(f"there is no key {cause}", "correct the key, or what the key comes from")
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
     if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
         return _undefined_name(run, text, found.group(1))
@@ -137,6 +143,20 @@ def _unknown_macro(run: Run, name: str) -> Words:
     return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
+def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
+    """The name that an expression lacks, and the ``<property>`` without prefix that has it."""
+    found = _UNDEFINED.search(str(cause)) if isinstance(cause, NameError) else None
+    if found is None:
+        return None
+    pattern = re.compile(_BARE_PROPERTY % re.escape(found.group(1)).encode())
+    for source in run.reader.sources.values():
+        # Blanks for comments, so that places stay.
+        text = _COMMENT.sub(lambda comment: b" " * len(comment[0]), source.data)
+        if tag := pattern.search(text):
+            return found.group(1), Span(source, tag.start(), tag.end())
+    return None
+
+
 def _undefined_name(run: Run, text: str, name: str) -> Words:
     if defined := _defined_elsewhere(run, "property", name):
         return Words(text, defined)
@@ -192,7 +212,7 @@ def _nearest_file(path: str) -> str:
         return ""
     stem, dot, suffix = name.partition(".")
     alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
-    meant = nearest(stem, alike)
+    meant = nearest(stem, alike, _LIKE)
     hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"

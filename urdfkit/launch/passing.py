@@ -18,8 +18,8 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: How like another name a name must be to be a slip of it.
 _SLIP = 0.8
-#: The end of the name of a launch file that begins with an expression.
-_COMPUTED = re.compile(rb"[)}]([\w.-]*\.launch[\w.]*)")
+#: The end of the name of a launch file that begins with an expression, in XML or in Python.
+_COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: Files that are looked into for one that includes another, and folders of them.
 MAX_FILES, MAX_FOLDERS = 500, 2000
 

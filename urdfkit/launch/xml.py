@@ -209,7 +209,8 @@ class _File:
             self.collector.follow(path, self.source, self._passed(element), frame)
             return
         here = (*self.outer, self.source.path)
-        is_followed = path not in here and len(here) <= MAX_DEPTH
+        is_xml = not path.endswith((".yaml", ".yml"))
+        is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
             self.collector.is_whole = False
