@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, radians, sin, tan
+from math import cos, isfinite, radians, sin, tan
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +27,11 @@ VIEWS = {
 FIELD = 28.0
 #: Part of the picture that stays free on each side.
 MARGIN = 0.09
+
+
+#: Pixels of an edge of a picture at least; and of a whole one at most, as of a sheet of paper at
+#: 600 dpi.
+MIN_EDGE, MAX_PIXELS = 16, 40_000_000
 
 
 class NoSuchView(UrdfkitError):
@@ -152,6 +157,10 @@ def looking(
         raise NoSuchView(f"there is no view '{view}', only {', '.join(VIEWS)}")
     if distance is not None and not 0 < distance < 1e6:
         raise NoSuchView(f"a distance of {distance:g} m: write one above 0")
+    if not all(isfinite(angle or 0.0) for angle in (azimuth, elevation)):
+        raise NoSuchView("an angle that is no number: write one in degrees")
+    if reason := unfit(size):
+        raise NoSuchView(reason)
     axes = _axes(
         VIEWS[view][0] if azimuth is None else azimuth,
         VIEWS[view][1] if elevation is None else elevation,
@@ -171,6 +180,15 @@ def looking(
         eye = np.array((middle[0], middle[1], middle[2] + distance))
     near = max(reach / 1000, (eye[2] - highest[2]) / 2)
     return Camera(_tuple(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
+
+
+def unfit(size: tuple[int, int]) -> str:
+    """Why there is no picture of a size in pixels; empty if there can be one."""
+    width, height = size
+    if min(size) >= MIN_EDGE and width * height <= MAX_PIXELS:
+        return ""
+    most = MAX_PIXELS // 1_000_000
+    return f"a picture of {width}x{height} pixels: write a size from 16x16 to {most} million pixels"
 
 
 def _axes(azimuth: float, elevation: float) -> Matrix:

@@ -10,14 +10,12 @@ from PIL import Image, ImageColor
 
 from urdfkit import atomic
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.camera import looking
+from urdfkit.render.camera import looking, unfit
 from urdfkit.render.draw import draw
 from urdfkit.render.labels import caption, opaque, write
 from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
 
-#: Pixels of a picture at most; a sheet of paper at 600 dpi has as many.
-MAX_PIXELS = 40_000_000
 #: Grey between the views of a sheet.
 _GAP = 2
 
@@ -63,11 +61,9 @@ def picture(
     """
     columns, rows = _grid(len(views))
     cell = (size[0] // columns, size[1] // rows)
-    if min(cell) < 16 or size[0] * size[1] > MAX_PIXELS:
-        raise PictureError(
-            f"a picture of {size[0]}x{size[1]} pixels: write a size from 16x16 to "
-            f"{MAX_PIXELS // 1_000_000} million pixels"
-        )
+    gap = _GAP if len(views) > 1 else 0
+    if reason := unfit(size) or unfit((cell[0] - gap, cell[1] - gap)):
+        raise PictureError(reason)
     whole = Image.new("RGBA", size, (0, 0, 0, 0) if background is None else (190, 195, 202, 255))
     for number, view in enumerate(views):
         camera = looking(
@@ -76,7 +72,7 @@ def picture(
             azimuth=azimuth,
             elevation=elevation,
             distance=distance,
-            size=cell if len(views) == 1 else (cell[0] - _GAP, cell[1] - _GAP),
+            size=(cell[0] - gap, cell[1] - gap),
             orthographic=orthographic,
         )
         image = Image.fromarray(
