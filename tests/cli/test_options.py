@@ -151,7 +151,7 @@ def test_outputs(words: list[str], outputs: list[tuple[str, str]]) -> None:
         (["a", "--package", "=."], "'=' and its folder"),
         (["a", "--package", "p=/no/such"], "there is no folder '/no/such'"),
         (["a", "--format", "yaml"], "only "),
-        (["a", "--format", "_layout"], "only "),
+        (["a", "--format", "_paths"], "only "),
         (["a", "--format", "json:"], "a file after the colon"),
         (["a", "--format", "json", "--format", "text"], "two formats for standard output"),
         (["a", "--format", "json:x", "--format", "text:x"], "two formats for x"),

@@ -20,7 +20,7 @@ def test_the_folder_is_the_catalogue() -> None:
 
 
 def test_an_unknown_format_is_a_key_error() -> None:
-    for name in ("yaml", "_layout", "__init__", ""):
+    for name in ("yaml", "_paths", "__init__", ""):
         with pytest.raises(KeyError):
             formats.get(name)
 

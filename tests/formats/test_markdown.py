@@ -11,8 +11,9 @@ import urdfkit
 from tests.conftest import MODELS
 from tests.formats.made import diagnostic, report, span
 from urdfkit.diagnostic import Call, Crashed, Report, Severity
-from urdfkit.formats.markdown import MAX_ROWS, MAX_TEXT, render
+from urdfkit.formats.markdown import MAX_ROWS, render
 from urdfkit.gathering import gathered
+from urdfkit.markdowntext import MAX_TEXT
 from urdfkit.source import Source
 
 markdown_it = pytest.importorskip("markdown_it")

@@ -89,7 +89,7 @@ def _run(words: list[str]) -> int:
 
 
 def _fail(code: int, error: str, *more: str) -> int:
-    from urdfkit.formats._layout import printable
+    from urdfkit.screen import printable
 
     if sys.stderr is not None:
         print(f"error: {printable(error)}", *more, sep="\n", file=sys.stderr)

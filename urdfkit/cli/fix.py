@@ -13,7 +13,7 @@ from urdfkit.cli.checking import choices, fail_on, mend
 from urdfkit.cli.epilog import examples
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.fixing import Fixes
-from urdfkit.formats._layout import printable, wrap
+from urdfkit.screen import printable, wrap
 from urdfkit.source import shown
 
 _OPTIONS = (

@@ -11,8 +11,8 @@ from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.editing.rewriting import Rewrite
-from urdfkit.formats._layout import printable
 from urdfkit.formatting import Formatted, format_files
+from urdfkit.screen import printable
 
 
 @click.command(

@@ -10,9 +10,9 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.formats._layout import printable
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
 from urdfkit.jsontext import dumped
+from urdfkit.screen import printable
 
 VERSION = 1
 

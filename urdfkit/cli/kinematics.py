@@ -13,9 +13,9 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
-from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.kinematics import frames, transform
+from urdfkit.screen import wrap
 from urdfkit.spatial import Frame, to_rpy
 from urdfkit.subject import Subject, Unavailable
 

@@ -14,10 +14,11 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
+from urdfkit.markdowntext import escape, table
 from urdfkit.mass_table import MassRow, MassTable, mass_properties
 from urdfkit.mechanics.inertia import MassProperties
+from urdfkit.screen import wrap
 from urdfkit.spatial import Rotation, Vector
 
 VERSION = 1
@@ -196,21 +197,22 @@ def as_csv(found: MassTable) -> str:
 
 def as_markdown(found: MassTable) -> str:
     """A table for a README or an issue."""
-    lines = [
-        "| link | mass / kg | centre of mass / m | principal moments / kg m^2 | density / kg/m^3 |",
-        "| --- | ---: | --- | --- | ---: |",
+    moments_of = "principal moments / kg m^2"
+    header = ["link", "mass / kg", "centre of mass / m", moments_of, "density / kg/m^3"]
+    rows = [
+        [
+            escape(row.link),
+            f"{row.properties.mass:.6g}",
+            _plain(row.properties.center),
+            _plain(row.moments),
+            "" if row.density is None else f"{row.density:.4g}",
+        ]
+        for row in found.rows
     ]
-    for row in found.rows:
-        density = "" if row.density is None else f"{row.density:.4g}"
-        name = row.link.replace("|", "\\|")
-        lines.append(
-            f"| {name} | {row.properties.mass:.6g} | {_plain(row.properties.center)} |"
-            f" {_plain(row.moments)} | {density} |"
-        )
     body, moments = found.whole.properties, found.moments
-    total = f"{_plain(body.center)} | {_plain(moments)}" if body and moments else " | "
-    lines.append(f"| **total** | **{found.whole.mass:.6g}** | {total} | |")
-    return "\n".join(lines) + "\n"
+    known = [_plain(body.center), _plain(moments)] if body and moments else ["", ""]
+    rows.append(["**total**", f"**{found.whole.mass:.6g}**", *known, ""])
+    return table(header, rows)
 
 
 def _plain(values: Iterable[float]) -> str:

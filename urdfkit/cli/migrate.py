@@ -10,8 +10,8 @@ import click
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import only_file
-from urdfkit.formats._layout import printable
 from urdfkit.migrate import Migration, migrate
+from urdfkit.screen import printable
 from urdfkit.targets import GAZEBO
 
 

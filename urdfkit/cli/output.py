@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.formats._layout import columns, printable
+from urdfkit.screen import columns, printable
 
 
 def has_color(when: str) -> bool:

@@ -9,8 +9,8 @@ from typing import Any, TypeVar
 import click
 
 from urdfkit.cli import options
-from urdfkit.formats._layout import printable
 from urdfkit.poses import outside_limits, pose
+from urdfkit.screen import printable
 from urdfkit.subject import Subject
 
 Command = TypeVar("Command", bound=Callable[..., Any])

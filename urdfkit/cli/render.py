@@ -15,7 +15,7 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
-from urdfkit.formats._layout import printable
+from urdfkit.screen import printable
 
 if TYPE_CHECKING:
     from urdfkit.render import Background, Scene

@@ -14,13 +14,13 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
-from urdfkit.formats._layout import wrap
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.joints import effort_unit
 from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.mechanics.stability import Stability, stand
 from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
+from urdfkit.screen import wrap
 from urdfkit.subject import Subject, Unavailable
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from math import degrees
 
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.formats._markdown import fitted, table
-from urdfkit.formats.markdown import escape
+from urdfkit.markdowntext import escape, fitted, table
 
 _TITLES = {
     "links": "Links",

@@ -8,7 +8,7 @@ from math import degrees
 from urdfkit.comparison import KINDS, Comparison
 from urdfkit.comparison.frames import Moved
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.formats._layout import columns, printable, wrap
+from urdfkit.screen import columns, printable, wrap
 
 #: Lines of one kind that are shown; JSON has all.
 MAX_LINES = 20

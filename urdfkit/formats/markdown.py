@@ -1,29 +1,17 @@
-"""Markdown for the summary of a CI job or a comment on a pull request.
-
-The words of a robot's file come from anybody: whatever would be markup, a mention or a link is
-shown as the characters it is made of.
-"""
+"""Markdown for the summary of a CI job or a comment on a pull request."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
-from urdfkit.formats._layout import printable
 from urdfkit.formats._paths import relative
 from urdfkit.formats.text import summary
 from urdfkit.gathering import gathered
+from urdfkit.markdowntext import escape
 
 #: Findings of one table. GitHub takes 1 MiB for all steps of a job.
 MAX_ROWS = 200
-#: Characters of a message, a path or a remedy.
-MAX_TEXT = 600
-
-#: What Markdown, HTML and formulas are made of, and the colon of an address.
-_SIGN = re.compile(r"[&<>|\\`*_{}\[\]~$]|:(?=//)")
-#: Mentions, issues and bare addresses are found in the text after markup: they are broken up.
-_FOUND_LATER = re.compile(r"(?<=[@#])(?=\w)|(?<=\bwww)(?=\.)")
 _WIDE = 10**6  # of a line that is never broken
 
 
@@ -48,14 +36,6 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         first = report.diagnostics[0].code
         lines += [f"More about a code: `urdfkit explain {first}`", ""]
     return "\n".join(lines)
-
-
-def escape(text: str) -> str:
-    """A text on one line that Markdown shows as it is."""
-    text = printable(text)
-    if len(text) > MAX_TEXT:
-        text = text[:MAX_TEXT] + " ..."
-    return _FOUND_LATER.sub("&#8203;", _SIGN.sub(r"\\\g<0>", text))
 
 
 def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 
 from urdfkit.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
 from urdfkit.document import Step
-from urdfkit.formats._layout import columns, frame, printable, wrap
 from urdfkit.gathering import gathered
 from urdfkit.rules import foreign
+from urdfkit.screen import columns, frame, printable, wrap
 from urdfkit.source import Span
 
 #: Calls of one macro, and steps of one way, that are shown.

@@ -8,7 +8,7 @@ from typing import Any
 from urdfkit import rules
 from urdfkit.addresses import Places
 from urdfkit.diagnostic import Diagnostic
-from urdfkit.formats._layout import printable
+from urdfkit.screen import printable
 from urdfkit.source import Span
 
 #: Lines around the one that a finding is about.

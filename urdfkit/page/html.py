@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
-from urdfkit.formats._layout import printable
 from urdfkit.page.document import Document
 from urdfkit.page.words import Words
+from urdfkit.screen import printable
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from urdfkit.formats._markdown import fitted, table
-from urdfkit.formats.markdown import escape
+from urdfkit.markdowntext import escape, fitted, table
 from urdfkit.page.document import Document
 from urdfkit.page.words import Words
 

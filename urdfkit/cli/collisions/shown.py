@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
-from urdfkit.formats._layout import columns, printable, wrap
-from urdfkit.formats._markdown import table
-from urdfkit.formats.markdown import escape
+from urdfkit.markdowntext import escape, table
 from urdfkit.meshes.facts import counted
+from urdfkit.screen import columns, printable, wrap
 
 if TYPE_CHECKING:
     from urdfkit.collision.srdf_matrix import Comparison

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from urdfkit.formats._layout import columns, frame, printable, wrap
+from urdfkit.screen import columns, frame, printable, wrap
 from urdfkit.source import Source, Span
 
 
