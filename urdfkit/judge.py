@@ -264,6 +264,8 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
     codes = {"XAC003", *(code for code, things in about.items() if not things)}
     if all(source.data.count(b"{") == source.data.count(b"${") for source in xacro.sources):
         codes.add("XAC021")
+    if not any(b"^" in source.data for source in xacro.sources):
+        codes.add("XAC022")
     return codes
 
 
