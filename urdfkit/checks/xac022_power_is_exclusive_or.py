@@ -59,28 +59,28 @@ def _in_source(source: Source) -> Iterator[Finding]:
     data = re.sub(_COMMENT, lambda match: b" " * len(match.group()), source.data)
     for match in re.finditer(_EXPRESSION, data):
         expression = match.group(1).decode("utf-8", "replace")
-        if power := _power(expression):
+        if _has_power(expression):
             signs = (place.start() for place in re.finditer(rb"\^", match.group(1)))
             edits = [
                 Edit(Span(source, at, at + 1), "**") for at in map(match.start(1).__add__, signs)
             ]
             yield Finding(
                 Written(Span(source, match.start(), match.end())),
-                f"{power} is an exclusive or, and no power",
+                f"the ^ in {unescape(expression.strip())} is an exclusive or, and no power",
                 fix=Fix(f"write {expression.replace('^', '**')}", tuple(edits)),
             )
 
 
-def _power(expression: str) -> str:
-    """The first ``^`` with an integer over 1, or below 0, on its right; empty if there is none."""
+def _has_power(expression: str) -> bool:
+    """True for a ``^`` with an integer over 1, or below 0, on its right."""
     try:
         tree = ast.parse(unescape(expression).strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return ""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) and _is_exponent(node):
-            return ast.unparse(node)
-    return ""
+        return False
+    return any(
+        isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) and _is_exponent(node)
+        for node in ast.walk(tree)
+    )
 
 
 def _is_exponent(power: ast.BinOp) -> bool:
