@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
-from tests.told import messages, places, told
+from tests.told import fixed, messages, places, told
 from urdfkit import engine
 
 
@@ -62,3 +62,44 @@ def test_a_tensor_out_of_all_bounds_is_told_instead() -> None:
 def test_the_mission_s_model_has_a_footprint_without_collision() -> None:
     model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
     assert engine.check(model, select=["INE010"]).diagnostics == ()
+
+
+def chain(*masses: float) -> str:
+    """Boxes that hang on one another, with their uniform tensors."""
+    parts = [
+        part(f"p{n}", mass, (mass / 120, mass / 240, mass * 0.13 / 12), BOX)
+        for n, mass in enumerate(masses)
+    ]
+    return "".join(parts) + "".join(
+        joint(f"p{n}", f"p{n + 1}", "revolute", "0.1 0 0") for n in range(len(masses) - 1)
+    )
+
+
+def test_a_slip_of_the_whole_robot_is_told_once() -> None:
+    (found,) = told("INE010", chain(6000, 5000, 4000, 3))
+    assert found.message.endswith(
+        "have 20 to 12000 (and likewise 'p1' and 'p2': most links of the robot)"
+    )
+    assert found.help.startswith("the masses are probably in g")
+    assert found.fix is not None
+    assert [one.message.split(":")[0] for one in found.related] == ["link 'p1'", "link 'p2'"]
+    assert 'value="4"' in (text := fixed("INE010", chain(6000, 5000, 4000, 3)))
+    assert messages("INE010", text) == []
+
+
+@pytest.mark.parametrize(
+    ("masses", "number"),
+    [
+        ((6000, 5000, 3, 3, 3), 2),  # two of five
+        ((6000, 5000, 3), 2),  # too few for a habit
+        ((6000, 5000, 0.01), 3),  # some too heavy, some too light
+        ((0.006, 0.005, 0.004), 1),
+    ],
+)
+def test_when_links_are_told_one_by_one(masses: tuple[float, ...], number: int) -> None:
+    assert len(messages("INE010", chain(*masses))) == number
+
+
+def test_gravity_is_then_not_weighed() -> None:
+    assert len(messages("DYN003", chain(3, 5000, 4000))) == 2
+    assert messages("DYN003", chain(6000, 5000, 4000)) == []

@@ -3,8 +3,9 @@
 Hollow plastic has some 50 kg/m^3, wood 600, aluminium 2700, steel 7800, lead 11300. A mass in
 grams, a size in millimetres or a forgotten zero puts a link far outside: it falls, grips and tips
 like nothing real, and motors that hold the robot in the simulation are too weak or too strong.
-Correct the mass or the size; where a collision shape is deliberately much smaller or larger than
-the part, ignore this.
+Correct the mass or the size. Most links of one robot are told as one: somebody mistook a unit for
+all of them. Where a collision shape is deliberately much smaller or larger than the part, ignore
+this.
 
 Sources:
     measured: mass over volume of 2 042 public links: median 1 180, from 238 to 6 975 for 90 %
@@ -14,10 +15,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
+from urdfkit.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.editing.edits import rewrite
 from urdfkit.inertials.claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
-from urdfkit.inertials.diagnosis import replacement, together
+from urdfkit.inertials.diagnosis import MAX_RELATED, and_more, replacement, together
 from urdfkit.mechanics.inertia import scaled
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
@@ -48,8 +49,31 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    claimed = subject.masses.claims.get("INE010", ())
-    yield from together((weighed, _finding(weighed)) for weighed in claimed)
+    found = [(one, _finding(one)) for one in subject.masses.claims.get("INE010", ())]
+    if subject.masses.wrong_as_a_whole:
+        yield _of_the_robot(found)
+    else:
+        yield from together(found)
+
+
+def _of_the_robot(found: list[tuple[Weighed, Finding]]) -> Finding:
+    """One for most links of a robot: somebody took one unit for another."""
+    (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
+    in_grams = [one for one, _ in found if unit_slip(one) == "g"]
+    fixes = [finding.fix for _, finding in found]
+    edits = [edit for fix in fixes if fix for edit in fix.edits]
+    return worst._replace(
+        message=f"{worst.message} ({and_more(others)}: most links of the robot)",
+        help="the masses are probably in g: divide them by 1000, and the tensors with them"
+        if 2 * len(in_grams) > len(found)
+        else "one slip made them all: masses are in kg, and sizes in m",
+        related=tuple(
+            Related(one.at.span, finding.message) for one, finding in others[:MAX_RELATED]
+        ),
+        fix=Fix(f"divide {len(fixes)} masses by 1000", tuple(dict.fromkeys(edits)))
+        if all(fixes)
+        else None,
+    )
 
 
 def _finding(weighed: Weighed) -> Finding:

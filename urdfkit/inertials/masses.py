@@ -23,6 +23,9 @@ SPREAD = 1.5
 #: How far twins may differ in mass and in moments: real parts are not quite symmetric.
 TWIN_MASS, TWIN_MOMENTS = 1.2, 1.5
 
+#: Links of implausible density, of more than half of those whose density is known, have one cause.
+LIKEWISE = 3
+
 #: A link that carries more than this many times its own mass makes iterative solvers jitter.
 CARRIED = 1000.0
 
@@ -113,6 +116,20 @@ class Masses:
             "XAC014": self.shared_by_macro,
         }
         return codes.union(code for code, findings in found.items() if findings)
+
+    @cached_property
+    def wrong_as_a_whole(self) -> list[Weighed]:
+        """The links with implausible densities, if they are most and all too high, or too low.
+
+        One slip made them, such as a unit of the whole robot.
+        """
+        from urdfkit.inertials.claims import HEAVIEST
+
+        dense = self.claims.get("INE010", [])
+        if len(dense) < LIKEWISE or 2 * len(dense) <= sum(bool(w.densities) for w in self.weighed):
+            return []
+        are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
+        return dense if len(are_high) == 1 else []
 
     def _told_of_massless(self) -> set[str]:
         """The rules about links that Gazebo leaves out, if there may be such a link."""
