@@ -52,7 +52,7 @@ def test_a_plain_robot_needs_none_of_these_rules() -> None:
     others |= {"NAM003", "NAM005", "NAM011", *glance.ABOUT_WORDS}
     others |= glance.ABOUT_SIZES | glance.ABOUT_SCALES | glance.ABOUT_PLUGINS | glance.ABOUT_SENSORS
     others |= {"JNT030", "JNT031", "JNT032", "JNT033", "JNT034", "JNT035", "JNT037", "JNT038"}
-    others |= {"COL005", "GEO013", "GEO014", "GEO015", "GAZ058"} | glance.ABOUT_STATICS
+    others |= {"COL005", "GEO013", "GEO014", "GEO015", "GEO018", "GAZ058"} | glance.ABOUT_STATICS
     others |= glance.ABOUT_COMPONENTS | glance.ABOUT_TRANSMISSIONS
     others |= {code for about in glance.ABOUT_JOINTS for code in about}
     others |= {"TRE007"} | glance.ABOUT_PARAMETERS | set(glance.ABOUT_NAMES)

@@ -39,6 +39,7 @@ ABOUT_SENSORS = frozenset(
 )
 
 _DRIVES = ("drive", "Drive", "steering")
+_EYES = ("laser", "lidar", "hokuyo", "velodyne", "ouster", "camera", "kinect", "realsense")
 _LIDARS = ("ray", "lidar")
 _CAMERAS = ("camera", "depth", "rgbd")
 
@@ -113,6 +114,8 @@ def silent(model: RobotModel, tree: KinematicTree) -> set[str]:
     if not any(name.endswith("base_footprint") for name in model.links_by_name):
         codes.add("TRE008")
     codes |= _about_statics(model, tree)
+    if not _may_see(model):
+        codes.add("GEO018")
     if len(model.joints) < 1000:
         codes.add("TRE009")
     return codes
@@ -217,6 +220,14 @@ def _about_sense(model: RobotModel) -> set[str]:
     if "optical" not in names:
         codes.add("JNT030")
     return codes
+
+
+def _may_see(model: RobotModel) -> bool:
+    """True if a link may be a lidar or a camera."""
+    if any(block.child("sensor") for block in model.gazebo):
+        return True
+    names = " ".join(model.links_by_name).lower()
+    return any(word in names for word in _EYES)
 
 
 def _about_strengths(joints: tuple[Joint, ...]) -> set[str]:

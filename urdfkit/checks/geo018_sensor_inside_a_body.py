@@ -10,19 +10,18 @@ are called laser, lidar or camera.
 Sources:
     gazebosim/gazebo-classic#1564: https://github.com/gazebosim/gazebo-classic/issues/1564
     REP 103, axes of cameras: https://www.ros.org/reps/rep-0103.html
-    measured: of 380 public robots, 100 of them with such sensors, none has it.
+    measured: of 671 public robots one has it, 0.5 mm deep.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from statistics import median
 
 from urdfkit.assets.enclosure import Enclosure
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.gazebo.eyes import Eye, eyes, kind_of
 from urdfkit.mechanics.shapes import AXES
-from urdfkit.rules import Finding, rule
+from urdfkit.rules import Finding, Need, rule
 from urdfkit.spatial import Frame, Vector, rotate
 from urdfkit.static import TYPE_CHECKING
 
@@ -60,6 +59,7 @@ _SKIN = 0.002
     "GEO018",
     "sensor-inside-a-body",
     Severity.WARNING,
+    needs=(Need.MODEL, Need.MESHES),
     help="measure its place from the origin of the parent link: forward, left and up, in m",
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -110,7 +110,7 @@ def _around(subject: Subject, eye: Eye, body: RigidBody) -> tuple[Body, Link, fl
             walls = enclosure.depths(there.position, ahead + aside, eye.least, least)
             # Nobody knows which way a camera looks that only its name gives away.
             is_blunt = eye.kind == "camera" and not eye.type
-            depth = min(walls) if is_blunt else median(walls[: len(ahead)])
+            depth = min(walls) if is_blunt else sorted(walls[: len(ahead)])[len(ahead) // 2]
             if min(walls) > _SKIN and depth > least:
                 return bodies[0], link, depth
     return None
