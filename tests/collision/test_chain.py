@@ -15,7 +15,7 @@ import itertools
 from tests.collision.robots import joint, link, revolute, robot
 from tests.conftest import MODELS, manifest, model_id
 from tests.update_corpus_findings import arguments_of
-from urdfkit.collision.chain import chain, matrix
+from urdfkit.collision.chain import Branch, chain, matrix
 from urdfkit.loading import read
 from urdfkit.mechanics import kinematics
 from urdfkit.mechanics.joints import FAR
@@ -155,3 +155,26 @@ def test_hostile_trees_are_arrays_too() -> None:
     long = chain(robot(*map(link, names), *joints).tree)
     assert len(long.frames(long.default[None], range(3000))) == 3000
     assert list(long.frames(long.default[None], [7])) == [7]
+
+
+def test_slopes_of_a_branch_are_differences() -> None:
+    """Of a point fixed to its end, along a direction; a follower counts for its leader."""
+    subject = robot(
+        *(link(name) for name in "abcde"),
+        joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),
+        joint("b", "c", "fixed", "0 1 0"),
+        joint("c", "d", "prismatic", "0 0 1", revolute(0, 0.3, "0 2 0")),
+        joint("d", "e", "revolute", "0 1 1", revolute(-1, 1) + MIMIC),
+    )
+    arrays = chain(subject.tree)
+    branch = Branch(arrays.branches(0, 4)[1], columns := arrays.between(0, 4))
+    random = np.random.default_rng(3)
+    positions = arrays.samples(4, 1, 0)[:, columns]
+    points, directions = random.normal(size=(2, 4, 3))
+    way = branch.at(positions)
+    assert way.end == pytest.approx(arrays.frames(arrays.samples(4, 1, 0), [4])[4], abs=1e-12)
+    in_end = np.linalg.inv(way.end) @ np.append(points, np.ones((4, 1)), axis=1)[:, :, None]
+    for column, move in enumerate(1e-6 * np.eye(len(columns))):
+        there = branch.at(positions + move).end @ in_end - branch.at(positions - move).end @ in_end
+        change = np.einsum("ni,ni->n", there[:, :3, 0], directions) / 2e-6
+        assert branch.slopes(way, points, directions)[:, column] == pytest.approx(change, abs=1e-7)

@@ -62,14 +62,16 @@ def test_points_far_and_near_against_trimesh(seed: int) -> None:
     for mesh in (bumpy, long_ones):
         expected = trimesh.proximity.closest_point(mesh, points)[1]
         triangles = np.asarray(mesh.triangles)
-        found = [module._farthest(point[None], triangles) for point in points]
+        found = [module._Surface(triangles).farthest(point[None]) for point in points]
         assert found == pytest.approx(expected, abs=1e-9)
-        assert module._farthest(points, triangles) == pytest.approx(expected.max(), abs=1e-9)
+        assert module._Surface(triangles).farthest(points) == pytest.approx(
+            expected.max(), abs=1e-9
+        )
 
 
 def test_triangles_without_area() -> None:
     line = np.array([[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[5, 5, 5]] * 3], dtype=float)
-    assert module._farthest(np.array([[0.0, 3, 4]]), line) == pytest.approx(5)
+    assert module._Surface(line).farthest(np.array([[0.0, 3, 4]])) == pytest.approx(5)
     assert one_way(line.reshape(-1, 3), np.arange(6).reshape(2, 3), *cube()) < 10
 
 
@@ -84,3 +86,17 @@ def test_a_dense_mesh_is_no_long_affair() -> None:
     start = time.process_time()
     assert from_to(box, dense) == pytest.approx(3**0.5 - 1, rel=1e-3)
     assert time.process_time() - start < 3
+
+
+@pytest.mark.parametrize(("subdivisions", "part"), [(5, 1e-3), (6, 3e-4)])
+def test_a_dent_in_a_thousandth_of_a_ball(subdivisions: int, part: float) -> None:
+    """A cap of that part of the surface of a ball becomes a hollow cone."""
+    ball = trimesh.creation.icosphere(subdivisions, 1.0)
+    axis = np.array([2.0, -1, 3]) / 14**0.5
+    rim = np.arccos(1 - 2 * part)
+    away = np.arccos(np.clip(ball.vertices @ axis, -1, 1))
+    deep = 0.3 * np.clip(rim - away, 0, None)
+    dented = ball.copy()
+    dented.vertices *= 1 - deep[:, None]
+    assert 0.7 * deep.max() < from_to(ball, dented) <= deep.max()
+    assert 0.7 * deep.max() < from_to(dented, ball) <= deep.max()

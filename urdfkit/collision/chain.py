@@ -24,6 +24,16 @@ from urdfkit.spatial import Frame
 #: In m: larger distances stand for nothing, and their squares may overflow.
 _FARTHEST = 1e9
 
+#: (3, 9): a vector n becomes the rows of a matrix N with v N = v x n; np.cross takes far longer.
+_CROSS = np.array(
+    (
+        (0, 0, 0, 0, 0, -1, 0, 1, 0),
+        (0, 0, 1, 0, 0, 0, -1, 0, 0),
+        (0, -1, 0, 1, 0, 0, 0, 0, 0),
+    ),
+    dtype=np.float64,
+)
+
 #: Of a joint without a name.
 _STILL = Law("", 0.0, 0.0)
 
@@ -49,6 +59,7 @@ class Step(NamedTuple):
         still: (4, 4), where the joint is at zero.
         sine: (4, 4).
         versine: (4, 4).
+        axis: (3,), a unit vector, in the frame of the child as well as of the joint.
         turns: True for an angle, False for a distance.
         column: of the axis whose position it follows; -1 for a joint that stays where it is.
         factor: its position is ``factor * position of the axis + shift``.
@@ -60,6 +71,7 @@ class Step(NamedTuple):
     still: Floats
     sine: Floats
     versine: Floats
+    axis: Floats
     turns: bool
     column: int
     factor: float
@@ -178,12 +190,70 @@ class Chain:
         return ways[0][shared:], ways[1][shared:]
 
 
-def along(branch: Sequence[Step], configurations: Floats) -> Floats:
-    """The frames at the end of some steps in a row, (n, 4, 4), in that at their beginning."""
-    frame = np.eye(4)
-    for step in branch:
-        frame = frame @ step.frames(configurations)
-    return np.broadcast_to(frame, (len(configurations), 4, 4))
+class Way(NamedTuple):
+    """Where a branch leads in n configurations, in the frame at its beginning.
+
+    Attributes:
+        end: (n, 4, 4), the frames at its end.
+        axes: (n, s, 3), of its s moving joints, unit vectors.
+        places: (n, s, 3), a point on each axis, in m.
+    """
+
+    end: Floats
+    axes: Floats
+    places: Floats
+
+
+class Branch:
+    """Some steps in a row, as arrays over those that move.
+
+    Args:
+        steps: from the beginning to the end.
+        columns: of all axes that they follow, and perhaps of others.
+    """
+
+    def __init__(self, steps: Sequence[Step], columns: Sequence[int]) -> None:
+        before, rows = np.eye(4), []
+        for step in steps:
+            if step.column < 0:
+                before = before @ step.frames(np.zeros((0, 0)))
+            else:
+                rows.append([before @ part for part in (step.still, step.sine, step.versine)])
+                before = np.eye(4)
+        self._tail = before
+        moving = [step for step in steps if step.column >= 0]
+        self._still, self._sine, self._versine = np.reshape(rows, (-1, 3, 4, 4)).swapaxes(0, 1)
+        self._axes = np.reshape([step.axis for step in moving], (-1, 3))
+        self._turns = np.array([step.turns for step in moving], dtype=bool)
+        self._shift = np.array([step.shift for step in moving])
+        self._factors = np.zeros((len(columns), len(moving)))
+        for number, step in enumerate(moving):
+            self._factors[columns.index(step.column), number] = step.factor
+
+    def at(self, positions: Floats) -> Way:
+        """Where it leads with its columns at positions (n, k), in rad or m."""
+        at = (positions @ self._factors + self._shift)[:, :, None, None]
+        turns = self._turns[:, None, None]
+        frames = self._still + np.where(turns, np.sin(at), at) * self._sine
+        frames += np.where(turns, 1 - np.cos(at), 0.0) * self._versine
+        for number in range(1, len(self._axes)):
+            frames[:, number] = frames[:, number - 1] @ frames[:, number]
+        end = frames[:, -1] @ self._tail if len(self._axes) else self._tail
+        axes = (frames[:, :, :3, :3] @ self._axes[:, :, None])[..., 0]
+        return Way(np.broadcast_to(end, (len(positions), 4, 4)), axes, frames[:, :, :3, 3])
+
+    def slopes(self, way: Way, points: Floats, directions: Floats) -> Floats:
+        """(n, k): how fast points fixed to its end go along directions, as each column moves.
+
+        Args:
+            way: from `at`.
+            points: (n, 3), in m.
+            directions: (n, 3), unit vectors.
+        """
+        levers = (points[:, None] - way.places) @ (directions @ _CROSS).reshape(-1, 3, 3)
+        along = np.where(self._turns[:, None], levers, directions[:, None])
+        slopes: Floats = np.einsum("nsi,nsi->ns", way.axes, along) @ self._factors.T
+        return slopes
 
 
 def chain(tree: KinematicTree) -> Chain:
@@ -230,6 +300,7 @@ def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str,
         origin,
         origin @ sine,
         origin @ sine @ sine,
+        np.array((x, y, z)),
         turns,
         columns.get(law.leader, -1) if does_move else -1,
         law.factor,

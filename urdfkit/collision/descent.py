@@ -7,6 +7,7 @@ seeds find the same collisions.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -14,21 +15,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.collision.bounds import apart
-from urdfkit.collision.chain import along
+from urdfkit.collision.chain import Branch, Way
 from urdfkit.collision.examine import Examiner, Pair, relative
 from urdfkit.collision.forms import TOUCH, Gauge
 from urdfkit.meshes.geometry import Floats, Integers
 
-#: Configurations to begin in, and how many are drawn for each; the nearest one is taken.
-_STARTS, _DRAWN = 12, 128
+#: Configurations to begin in, each the nearest one of its share of those that were drawn: for the
+#: pair of bodies of two links that may be nearest, the next one, and so on; no more are looked at.
+_STARTS = (24, 12, 8, 6, *[4] * 12)
 #: Steps at most; most descents end sooner, where the links cannot come nearer.
 _STEPS = 25
-#: Pairs of bodies of two links that are looked at, those which may be nearest.
-_BODIES = 16
 #: How deep a step is meant to lead, in m.
 _GOAL = 1e-3
-#: By so much a joint is moved to see what becomes of the distance, in rad or m.
-_MOVE = 1e-4
+#: Joints with a smaller range, in rad or m, are taken to have this one.
+_LEAST_RANGE = 1e-4
+#: A vector that is shorter was left by coal as it was.
+_NO_DIRECTION = 1e-6
 #: Squared slopes under this lead nowhere.
 _LEVEL = 1e-8
 #: A step takes no joint farther than this part of its range.
@@ -60,14 +62,14 @@ def closest(examiner: Examiner, pair: Pair) -> Closest:
     """
     columns = examiner.chain.between(*pair)
     lower, upper = (ends[columns] for ends in examiner.chain.limits)
-    random = np.random.default_rng(pair).random((_STARTS * _DRAWN, len(columns)))
-    drawn = lower + (upper - lower) * random
+    drawn = examiner.drawn[:, columns]
     bodies = [_Bodies(examiner, pair, *gauged) for gauged in examiner.gauges(pair)]
-    bounds = [one.bounds(drawn) for one in bodies]
+    bounds = [one.bounds() for one in bodies]
     found, at = inf, drawn[0]
-    for number in sorted(range(len(bodies)), key=lambda number: bounds[number].min())[:_BODIES]:
-        nearest = bounds[number].reshape(_STARTS, _DRAWN).argmin(axis=1)
-        starts = drawn[nearest + _DRAWN * np.arange(_STARTS)]
+    nearest_first = sorted(range(len(bodies)), key=lambda number: bounds[number].min())
+    for number, count in zip(nearest_first, _STARTS, strict=False):
+        nearest = bounds[number].reshape(count, -1).argmin(axis=1)
+        starts = drawn[nearest + len(drawn) // count * np.arange(count)]
         descent = _Descent(bodies[number], starts, lower, upper)
         descent.run()
         if descent.distance < found:
@@ -75,6 +77,20 @@ def closest(examiner: Examiner, pair: Pair) -> Closest:
         if found < -TOUCH:
             break
     return Closest(found, examiner.chain.default_with(columns, at[None])[0])
+
+
+class _Measured(NamedTuple):
+    """What was measured at some positions (n, k) of the joints between two bodies.
+
+    Attributes:
+        distance: (n,), signed, in m.
+        slope: (n, k), how it changes with each joint, in m per rad or per m.
+        inside: (n,), True where the hulls overlap, so that the bodies themselves were measured.
+    """
+
+    distance: Floats
+    slope: Floats
+    inside: Flags
 
 
 class _Bodies:
@@ -85,40 +101,82 @@ class _Bodies:
     ) -> None:
         self._chain, self._gauge = examiner.chain, gauge
         self._columns = examiner.chain.between(*pair)
-        self._branches = examiner.chain.branches(*pair)
+        steps = examiner.chain.branches(*pair)
+        self._branches = [Branch(branch, self._columns) for branch in steps]
         self._frames = [examiner.form(body).solid.frame for body in (first, second)]
+        self._drawn = [examiner.drawn_frames[link] for link in pair]
 
-    def bounds(self, positions: Floats) -> Floats:
-        """(n,): at positions (n, k) they are no nearer, in m."""
+    def bounds(self) -> Floats:
+        """(m,): in the configurations that were drawn they are no nearer, in m."""
         a, b = self._gauge.first, self._gauge.second
-        rotation, translation = self._relative(positions)
+        ends = zip(self._drawn, self._frames, strict=True)
+        rotation, translation = relative(*(link @ frame for link, frame in ends))
         offset = translation + rotation @ b.center - a.center
         return apart(a.half, b.half, a.radius + b.radius, rotation, offset, inf)
 
-    def distances(self, positions: Floats, inside: Flags) -> Floats:
-        """(n,), signed, in m: of the hulls, or where these overlap of the bodies themselves.
+    def measured(self, positions: Floats, inside: Flags) -> _Measured:
+        """At some positions (n, k): of the hulls, or where these overlap of the bodies themselves.
 
         Args:
-            positions: (n, k), of the joints between.
-            inside: (n,), where the bodies themselves count; set where the hulls overlap.
+            positions: of the joints between.
+            inside: (n,), where the hulls are known to overlap.
         """
-        found = np.zeros(len(positions))
-        for at, way in enumerate(zip(*self._relative(positions), strict=True)):
-            found[at] = -inf if inside[at] else self._gauge.hulls(*way)
-            if found[at] <= TOUCH and not self._gauge.is_exact:
-                inside[at], found[at] = True, self._gauge.distance(*way, inf)
-        return found
+        ways = self._ways(positions)
+        frames = [way.end @ frame for way, frame in zip(ways, self._frames, strict=True)]
+        count, inside = len(positions), inside.copy()
+        distance, lines = np.zeros(count), np.zeros((count, 3, 3))
+        for at, there in enumerate(zip(*relative(*frames), strict=True)):
+            distance[at] = -inf if inside[at] else self._gauge.hulls(*there)
+            if distance[at] <= TOUCH and not self._gauge.is_exact:
+                inside[at], distance[at] = True, self._gauge.distance(*there, inf)
+            lines[at] = self._gauge.line
+        return _Measured(
+            distance, self._slope(ways, frames[0], *_directed(distance, lines)), inside
+        )
 
     def exact(self, position: Floats) -> float:
         """The signed distance of the bodies themselves, in m, at a position (k,)."""
-        rotation, translation = self._relative(position[None])
+        ends = zip(self._ways(position[None]), self._frames, strict=True)
+        rotation, translation = relative(*(way.end @ frame for way, frame in ends))
         return self._gauge.distance(rotation[0], translation[0], inf)
 
-    def _relative(self, positions: Floats) -> tuple[Floats, Floats]:
-        rows = self._chain.default_with(self._columns, positions)
-        ends = zip(self._branches, self._frames, strict=True)
-        first, second = (along(branch, rows) @ frame for branch, frame in ends)
-        return relative(first, second)
+    def _ways(self, positions: Floats) -> list[Way]:
+        return [branch.at(positions) for branch in self._branches]
+
+    def _slope(
+        self, ways: Sequence[Way], frame: Floats, points: Floats, directions: Floats
+    ) -> Floats:
+        """(n, k): a distance changes as its ends move along the line between them.
+
+        Args:
+            ways: to the two bodies.
+            frame: (n, 4, 4), of the first.
+            points: (n, 3), in that frame.
+            directions: (n, 3), of these lines, likewise.
+        """
+        directions = (frame[:, :3, :3] @ directions[:, :, None])[..., 0]
+        points = (frame[:, :3, :3] @ points[:, :, None])[..., 0] + frame[:, :3, 3]
+        first, second = (
+            branch.slopes(way, points, directions)
+            for branch, way in zip(self._branches, ways, strict=True)
+        )
+        return second - first
+
+
+def _directed(distance: Floats, lines: Floats) -> tuple[Floats, Floats]:
+    """Points between two bodies and unit vectors from one to the other, (n, 3) each.
+
+    Triangles that touch have no direction, and get zeros.
+
+    Args:
+        distance: (n,), in m.
+        lines: (n, 3, 3), of a gauge.
+    """
+    start, end, normal = lines.swapaxes(0, 1)
+    normal = np.where(distance[:, None] > TOUCH, end - start, normal)
+    length = np.sqrt(np.einsum("ni,ni->n", normal, normal))[:, None]
+    known = np.isfinite(length) & (length > _NO_DIRECTION)
+    return (start + end) / 2, np.divide(normal, length, np.zeros_like(normal), where=known)
 
 
 class _Descent:
@@ -132,22 +190,19 @@ class _Descent:
     def __init__(self, bodies: _Bodies, starts: Floats, lower: Floats, upper: Floats) -> None:
         self._bodies, self._lower, self._upper = bodies, lower, upper
         self._at = starts
-        self._inside = np.zeros(len(starts), dtype=bool)
-        self._slope = np.zeros_like(starts)
         self._damping = np.ones(len(starts))
-        self._far = bodies.distances(starts, self._inside)
+        self._here = bodies.measured(starts, np.zeros(len(starts), dtype=bool))
         self.distance, self.best = inf, starts[0]
+        self._note(starts, self._here.distance)
 
     def run(self) -> None:
         """Go down until they collide, or can come no nearer."""
-        self._note(self._at, self._far)
-        fresh = going = np.arange(len(self._at))
+        going = np.arange(len(self._at))
         for _ in range(_STEPS):
+            going = going[(self._downhill(going) ** 2).sum(axis=1) > _LEVEL]
             if not len(going) or self.distance < -TOUCH:
                 break
-            self._look_around(fresh)
-            going = going[(self._downhill(going) ** 2).sum(axis=1) > _LEVEL]
-            fresh = self._step(going)
+            self._step(going)
             going = going[self._damping[going] > _SHORTEST]
         if self.distance >= -TOUCH:
             self.distance = self._bodies.exact(self.best)
@@ -157,44 +212,27 @@ class _Descent:
         if distances[nearest] < self.distance:
             self.distance, self.best = float(distances[nearest]), positions[nearest].copy()
 
-    def _look_around(self, those: Integers) -> None:
-        """How the distances change with each joint, by moving one after another a little."""
-        count = self._at.shape[1]
-        move = np.minimum(_MOVE, (self._upper - self._lower) / 2)
-        moves = np.where(self._at[those] + move <= self._upper, move, -move)
-        around = self._at[those, None, :] + np.eye(count) * moves[:, None, :]
-        inside = np.repeat(self._inside[those], count)
-        far = self._measured(around.reshape(-1, count), inside).reshape(-1, count)
-        change = far - self._far[those, None]
-        self._slope[those] = np.divide(change, moves, np.zeros_like(change), where=moves != 0)
-
     def _downhill(self, those: Integers) -> Floats:
         """(n, k), the slopes without those that lead out of the limits."""
-        at, slope = self._at[those], self._slope[those]
+        at, slope = self._at[those], self._here.slope[those]
         is_out = ((at <= self._lower) & (slope > 0)) | ((at >= self._upper) & (slope < 0))
         return np.where(is_out, 0.0, slope)
 
-    def _step(self, those: Integers) -> Integers:
-        """Go to where the distance would be nothing if it were linear; who came nearer."""
-        slope = self._downhill(those)
-        length = (self._far[those] + _GOAL) / (slope**2).sum(axis=1) * self._damping[those]
+    def _step(self, those: Integers) -> None:
+        """Go to where the distance would be nothing if it were linear, and stay if it is nearer."""
+        here, slope = self._here, self._downhill(those)
+        length = (here.distance[those] + _GOAL) / (slope**2).sum(axis=1) * self._damping[those]
         way = -slope * length[:, None]
-        most = (np.abs(way) / np.maximum(self._upper - self._lower, _MOVE)).max(axis=1)
+        most = (np.abs(way) / np.maximum(self._upper - self._lower, _LEAST_RANGE)).max(axis=1)
         way *= np.minimum(1.0, _STRIDE / np.maximum(most, _STRIDE))[:, None]
         there = np.clip(self._at[those] + way, self._lower, self._upper)
-        inside = self._inside[those]
-        far = self._measured(there, inside)
+        found = self._bodies.measured(there, here.inside[those])
+        self._note(there, found.distance)
         # What enters a hull is measured otherwise from there on, and may seem farther off.
-        nearer = (far < self._far[those]) | (inside & ~self._inside[those])
+        nearer = (found.distance < here.distance[those]) | (found.inside & ~here.inside[those])
         gone = those[nearer]
-        self._at[gone], self._far[gone] = there[nearer], far[nearer]
-        self._inside[gone] = inside[nearer]
+        self._at[gone] = there[nearer]
+        for of_all, of_those in zip(here, found, strict=True):
+            of_all[gone] = of_those[nearer]
         self._damping[gone] = np.minimum(1.0, 2 * self._damping[gone])
         self._damping[those[~nearer]] /= 3
-        return gone
-
-    def _measured(self, positions: Floats, inside: Flags) -> Floats:
-        far = self._bodies.distances(positions, inside)
-        if len(far):
-            self._note(positions, far)
-        return far

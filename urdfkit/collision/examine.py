@@ -7,6 +7,7 @@ measured nearby, is told so; coal measures the rest: first convex hulls, then tr
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from functools import cached_property
 from math import inf
 from typing import NamedTuple
 
@@ -20,6 +21,9 @@ from urdfkit.meshes.geometry import Floats, Integers
 
 #: Two links, by their numbers in the chain, the first one before the second.
 Pair = tuple[int, int]
+
+#: Configurations among which descents begin.
+_DRAWN = 1536
 
 #: The least distance that is told is at most so much larger than the true one.
 SLACK = 0.1
@@ -54,6 +58,16 @@ class Examiner:
         self._of_link: dict[int, list[int]] = {}
         for index, one in enumerate(self._forms):
             self._of_link.setdefault(number[one.solid.link], []).append(index)
+
+    @cached_property
+    def drawn(self) -> Floats:
+        """(m, dof), configurations all over the limits, the same for all pairs."""
+        return self.chain.samples(_DRAWN, 0, 0)
+
+    @cached_property
+    def drawn_frames(self) -> dict[int, Floats]:
+        """Where the links with bodies are in these, (m, 4, 4) each: 60 MB for 300 links."""
+        return self.chain.frames(self.drawn, self.links)
 
     @property
     def links(self) -> list[int]:

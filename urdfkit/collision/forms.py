@@ -182,6 +182,17 @@ class Gauge:
         self._place.setTranslation(translation)
         return self._measure(self.first.hull, self.second.hull, inf)
 
+    @property
+    def line(self) -> tuple[Floats, Floats, Floats]:
+        """Where the two were nearest when their distance was measured last, in the first's frame.
+
+        Returns:
+            A point of the first, one of the second, and coal's unit vector from the first to the
+            second, (3,) each. The last is no number to rely on if both are triangles.
+        """
+        found = self._distance
+        return found.getNearestPoint1(), found.getNearestPoint2(), found.normal
+
     def _measure(self, first: Any, second: Any, limit: float) -> float:
         """The distance of two of coal's bodies; the limit, if it is no less than that."""
         found = self._distance

@@ -6,8 +6,11 @@ import numpy as np
 
 from urdfkit.meshes.geometry import Floats, Integers
 
-#: Points of each surface from which the other one is measured.
-MAX_VERTICES, SAMPLES = 1500, 1500
+#: Points of each surface from which the other one is measured: all over it, and where it seems
+#: farthest from the other one.
+MAX_VERTICES, SAMPLES, FARTHEST = 1500, 1500, 3000
+#: Points among which these are looked for: a dent may take a thousandth of a surface.
+_MANY_VERTICES, _MANY_SAMPLES = 100_000, 20_000
 #: Points of the other surface by which near triangles are found, and how many are looked at.
 _GUIDES, _NEAREST = 20_000, 8
 _SEED = 7
@@ -42,50 +45,74 @@ def one_way(
 
     Arguments as for `distance`.
     """
-    step = max(1, len(vertices) // MAX_VERTICES)
-    spread, _ = _spread(vertices[faces], SAMPLES)
-    points, triangles = np.concatenate([vertices[::step], spread]), other_vertices[other_faces]
+    many = _evenly(vertices, _MANY_VERTICES)
+    spread, _ = _spread(vertices[faces], _MANY_SAMPLES)
+    triangles = other_vertices[other_faces]
     # trimesh knows what is small by its number, so the surfaces are made about 1 large.
-    low = np.minimum(points.min(axis=0), triangles.min(axis=(0, 1)))
-    high = np.maximum(points.max(axis=0), triangles.max(axis=(0, 1)))
+    low = np.minimum(many.min(axis=0), triangles.min(axis=(0, 1)))
+    high = np.maximum(many.max(axis=0), triangles.max(axis=(0, 1)))
     size = float((high - low).max()) or 1.0
-    return size * _farthest((points - low) / size, (triangles - low) / size)
+    many, spread, triangles = ((points - low) / size for points in (many, spread, triangles))
+    other = _Surface(triangles)
+    far = other.far_from_guides(np.concatenate([many, spread]), FARTHEST)
+    points = [_evenly(many, MAX_VERTICES), spread[:SAMPLES], far]
+    return size * other.farthest(np.concatenate(points))
 
 
-def _farthest(points: Floats, triangles: Floats) -> float:
-    """Of some points, (n, 3), the greatest distance to a surface, (m, 3, 3), both about 1 large.
+def _evenly(points: Floats, number: int) -> Floats:
+    """About so many of some points, or all if they are fewer."""
+    return points[:: max(1, len(points) // number)]
 
-    For every point a distance to some near triangles is quick to have, and it bounds the true one
-    from above. Where it is the greatest, all triangles that may be nearer are looked at, until no
-    other point can be farther away.
+
+class _Surface:
+    """A surface about 1 large, to which distances are measured.
+
+    Args:
+        triangles: (m, 3, 3).
     """
-    bounds = _to_near_ones(points, triangles)
-    low, high = triangles.min(axis=1), triangles.max(axis=1)
-    farthest = 0.0
-    for i in np.argsort(-bounds):
-        if bounds[i] <= farthest + _NOTHING:
-            break
-        outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
-        may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
-        near = triangles[may_be_nearer]
-        found = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
-        farthest = max(farthest, float(found.min(initial=bounds[i])))
-    return farthest
 
+    def __init__(self, triangles: Floats) -> None:
+        from scipy.spatial import cKDTree
 
-def _to_near_ones(points: Floats, triangles: Floats) -> Floats:
-    """(n,), from each point the distance to the nearest of a few near triangles."""
-    from scipy.spatial import cKDTree
+        self._triangles = triangles
+        spread, of_spread = _spread(triangles, _GUIDES)
+        corners = np.repeat(np.arange(len(triangles)), 3)
+        self._owner = np.concatenate([corners, of_spread])
+        self._guides = cKDTree(np.concatenate([triangles.reshape(-1, 3), spread]))
 
-    spread, of_spread = _spread(triangles, _GUIDES)
-    guides = np.concatenate([triangles.reshape(-1, 3), spread])
-    owner = np.concatenate([np.repeat(np.arange(len(triangles)), 3), of_spread])
-    _, nearest = cKDTree(guides).query(points, k=min(_NEAREST, len(guides)))
-    near = owner[nearest.reshape(len(points), -1)]
-    every = np.repeat(points, near.shape[1], axis=0)
-    found = _to_triangles(every, triangles[near.reshape(-1)])
-    bounds: Floats = found.reshape(near.shape).min(axis=1)
-    return bounds
+    def far_from_guides(self, points: Floats, number: int) -> Floats:
+        """Of many points, (n, 3), those which may be farthest, so many at most."""
+        far, _ = self._guides.query(points)
+        return points[np.argsort(far)[-number:]]
+
+    def farthest(self, points: Floats) -> float:
+        """Of some points, (n, 3), the greatest distance.
+
+        For every point a distance to some near triangles is quick to have, and it bounds the true
+        one from above. Where it is the greatest, all triangles that may be nearer are looked at,
+        until no other point can be farther away.
+        """
+        bounds = self._to_near_ones(points)
+        low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
+        farthest = 0.0
+        for i in np.argsort(-bounds):
+            if bounds[i] <= farthest + _NOTHING:
+                break
+            outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
+            may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
+            near = self._triangles[may_be_nearer]
+            found = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
+            farthest = max(farthest, float(found.min(initial=bounds[i])))
+        return farthest
+
+    def _to_near_ones(self, points: Floats) -> Floats:
+        """(n,), from each point the distance to the nearest of a few near triangles."""
+        _, nearest = self._guides.query(points, k=min(_NEAREST, len(self._owner)))
+        near = self._owner[nearest.reshape(len(points), -1)]
+        every = np.repeat(points, near.shape[1], axis=0)
+        found = _to_triangles(every, self._triangles[near.reshape(-1)])
+        bounds: Floats = found.reshape(near.shape).min(axis=1)
+        return bounds
 
 
 def _to_triangles(points: Floats, triangles: Floats) -> Floats:
