@@ -29,7 +29,7 @@ def test_the_message_names_package_and_paths(robot: str) -> None:
         "link 'arm': the visual mesh 'package://arm/meshes/hokuyo.dae' does not exist in package "
         f"'arm'; tried {package / 'meshes' / 'hokuyo.dae'}"
     )
-    assert found.help == "make the mesh, or copy it to where the robot looks for it"
+    assert found.help == "put the file there, or make one: urdfkit mesh generate --model ROBOT"
     assert found.fix is None
 
 

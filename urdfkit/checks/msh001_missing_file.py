@@ -47,7 +47,7 @@ FILES = {
     "missing-file",
     Severity.ERROR,
     needs=(Need.MODEL, Need.FILES),
-    help="make the mesh, or copy it to where the robot looks for it",
+    help="put the file there, or make one: urdfkit mesh generate --model ROBOT",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
