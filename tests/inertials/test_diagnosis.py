@@ -17,6 +17,7 @@ from urdfkit.inertials.diagnosis import (
     written,
 )
 from urdfkit.inertials.masses import Masses
+from urdfkit.inertials.weighed import Weighed
 from urdfkit.model import Tensor
 from urdfkit.rules import Finding
 
@@ -40,6 +41,25 @@ def test_without_a_cause_the_shape_is_proposed() -> None:
     assert (diagnosis.cause, diagnosis.confidence) == ("", Confidence.INFERRED)
     assert diagnosis.tensor == pytest.approx((0.1, 0, 0, 0.05, 0, 0.13))
     assert str(diagnosis) == 'write ixx="0.1" iyy="0.05" izz="0.13"'
+
+
+def test_many_links_with_one_tensor_are_compared_with_each_other_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """2000 of them took a minute."""
+    calls: list[Weighed] = []
+    fits = Weighed.fits
+
+    def counted(weighed: Weighed, expected: Tensor, factor: float) -> bool:
+        calls.append(weighed)
+        return fits(weighed, expected, factor)
+
+    monkeypatch.setattr(Weighed, "fits", counted)
+    count = 50
+    found = masses("".join(part(f"l{n}", 12, (7, 7, 7), BOX) for n in range(count)))
+    for weighed in found.weighed:
+        of_unlike_shape(weighed, found)
+    assert len(calls) <= 4 * count
 
 
 @pytest.mark.parametrize(("unit", "factor"), UNITS)

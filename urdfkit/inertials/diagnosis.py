@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.diagnostic import Confidence, Fix, Related
 from urdfkit.editing.edits import all_or_none, from_macro, replace_value
 from urdfkit.inertials.claims import HEAVIEST
-from urdfkit.inertials.weighed import ROUNDING, Weighed
+from urdfkit.inertials.weighed import EXACT, ROUNDING, Weighed
 from urdfkit.mechanics import inertia
 from urdfkit.model import Tensor, number
 from urdfkit.record import Record
@@ -34,9 +34,6 @@ UNITS = (
 
 #: Put right, the moments must be this near to those of the shape, as a factor.
 NEAR = 1.5
-
-#: Three moments that agree to this factor with those of another formula are no chance.
-EXACT = 1.03
 
 #: Products of inertia below this part of the largest moment come from angles such as 1.5708.
 CLEAR = 1e-4
@@ -75,11 +72,9 @@ def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
     assert expected is not None
     for cause, tensor in _slips(weighed, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
-    for other in masses.weighed:
-        if other is not weighed and other.tensor == weighed.tensor and _is_at_home(other):
-            cause = f"is that of link '{other.link.name}', which it fits"
-            return Diagnosis(cause, _of_shape(weighed), Confidence.INFERRED)
-    return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
+    other = masses.of_their_shape.get(weighed.tensor)
+    cause = f"is that of link '{other.link.name}', which it fits" if other else ""
+    return Diagnosis(cause, _of_shape(weighed), Confidence.INFERRED)
 
 
 def _of_shape(weighed: Weighed) -> Tensor | None:
@@ -103,11 +98,6 @@ def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     twice = weighed.expected_of_twice
     if weighed.is_diagonal and twice is not None and weighed.fits(twice, EXACT):
         yield "was computed with twice the size, as of a diameter for a radius", expected
-
-
-def _is_at_home(weighed: Weighed) -> bool:
-    """True if a tensor is that of the shape of its own link."""
-    return weighed.expected is not None and weighed.fits(weighed.expected, EXACT)
 
 
 def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:

@@ -12,7 +12,7 @@ from urdfkit.mechanics.rigid import KEEPING_TAGS, RigidBody, rigid_bodies
 from urdfkit.mechanics.shapes import Lump
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.mechanics.twins import numbered_pairs, pairs
-from urdfkit.model import Body, Link, RobotModel, number
+from urdfkit.model import Body, Link, RobotModel, Tensor, number
 
 #: Masses this close together may well share a tensor that a macro holds.
 SAME_MASS = 1.05
@@ -85,6 +85,11 @@ class Masses:
     def by_name(self) -> dict[str, Weighed]:
         """The same by the name of the link; the first of each name."""
         return {weighed.link.name: weighed for weighed in reversed(self.weighed)}
+
+    @cached_property
+    def of_their_shape(self) -> dict[Tensor, Weighed]:
+        """By each tensor that is that of the shape of some link, the first such link."""
+        return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
 
     @cached_property
     def claims(self) -> dict[str, list[Weighed]]:

@@ -24,6 +24,9 @@ ROUNDING = 0.01
 #: How far moments may be from those of a solid to have been computed from it, as a part of them.
 SAME = 0.03
 
+#: Three moments that agree to this factor with those of another formula are no chance.
+EXACT = 1.03
+
 #: A tensor may be this many times that of the uniform solid: a mass in the middle has less, and the
 #: thinnest shell twice as much. Numbers with many digits were computed from something.
 LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
@@ -191,6 +194,11 @@ class Weighed:
         ratios = self.ratios(self.expected)
         most = MOST if self.is_round else MOST_COMPUTED
         return min(ratios) < LEAST or max(ratios) > most
+
+    @property
+    def is_of_shape(self) -> bool:
+        """True if the tensor is that of the uniform solid."""
+        return self.expected is not None and self.fits(self.expected, EXACT)
 
     @property
     def is_at_wrong_axes(self) -> bool:
