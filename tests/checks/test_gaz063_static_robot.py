@@ -12,7 +12,7 @@ CONTROL = plugin("libgazebo_ros_control.so")
 def test_a_robot_that_shall_move(text: str) -> None:
     static = f"<gazebo><static>{text}</static></gazebo>"
     assert messages("GAZ063", WHEELS + CONTROL + static) == [
-        "the model is static in Gazebo, and none of its 2 joints moves"
+        "the model is static in Gazebo: 2 joints cannot move"
     ]
 
 

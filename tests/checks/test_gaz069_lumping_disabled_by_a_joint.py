@@ -11,7 +11,7 @@ TIP = child("tip", "fixed")
 
 def test_the_older_tag_makes_a_joint_that_turns() -> None:
     assert messages("GAZ069", BASE + TIP + OLD) == [
-        "joint 'tip_joint' becomes a revolute joint without play in Gazebo"
+        "joint 'tip_joint' becomes a revolute joint in Gazebo, which gives way under load"
     ]
     assert "<preserveFixedJoint>true</preserveFixedJoint>" in fixed("GAZ069", BASE + TIP + OLD)
 

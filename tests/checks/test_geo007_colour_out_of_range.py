@@ -16,18 +16,18 @@ def paint(rgba: str) -> str:
 @pytest.mark.parametrize(
     ("rgba", "wrong", "mended"),
     [
-        ("255 140 0 1", "255, 140", "1 0.549 0 1"),
-        ("255 140 0 255", "255, 140, 255", "1 0.549 0 1"),
-        ("51 51 51 0.5", "51, 51, 51", "0.2 0.2 0.2 0.5"),
-        ("1.2 0.5 0 1", "1.2", "1 0.5 0 1"),
-        ("-0.1 0 0 1", "-0.1", None),
-        ("300 0 0 1", "300", None),
+        ("255 140 0 1", "255, 140 are", "1 0.549 0 1"),
+        ("255 140 0 255", "255, 140, 255 are", "1 0.549 0 1"),
+        ("51 51 51 0.5", "51, 51, 51 are", "0.2 0.2 0.2 0.5"),
+        ("1.2 0.5 0 1", "1.2 is", "1 0.5 0 1"),
+        ("-0.1 0 0 1", "-0.1 is", None),
+        ("300 0 0 1", "300 is", None),
     ],
 )
 def test_what_was_meant(rgba: str, wrong: str, mended: str | None) -> None:
     robot = paint(rgba) + link("a")
     (found,) = told("GEO007", robot)
-    assert found.message == f"material 'paint': {wrong} is not between 0 and 1"
+    assert found.message == f"material 'paint': {wrong} not between 0 and 1"
     assert places("GEO007", robot) == [(2, rgba)]
     if mended is None:
         assert found.fix is None

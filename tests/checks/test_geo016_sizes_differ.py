@@ -20,7 +20,7 @@ def pair(seen: str, touched: str) -> str:
 @pytest.mark.parametrize(
     ("seen", "said"),
     [
-        ('<box size="100 200 300"/>', "the visual is 1e+03 times as large as the collision, as by"),
+        ('<box size="100 200 300"/>', "the visual is 1000 times as large as the collision, as by"),
         ('<box size="2.54 5.08 7.62"/>', "the visual is 25.4 times as large as the collision, as"),
         ('<box size="0.01 0.02 0.03"/>', "the collision is 10 times as large as the visual, as by"),
         ('<box size="0.6 1.2 1.8"/>', "the visual is 6 times as large as the collision; they are"),
@@ -67,7 +67,7 @@ def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
             "0.2 x 0.2 x 0.6 m (visual) and 0.1 x 0.1 x 0.3 m (collision)"
         )
     ]
-    assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1e+03")
+    assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1000")
     assert said(' scale="1.4 1.4 1.4"') == said(' scale="2 2 2.5"') == []
 
 

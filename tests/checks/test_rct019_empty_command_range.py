@@ -8,7 +8,7 @@ from tests.told import messages, places, told
 def test_swapped() -> None:
     text = ROBOT + control(commanded("slide", "position", "0.5", "0"))
     assert messages("RCT019", text) == [
-        "joint 'slide': the range of position ends at 0, below its begin at 0.5"
+        "joint 'slide': the range of position ends at 0, below its beginning at 0.5"
     ]
     assert places("RCT019", text) == [(NEXT + 2, '<param name="min">')]
 

@@ -73,10 +73,11 @@ def _finding(joint: Joint, load: Load) -> Finding:
     pose = ", ".join(
         f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > 5e-4
     )
+    unit = effort_unit(joint)
     return Finding(
         joint.limit.effort,
-        f"joint '{joint.name}': gravity asks {load.worst:.4g} {effort_unit(joint)} at "
-        f"{pose or 'zero'}; its effort is {load.effort:.4g}",
+        f"joint '{joint.name}': gravity asks {load.worst:.4g} {unit} at {pose or 'zero'}; its "
+        f"effort is {load.effort:.4g} {unit}",
         weight=load.used or 0.0,
         alike="effort",
     )

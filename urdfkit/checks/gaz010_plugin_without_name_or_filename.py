@@ -45,13 +45,13 @@ FIXED = BAD.replace("<plugin", '<plugin name="gazebo_ros_planar_move"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
-        for attribute, what in (("name", "name"), ("filename", "file name of its library")):
+        for attribute, what in (("name", "its name"), ("filename", "the file name of its library")):
             if not (use.at.get(attribute) or "").strip():
                 other = use.filename if attribute == "name" else use.name and f"'{use.name}'"
                 who = f"plugin {other}" if other else "a plugin"
                 message = f"{who} has no {attribute}: Gazebo refuses the model"
                 fix = _named(subject, use) if attribute == "name" else None
-                yield Finding(use.at, message, f'add {attribute}="...", the {what}', fix)
+                yield Finding(use.at, message, f'add {attribute}="...", {what}', fix)
 
 
 def _named(subject: Subject, use: Use) -> Fix | None:

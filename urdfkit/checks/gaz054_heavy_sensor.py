@@ -51,8 +51,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         rate = sensor.number("update_rate")
         amount = _values(sensor)
         if rate is not None and rate.value * amount > _HEAVY:
-            message = f"{sensor.who}: {amount:g} values {rate.value:g} times a second"
-            yield Finding(rate, f"{message} are {rate.value * amount:.2g} a second")
+            yield Finding(
+                rate,
+                f"{sensor.who}: {amount:.0f} values {rate.value:g} times a second are "
+                f"{rate.value * amount / 1e6:.4g} million a second, more than {_HEAVY / 1e6:g}",
+            )
 
 
 def _values(sensor: Sensor) -> float:

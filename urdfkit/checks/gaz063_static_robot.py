@@ -54,9 +54,9 @@ GOOD = BAD.replace("true", "false")
 def check(subject: Subject) -> Iterator[Finding]:
     if not subject.plugins:
         return  # a model to look at
-    moving = sum(joint.kind in DEGREES_OF_FREEDOM for joint in subject.model.joints)
+    moving = [joint.name for joint in subject.model.joints if joint.kind in DEGREES_OF_FREEDOM]
+    who = f"joint '{moving[0]}'" if len(moving) == 1 else f"{len(moving)} joints"
     for block in subject.model.gazebo:
         for element in block.all("static"):
             if moving and is_true(element):
-                message = f"the model is static in Gazebo, and none of its {moving} joints moves"
-                yield Finding(element, message)
+                yield Finding(element, f"the model is static in Gazebo: {who} cannot move")

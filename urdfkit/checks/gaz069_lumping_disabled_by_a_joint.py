@@ -58,7 +58,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                 edits = rename_element(tag, "preserveFixedJoint")
                 yield Finding(
                     tag,
-                    f"joint '{joint.name}' becomes a revolute joint without play in Gazebo",
+                    f"joint '{joint.name}' becomes a revolute joint in Gazebo, which gives way "
+                    "under load",
                     fix=Fix.of("write <preserveFixedJoint>", edits),
                     alike="lumping",
                 )

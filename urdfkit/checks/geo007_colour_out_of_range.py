@@ -56,7 +56,8 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     assert material.rgba is not None
     name = f"material '{material.name.value}'" if material.name else "the material"
-    wrong = ", ".join(f"{value:g}" for value in values if not 0 <= value <= 1)
+    wrong = [f"{value:g}" for value in values if not 0 <= value <= 1]
+    verb = "is" if len(wrong) == 1 else "are"
     better = _mended(values)
     title = f'write rgba="{better}"' if better else ""
     attribute = material.at.child("color")
@@ -64,7 +65,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     edits = replace_value(attribute.attributes["rgba"], better) if better else None
     return Finding(
         material.rgba,
-        f"{name}: {wrong} is not between 0 and 1",
+        f"{name}: {', '.join(wrong)} {verb} not between 0 and 1",
         title,
         Fix.of(title, edits),
     )

@@ -63,7 +63,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         other = one.link.collisions[0] if is_visual else one.link.visuals[0]
         yield Finding(
             wrong.shape.at if wrong.shape else wrong.at,
-            f"link '{one.link.name}': the {larger} is {factor:.3g} times as large as the "
+            f"link '{one.link.name}': the {larger} is {_times(factor)} times as large as the "
             f"{smaller}{_unit(factor)}; they are {_edges(one.seen.bounds)} (visual) and "
             f"{_edges(one.touched.bounds)} (collision)",
             related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
@@ -77,6 +77,10 @@ def _unit(factor: float) -> str:
     told = (why for f, why in _UNITS.items() if f / _NEAR < factor < f * _NEAR)
     why = next(told, "")
     return f", as by {why}" if why else ""
+
+
+def _times(factor: float) -> str:
+    return f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"
 
 
 def _edges(box: Box) -> str:

@@ -63,7 +63,7 @@ def _finding(weighed: Weighed, masses: Masses) -> Finding:
     return Finding(
         weighed.at,
         f"link '{weighed.link.name}' of {weighed.mass:g} kg has at most {high:.3g} kg m^2, "
-        f"1/{expected / high:.3g} of its shape; {as_solid(weighed)}",
+        f"1/{expected / high:.0f} of its shape; {as_solid(weighed)}",
         advice(weighed, diagnosis),
         replacement(weighed, diagnosis.tensor),
         confidence=Confidence.INFERRED,

@@ -54,5 +54,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                     yield Finding(
                         at,
                         f"{part.kind} '{part.name}': the range of {interface.name} ends at "
-                        f"{greatest:g}, below its begin at {least:g}",
+                        f"{greatest:g}, below its beginning at {least:g}",
                     )

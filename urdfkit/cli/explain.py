@@ -18,6 +18,7 @@ _NEEDS = {
     Need.MODEL: "a robot that can be read",
     Need.FILES: "the files that the robot names",
     Need.MESHES: "meshes that can be read (pip install 'urdfkit[meshes]')",
+    Need.LAUNCH: "a launch file",
     Need.SRDF: "an SRDF beside the robot",
     Need.DYNAMICS: "Pinocchio (pip install 'urdfkit[dynamics]')",
     Need.COLLISIONS: "coal (pip install 'urdfkit[dynamics]')",
