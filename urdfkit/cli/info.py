@@ -26,7 +26,7 @@ VERSION = 1
 #: Names in a list; the rest are counted.
 MOST = 8
 
-_LABEL, _WIDTH = 12, 80
+_LABEL = 12
 
 
 @click.command(
@@ -192,7 +192,7 @@ def _entry(label: str, text: str) -> list[str]:
     """A label and its text, wrapped beside it."""
     return textwrap.wrap(
         text,
-        _WIDTH,
+        max(output.width(), 40),
         initial_indent=f"{label:<{_LABEL}}",
         subsequent_indent=" " * _LABEL,
         break_long_words=False,
