@@ -35,6 +35,12 @@ SRDF = """<robot name="r">
 </robot>"""
 
 
+#: A list of lists that would be written with 10^12 letters.
+BOMB = "turn:\n- &a0 x\n" + "".join(
+    f"- &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]\n" for n in range(1, 13)
+)
+
+
 @pytest.fixture
 def robot(tmp_path: Path) -> Subject:
     (tmp_path / "r.urdf").write_text(ROBOT)
@@ -101,7 +107,9 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
         ("", "it must hold one 'joint: position' a line, as YAML or JSON"),
         ("- 1\n", "it must hold one 'joint: position' a line, as YAML or JSON"),
         ("a: [", "neither YAML nor JSON"),
-        ("turn: [1]\n", "joint 'turn': '[1]' is no position"),
+        ("turn: [1]\n", "joint 'turn': 'list' is no position"),
+        ("turn: 0x" + 5000 * "f", "joint 'turn': 'int' is no position"),
+        (BOMB, "joint 'turn': 'list' is no position"),
         ("turn: true\n", "joint 'turn': 'True' is no position"),
         ("turn:\n", "joint 'turn': 'None' is no position"),
         ("? [a, b]\n: 1\n", "neither YAML nor JSON"),

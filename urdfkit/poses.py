@@ -184,7 +184,7 @@ def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float
 
 
 def _position(name: str, value: object, *, turns: bool) -> float:
-    text = str(value).strip()
+    text = _text(value)
     degrees = next((suffix for suffix in _DEGREES if text.endswith(suffix)), "")
     position = number(text.removesuffix(degrees))
     if position is None or isinstance(value, bool):
@@ -192,3 +192,13 @@ def _position(name: str, value: object, *, turns: bool) -> float:
     if degrees and not turns:
         raise PoseError(f"joint '{name}' slides; write its position in m, not in degrees")
     return position * pi / 180 if degrees else position
+
+
+def _text(value: object) -> str:
+    """A value as it was written; its type where that is longer than anybody reads."""
+    if isinstance(value, (list, dict)):  # which aliases may make of any size
+        return type(value).__name__
+    try:
+        return str(value).strip()
+    except ValueError:  # an integer of more digits than Python writes
+        return type(value).__name__

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import pi
+from pathlib import Path
 
 import pytest
 
@@ -12,6 +13,7 @@ pytest.importorskip("numpy")
 import numpy as np
 
 from tests.render.scenes import alone, link, robot
+from urdfkit.loading import read
 from urdfkit.render import LAYERS, build, explained, looking, picture
 from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
 from urdfkit.render.scene import Item, placed
@@ -168,6 +170,22 @@ def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
 def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
     subject = robot('<link name="a"/>')
     picture(explained(build(subject), subject, [layer]), size=(64, 64), quality="draft")
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_every_layer_takes_a_robot_larger_than_the_world(layer: str, tmp_path: Path) -> None:
+    shape = '<geometry><box size="1e308 1e308 1e308"/></geometry>'
+    inertial = '<mass value="1e308"/><inertia ixx="1e308" iyy="1e308" izz="1e308"/>'
+    link = f"<inertial>{inertial}</inertial><visual>{shape}</visual><collision>{shape}</collision>"
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        f"""<robot name="r"><link name="a">{link}</link><link name="b">{link}</link>
+        <joint name="j" type="revolute"><parent link="a"/><child link="b"/>
+        <origin xyz="1e308 1e308 -1e308"/>
+        <limit lower="-1e308" upper="1e308" effort="1" velocity="1"/></joint></robot>"""
+    )
+    subject = read(file)
+    explained(build(subject), subject, [layer])
 
 
 def test_a_layer_that_is_not_there_is_named() -> None:

@@ -105,8 +105,8 @@ def read(wish: Wish, known: Iterable[str] = ()) -> State:
         config=wish.config,
         quick=True,
     )
-    document, subject = told.document, told.subject
-    drawings, scene = drawn(told, has_pictures=False)
+    subject = told.subject
+    document, drawings, scene = drawn(told, has_pictures=False)
     files = files_of(subject, document) | {wish.file}
     if scene is not None:
         files |= _beside(subject)
@@ -119,8 +119,8 @@ def completed(state: State) -> State:
     if state.document["robot"] is None:
         return state._replace(is_whole=True)
     told = complete(state.told)
-    drawings, _ = drawn(told, has_pictures=True)
-    return state._replace(document=told.document, drawings=drawings, told=told, is_whole=True)
+    document, drawings, _ = drawn(told, has_pictures=True)
+    return state._replace(document=document, drawings=drawings, told=told, is_whole=True)
 
 
 def files_of(subject: Subject, document: Document) -> set[str]:

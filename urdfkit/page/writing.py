@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.page.document import LONG, Document, Told, describe
 from urdfkit.page.words import Words
+from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.subject import Unavailable
 
@@ -88,38 +89,57 @@ def page(told: Told, words: Words, *, has_pictures: bool = True) -> str:
     """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.page import html
 
-    drawings, scene = drawn(told, has_pictures=has_pictures)
+    document, drawings, scene = drawn(told, has_pictures=has_pictures)
     if scene is None:
-        return html.render(told.document, words, drawings)
+        return html.render(document, words, drawings)
     from urdfkit.page import engine
 
-    return html.render(told.document, words, drawings, scene, engine.load())
+    return html.render(document, words, drawings, scene, engine.load())
 
 
-def drawn(told: Told, *, has_pictures: bool) -> tuple[dict[str, str], Scene | None]:
-    """The drawings of a robot, and the robot in three dimensions.
+class Drawn(Record):
+    """A robot as pictures.
 
-    What cannot be had is left out; where that is for want of a library, the document tells so.
+    Attributes:
+        document: what is told of it, and why a picture is missing.
+        drawings: addresses of pictures, by name.
+        scene: the robot in three dimensions; None if it cannot be had.
+    """
+
+    document: Document
+    drawings: dict[str, str]
+    scene: Scene | None
+
+
+def drawn(told: Told, *, has_pictures: bool) -> Drawn:
+    """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
+
+    Args:
+        told: the robot.
+        has_pictures: with the pictures that take a while.
     """
     from urdfkit.page import drawings, scene
 
     subject = told.subject
     found = drawings.tree(subject)
     if subject.reading.document is None or not subject.model.links:
-        return found, None
+        return Drawn(told.document, found, None)
     try:
         built = scene.surfaces(subject)
-    except Unavailable as reason:
-        told.document["missing"]["3D view"] = str(reason)
-        return found, None
+    except Unavailable as error:
+        return Drawn(_without_view(told.document, str(error)), found, None)
     if has_pictures:
         found |= drawings.pictures(built, subject, told.diagnostics)
-    triangles = sum(len(item.faces) for item in built.items)
+    document, triangles = told.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
-        told.document["missing"]["3D view"] = (
-            f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
-        )
-    return found, scene.build(subject, built)
+        reason = f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
+        document = _without_view(document, reason)
+    return Drawn(document, found, scene.build(subject, built))
+
+
+def _without_view(document: Document, reason: str) -> Document:
+    """A document that tells why the robot is not to be seen in three dimensions, or not well."""
+    return {**document, "missing": {**document["missing"], "3D view": reason}}
 
 
 def form_of(target: str) -> str:

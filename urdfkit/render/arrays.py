@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from urdfkit.spatial import Vector
 
 Floats = NDArray[np.floating[Any]]
 Integers = NDArray[np.integer[Any]]
@@ -45,6 +48,12 @@ def bounds(points: Floats) -> tuple[Floats, Floats]:
         return np.zeros(3, dtype=np.float32), np.zeros(3, dtype=np.float32)
     columns = [points[:, axis] for axis in range(3)]
     return np.array([c.min() for c in columns]), np.array([c.max() for c in columns])
+
+
+def single(places: Sequence[Vector]) -> Floats:
+    """Places (n, 3) in single precision; what no number of it reaches is as far as nothing is."""
+    near: Floats = np.clip(np.nan_to_num(np.array(places)), -FAR, FAR)
+    return near.astype(np.float32).reshape(-1, 3)
 
 
 def turned(vectors: Floats, rotation: Floats) -> Floats:

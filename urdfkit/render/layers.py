@@ -17,7 +17,7 @@ from urdfkit.mechanics.whole import whole
 from urdfkit.model import Joint, Link, Tensor
 from urdfkit.nearest import did_you_mean
 from urdfkit.render import primitives
-from urdfkit.render.arrays import Floats
+from urdfkit.render.arrays import Floats, single
 from urdfkit.render.arrays import bounds as bounds_of
 from urdfkit.render.contacts import overlaps
 from urdfkit.render.looks import Colour, Look
@@ -70,8 +70,8 @@ def explained(
     if not layers:
         return scene
     points = scene.points()
-    places = np.array([frame.position for frame in scene.frames.values()], dtype=np.float32)
-    extent = np.concatenate((points, places.reshape(-1, 3)))
+    places = single([frame.position for frame in scene.frames.values()])
+    extent = np.concatenate((points, places))
     size = float(np.ptp(extent, axis=0).max()) if len(extent) else 0.0
     items: list[Item] = []
     labels: list[Label] = []

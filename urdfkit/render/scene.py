@@ -313,8 +313,8 @@ def _extent(subject: Subject, body: Body) -> tuple[Floats, Floats] | None:
 
 def _reach(scene: Scene) -> float:
     """The size of what is known of a robot, in m."""
-    places = [frame.position for frame in scene.frames.values()]
-    points = np.concatenate((scene.points(), np.array(places, dtype=np.float32).reshape(-1, 3)))
+    places = arrays.single([frame.position for frame in scene.frames.values()])
+    points = np.concatenate((scene.points(), places))
     reach = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
     return reach or 1.0
 
@@ -329,7 +329,7 @@ def _filename(shape: Shape | None) -> str:
 
 def placed(points: Floats, frame: Frame) -> Floats:
     """Points (n, 3) of a frame in its parent."""
-    moved: Floats = turned(points, frame) + np.asarray(frame.position, dtype=np.float32)
+    moved: Floats = turned(points, frame) + arrays.single([frame.position])
     return moved
 
 
