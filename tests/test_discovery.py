@@ -339,3 +339,32 @@ def test_a_robot_is_checked_with_the_arguments_of_launch_files(package):
     (found,) = check(package, select=["GAZ001"]).diagnostics
     assert found.span.text == "bsae"
     assert [step.name for step in found.calls[0].via] == ["a.launch"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("", "XML001"),
+        ("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "XML001"),
+        ('<robt name="r"><link name="a"/></robt>', "URD015"),
+    ],
+    ids=["empty", "a pointer of Git LFS", "misspelt"],
+)
+def test_a_urdf_without_a_robot_is_no_reason_for_a_green_report(
+    tmp_path: Path, text: str, code: str
+) -> None:
+    write(tmp_path, "good.urdf", CART)
+    (tmp_path / "lost.urdf").write_text(text)
+    report = check(tmp_path)
+    assert {Path(path).name for path in report.files} == {"good.urdf", "lost.urdf"}
+    assert code in {found.code for found in report.diagnostics if found.severity.value == "error"}
+
+
+def test_what_cannot_be_opened_is_told(tmp_path: Path) -> None:
+    write(tmp_path, "good.urdf", CART)
+    (tmp_path / "lost.urdf").symlink_to(tmp_path / "nowhere")
+    (skipped,) = [one for one in check(tmp_path).skipped if not one.code]
+    assert (Path(skipped.path).name, skipped.reason.partition(";")[0]) == (
+        "lost.urdf",
+        "cannot be opened",
+    )

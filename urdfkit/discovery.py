@@ -48,10 +48,12 @@ class Found(Record):
     Attributes:
         robots: the entry points, sorted by path.
         libraries: files of macros, properties or materials that no file includes.
+        closed: descriptions that cannot be opened: links that lead nowhere, no permission.
     """
 
     robots: tuple[Robot, ...]
     libraries: tuple[str, ...]
+    closed: tuple[str, ...] = ()
 
 
 def discover(folder: str, config: Config, resolver: Resolver) -> Found:
@@ -64,7 +66,7 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
     if configured:
         return Found(configured, ())
     found = IncludeGraph(descriptions(folder, config), resolver).entry_points()
-    if not found.robots and not found.libraries:
+    if not any(found):
         raise UnreadableFile(
             f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
         )
@@ -168,12 +170,15 @@ class IncludeGraph:
         self.resolver = resolver
         self._sources: dict[str, Source] = {}
         self._names: dict[str, str] = {}
+        self.closed: list[str] = []
         for path in files:
             try:
                 source = resolver.read(path)
             except UnreadableFile:
-                continue  # a dangling link, or no permission: its check will say so
-            if _ROBOT.search(source.data):
+                self.closed += [path] if _is_description(path) else []
+                continue
+            # A .urdf is meant to be one whatever is in it: nothing, a pointer of Git LFS.
+            if _ROBOT.search(source.data) or path.endswith(".urdf"):
                 real = os.path.realpath(path)
                 self._sources[real] = source
                 self._names[real] = path
@@ -235,7 +240,8 @@ class IncludeGraph:
         libraries = tuple(filter(self.is_library, roots))
         outer = [path for path in roots if path not in libraries]
         robots = sorted({*outer, *self._within(outer)})
-        return Found(tuple(Robot(path, "", {}) for path in robots), libraries)
+        named = tuple(Robot(path, "", {}) for path in robots)
+        return Found(named, libraries, tuple(self.closed))
 
     def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
         """One file of each ring of includes that no root leads to; its check tells of the ring."""
@@ -294,6 +300,8 @@ class IncludeGraph:
 
     def is_library(self, path: str) -> bool:
         """True if a file only defines things: outside of macros it makes no link and calls none."""
+        if not _ROBOT.search(self._sources[os.path.realpath(path)].data):
+            return False
         data = _COMMENT.sub(b"", self._sources[os.path.realpath(path)].data)
         outside = _MACRO.sub(b"", data)
         return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

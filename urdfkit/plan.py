@@ -126,6 +126,10 @@ class Plan:
         for library in found.libraries:
             reason = "makes no link itself, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
+        for path in found.closed:
+            self.skipped.append(
+                Skipped("", path, "cannot be opened; see where it leads, and its permissions")
+            )
 
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):

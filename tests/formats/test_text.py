@@ -91,7 +91,9 @@ def test_notes_and_a_fix() -> None:
 def test_a_fix_that_the_help_describes_is_told_once() -> None:
     at = span(PLAIN, "arm")
     found = diagnostic(at, help="write 'leg'", fix=Fix("write 'leg'", (Edit(at, "leg"),)))
-    assert render(report(found)).count("write 'leg'") == 1
+    text = render(report(found))
+    assert text.count("write 'leg'") == 1
+    assert "\n  fix: write 'leg'\n" in text
 
 
 @pytest.mark.parametrize("confidence", [Confidence.INFERRED, Confidence.GUESSED])

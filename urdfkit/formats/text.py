@@ -100,7 +100,7 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             files.setdefault(skip.reason, set()).add(skip.path)
     found = [(reason, _many(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
-        paths = sorted(files[reason])
+        paths = sorted(map(os.path.normpath, files[reason]))
         named = ", ".join(paths) if len(paths) <= MAX_FILES else _many(len(paths), "file")
         found.append((reason, printable(named)))
     return found
@@ -125,10 +125,11 @@ class _Page:
             *self._ways(diagnostic),
             *(self._note(related, diagnostic) for related in diagnostic.related),
         ]
-        if diagnostic.help:
+        title = diagnostic.fix.title if diagnostic.fix else ""
+        if diagnostic.help and diagnostic.help != title:
             blocks.append(self._labelled("help", diagnostic.help))
-        if diagnostic.fix and diagnostic.fix.title != diagnostic.help:
-            blocks.append(self._labelled("fix", diagnostic.fix.title))
+        if title:
+            blocks.append(self._labelled("fix", title))
         return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
     def crash(self, crash: Crashed) -> str:
