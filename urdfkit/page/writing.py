@@ -77,7 +77,7 @@ def report(
         from urdfkit.page import markdown
 
         return markdown.render(document, Words(language)), document
-    return page(told, Words(language), has_pictures=not quick), document
+    return _page(told, Words(language), has_pictures=not quick)
 
 
 def _shows_all(form: str, table: str) -> bool:
@@ -85,16 +85,16 @@ def _shows_all(form: str, table: str) -> bool:
     return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
-def page(told: Told, words: Words, *, has_pictures: bool = True) -> str:
+def _page(told: Told, words: Words, *, has_pictures: bool) -> tuple[str, Document]:
     """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.page import html
 
     document, drawings, scene = drawn(told, has_pictures=has_pictures)
     if scene is None:
-        return html.render(document, words, drawings)
+        return html.render(document, words, drawings), document
     from urdfkit.page import engine
 
-    return html.render(document, words, drawings, scene, engine.load())
+    return html.render(document, words, drawings, scene, engine.load()), document
 
 
 class Drawn(Record):
