@@ -115,7 +115,7 @@ def test_another_tools_pyproject_is_no_configuration(project: Path) -> None:
 def test_a_folder_without_robots(project: Path, capsys) -> None:
     (project / "empty").mkdir()
     assert main(["init", "empty"]) == 2
-    assert "no .urdf and no .xacro" in capsys.readouterr().err
+    assert "no .urdf, no .xacro" in capsys.readouterr().err
     assert main(["init", "none"]) == 2
     assert not (project / "empty" / "urdfkit.toml").exists()
 
