@@ -121,3 +121,46 @@ def test_an_srdf_of_another_robot_in_the_package_is_not_the_robots(tmp_path):
     (tmp_path / "hand.srdf").write_text(group.format('<joint name="wrist"/>' * 8))
     codes = [found.code for found in check(tmp_path / "r.urdf", select=["SRD"]).diagnostics]
     assert sorted(codes) == ["SRD001"] * 8 + ["SRD011"]
+
+
+SETUP = """\
+moveit_setup_assistant_config:
+  urdf:
+    package: arm
+    relative_path: urdf/r.urdf{}
+  srdf:
+    relative_path: config/r/r.srdf
+"""
+ARGUMENTS = "\n    xacro_args: side:=left"
+
+
+@pytest.mark.parametrize(
+    ("place", "setup", "srdf", "is_found"),
+    [
+        ("arm_moveit_config/config/r", SETUP.format(""), "", True),
+        ("arm_moveit_config/config/r", SETUP.format(ARGUMENTS), "", True),
+        ("arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", False),
+        ("all_moveit_configs/arm_moveit_config/config", "", "", True),
+        ("arm_moveit/srdf", "", "", True),
+        ("arm_moveit/srdf", "", '<group name="a"><link name="bsae"/></group>', True),
+        ("arm_moveit/srdf", "", '<group name="a"><link name="x"/><link name="y"/></group>', False),
+        ("arm_planning/srdf", "", "", False),
+    ],
+)
+def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
+    package = tmp_path / "arm"
+    (package / "urdf").mkdir(parents=True)
+    robot = package / "urdf" / "r.urdf"
+    robot.write_text(ROBOT)
+    (tmp_path / place).mkdir(parents=True)
+    first, second, *_ = place.split("/")
+    home = tmp_path / first / second if "moveit" in second else tmp_path / first
+    for folder in (package, home):
+        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
+    if setup:
+        (home / ".setup_assistant").write_text(setup)
+    known = "".join(f'<passive_joint name="{name}"/>' for name in ("shoulder", "wrist", "knuckle"))
+    (tmp_path / place / "r.srdf").write_text(f'<robot name="r">{known}{srdf}</robot>')
+    resolver = Resolver(environment={})
+    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    assert (found is not None) is is_found

@@ -13,7 +13,7 @@ from urdfkit.rules import Finding, Rule, Written
 from urdfkit.source import Span
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
-from urdfkit.workspace.beside import srdf_files
+from urdfkit.workspace.beside import other_srdf_files, srdf_files
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
@@ -241,7 +241,8 @@ def _silent_families(subject: Subject) -> set[str]:
         "MSH": any(shape.filename for shape in model.shapes),
         "RCT": subject.parameters or glance.is_controlled(model),
         "GAZ": model.gazebo,
-        "SRD": srdf_files(subject.source.path, subject.resolver),
+        "SRD": srdf_files(subject.source.path, subject.resolver)
+        or other_srdf_files(subject.source.path, subject.resolver),
     }
     return {family for family, things in there.items() if not things}
 

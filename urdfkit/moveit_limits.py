@@ -35,10 +35,15 @@ class PlannedLimit(Record):
     at: Value
     values: dict[str, Value]
 
+    def is_on(self, switch: str) -> bool:
+        """True if a switch such as ``has_velocity_limits`` is on."""
+        on = self.values.get(switch)
+        return on is not None and on.text.strip().lower() in _ON
+
     def bound(self, name: str, switch: str) -> float | None:
         """A bound in rad, m and seconds, where its switch is on; None without one."""
-        value, on = self.values.get(name), self.values.get(switch)
-        if value is None or on is None or on.text.strip().lower() not in _ON:
+        value = self.values.get(name)
+        if value is None or not self.is_on(switch):
             return None
         found = number(value.text)
         # Launch files of ROS 1 and xacro read these tags; radians are what there is without one.

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from urdfkit.document import Attribute, Document, Element
 from urdfkit.errors import UnreadableFile
+from urdfkit.nearest import nearest
 from urdfkit.reading import Problem, is_xacro, read_xml
-from urdfkit.workspace.beside import srdf_files
+from urdfkit.workspace.beside import other_srdf_files, srdf_files
 
 if TYPE_CHECKING:
     from urdfkit.mechanics.tree import KinematicTree
@@ -95,6 +96,18 @@ class Srdf:
         known = {kind: self.known(kind) for kind in ("link", "joint")}
         return 2 * sum(name in known[kind] for kind, name in named) >= len(named)
 
+    @cached_property
+    def fits_robot(self) -> bool:
+        """True if it is of this robot and this variant: slips apart, one name may be strange."""
+        if self.root.get("name") != self.tree.model.name:
+            return False
+        strange = {
+            name.value
+            for kind, name in self.references()
+            if name.value not in (known := self.known(kind)) and not nearest(name.value, known)
+        }
+        return self.speaks_of_robot and len(strange) <= 1
+
     def known(self, kind: str) -> set[str]:
         """The names of a kind that the robot or this file has."""
         if kind == "group":
@@ -156,7 +169,8 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
 def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
     """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none.
 
-    One with another name is the robot's if it speaks of its links and joints.
+    One with another name is the robot's if it speaks of its links and joints; one of a package of
+    MoveIt that may be for other robots, too, if it fits this one.
 
     Args:
         path: of the robot.
@@ -168,6 +182,10 @@ def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
     found = [srdf for srdf in read_files if srdf is not None]
     same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
+    if not found:
+        others = other_srdf_files(path, resolver)
+        read_files = (read(one, tree, resolver, trust=trust) for one in others)
+        chosen = [srdf for srdf in read_files if srdf is not None and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None
 
 

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver
 
 _SRDF = (".srdf", ".srdf.xacro")
-_SETUP = (  # compiled when needed, which is seldom
-    r"URDF:\s*\n\s*package:\s*\"?([\w-]+)\"?\s*\n\s*relative_path:\s*\"?([^\s\"]+)"
-)
+#: A section of ``.setup_assistant``, and what is in it; compiled when needed, which is seldom.
+_SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
+_ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
 
 
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
@@ -27,31 +28,91 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     package = resolver.packages.enclosing(robot)
     top = package[1] if package else folder
     folders = dict.fromkeys((folder, *(os.path.join(top, name) for name in ("config", "srdf"))))
-    if package is not None:
-        folders.update(dict.fromkeys(_moveit_folders(package, robot, resolver)))
-    return [
-        os.path.join(place, name)
-        for place in folders
-        for name in sorted(resolver.folders.entries(place) or ())
-        if name.endswith(_SRDF)
-    ]
+    for moveit in _moveit_packages(package, resolver):
+        setup = _setup(moveit)
+        if package and setup.is_for(robot, package) and not setup.has_arguments:
+            folders.update(dict.fromkeys(_folders(moveit, setup)))
+    return list(_srdf_in(folders, resolver))
 
 
-def _moveit_folders(package: tuple[str, str], robot: str, resolver: Resolver) -> Iterator[str]:
-    around = os.path.dirname(package[1])
-    for name in resolver.folders.entries(around) or ():
+def other_srdf_files(robot: str, resolver: Resolver) -> list[str]:
+    """The SRDF files of MoveIt packages beside a robot that may be for it, or for others.
+
+    They name it with arguments of its own, or do not say which file they are made for.
+    """
+    package = resolver.packages.enclosing(robot)
+    folders: dict[str, None] = {}
+    for moveit in _moveit_packages(package, resolver):
+        setup = _setup(moveit)
+        is_for = package is not None and setup.is_for(robot, package)
+        if not setup.urdf or (is_for and setup.has_arguments):
+            folders.update(dict.fromkeys(_folders(moveit, setup)))
+    return list(_srdf_in(folders, resolver))
+
+
+def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
+    for place in folders:
+        for name in sorted(resolver.folders.entries(place) or ()):
+            if name.endswith(_SRDF):
+                yield os.path.join(place, name)
+
+
+def _moveit_packages(package: tuple[str, str] | None, resolver: Resolver) -> Iterator[str]:
+    """The MoveIt packages beside a package, and those in a folder of them."""
+    around = os.path.dirname(package[1]) if package else ""
+    for name in resolver.folders.entries(around) or () if around else ():
         folder = os.path.join(around, name)
-        if name.endswith("moveit_config") and _is_set_up_for(folder, package, robot):
-            yield os.path.join(folder, "config")
+        if "moveit" not in name or package is None or folder == package[1]:
+            continue
+        entries = resolver.folders.entries(folder) or {}
+        if "package.xml" in entries:
+            yield folder
+            continue
+        yield from (os.path.join(folder, inner) for inner in entries if "moveit" in inner)
 
 
-def _is_set_up_for(folder: str, package: tuple[str, str], robot: str) -> bool:
-    """True if a MoveIt package says that it was made for a robot's file."""
+class Setup(Record):
+    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none.
+
+    Attributes:
+        package, urdf: of the robot's file.
+        srdf: of the SRDF, below the package of MoveIt.
+        has_arguments: True if the robot is expanded with arguments.
+    """
+
+    package: str = ""
+    urdf: str = ""
+    srdf: str = ""
+    has_arguments: bool = False
+
+    def is_for(self, robot: str, package: tuple[str, str]) -> bool:
+        """True if it was made for a file of a package."""
+        if not self.urdf or self.package != package[0]:
+            return False
+        return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
+
+
+def _setup(folder: str) -> Setup:
     try:
         with open(os.path.join(folder, ".setup_assistant"), encoding="utf-8") as file:
-            setup = re.search(_SETUP, file.read(100_000))
+            text = file.read(100_000)
     except (OSError, UnicodeDecodeError):
-        return False
-    if setup is None or setup.group(1) != package[0]:
-        return False
-    return os.path.normpath(os.path.join(package[1], setup.group(2))) == os.path.abspath(robot)
+        return Setup()
+
+    def section(name: str) -> str:
+        found = re.search(_SECTION.format(name), text)
+        return found.group(2) if found else ""
+
+    def entry(inside: str, name: str) -> str:
+        found = re.search(_ENTRY.format(name), inside)
+        return found.group(1) if found else ""
+
+    urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
+    return Setup(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
+
+
+def _folders(moveit: str, setup: Setup) -> Iterator[str]:
+    """Where a package of MoveIt keeps its SRDF."""
+    yield from (os.path.join(moveit, name) for name in ("config", "srdf"))
+    if setup.srdf:
+        yield os.path.normpath(os.path.join(moveit, os.path.dirname(setup.srdf)))

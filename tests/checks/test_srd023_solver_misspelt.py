@@ -1,0 +1,28 @@
+"""SRD023: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+
+GROUP = '<group name="arm"><link name="arm"/></group>'
+
+
+@pytest.mark.parametrize(
+    ("solver", "meant"),
+    [
+        ("kdl_kinematics_plugin/KDLKinematicPlugin", "kdl_kinematics_plugin/KDLKinematicsPlugin"),
+        ("trac_ik_kinematics_plugin/TRACIKKinematicsPlugin", None),
+        ("kdl_kinematics_plugin/KDLKinematicsPlugin", ""),
+        ("my_arm/IKFastKinematicsPlugin", ""),
+        ("my_solvers/Mine", ""),
+    ],
+)
+def test_slips_of_solvers(tmp_path: Path, solver: str, meant: str | None) -> None:
+    (tmp_path / "kinematics.yaml").write_text(f"arm:\n  kinematics_solver: {solver}\n")
+    found = findings(tmp_path, GROUP, "SRD023")
+    assert len(found) == (meant != "")
+    for one in found:
+        assert one.span.text == solver
+        assert meant is None or one.help == f"write {meant}"

@@ -1,0 +1,85 @@
+"""The kinematics solver of a group is nearly one that MoveIt has.
+
+MoveIt loads no such plugin: "The kinematics plugin (arm) failed to load", and the group cannot be
+moved to a pose. Solvers that urdfkit does not know are taken for others of the workspace.
+
+Sources:
+    MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.moveit_config import group_entries
+from urdfkit.nearest import nearest
+from urdfkit.placed_yaml import Value
+from urdfkit.rules import Finding, Need, Written, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<robot name="bad">
+  <link name="base"/>
+  <link name="arm"/>
+  <joint name="shoulder" type="continuous">
+    <parent link="base"/>
+    <child link="arm"/>
+  </joint>
+</robot>
+"""
+GOOD = BAD.replace('"bad"', '"good"')
+_SRDF = b"""\
+<robot name="bad">
+  <group name="arm"><chain base_link="base" tip_link="arm"/></group>
+</robot>
+"""
+FILES = {
+    "bad.srdf": _SRDF,
+    "good.srdf": _SRDF.replace(b'"arm"><', b'"manipulator"><').replace(b"bad", b"good"),
+    "kinematics.yaml": b"""\
+arm:
+  kinematics_solver: kdl_kinematics_plugin/KDLKinematicPlugin
+manipulator:
+  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin
+""",
+}
+
+_KNOWN = (
+    "bio_ik/BioIKKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedKDLKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedSrvKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedTRACKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR10KinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR3KinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedUR5KinematicsPlugin",
+    "kdl_kinematics_plugin/KDLKinematicsPlugin",
+    "lma_kinematics_plugin/LMAKinematicsPlugin",
+    "pick_ik/PickIkPlugin",
+    "prbt_manipulator/IKFastKinematicsPlugin",
+    "srv_kinematics_plugin/SrvKinematicsPlugin",
+    "trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin",
+    "ur_kinematics/UR10KinematicsPlugin",
+    "ur_kinematics/UR3KinematicsPlugin",
+    "ur_kinematics/UR5KinematicsPlugin",
+)
+#: The plugins of IKFast are called after the robot, and are like one another.
+_OF_ROBOTS = "IKFast"
+_SLIP = 0.93
+
+
+@rule("SRD023", "solver-misspelt", Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
+def check(subject: Subject) -> Iterator[Finding]:
+    srdf = subject.srdf
+    for entry in group_entries(srdf, subject.resolver) if srdf else ():
+        solver = entry.values.get("kinematics_solver")
+        if srdf is None or entry.name not in srdf.known("group") or not isinstance(solver, Value):
+            continue
+        if solver.text in _KNOWN or _OF_ROBOTS in solver.text:
+            continue
+        if meant := nearest(solver.text, _KNOWN, _SLIP):
+            message = f"group '{entry.name}': '{solver.text}' is nearly '{meant}'"
+            yield Finding(Written(solver.span), message, f"write {meant}")
