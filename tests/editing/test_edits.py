@@ -40,6 +40,21 @@ def test_rename_element(text: str, renamed: str) -> None:
     assert after(root, edits.rename_element(root, "b")) == renamed
 
 
+def test_an_element_whose_name_an_expression_gives_keeps_it(tmp_path: Path) -> None:
+    (tmp_path / "r.xacro").write_text(xacro('<xacro:element xacro:name="link" name="a"/>'))
+    (link,) = loading.load(tmp_path / "r.xacro").links
+    assert edits.rename_element(link.at, "joint") is None
+
+
+def test_replace_text_keeps_the_white_space_around_it() -> None:
+    root = read("<a><b>\n 1 \n</b><c>1<d/></c></a>")
+    b, c = root.children
+    assert after(root, edits.replace_text(b, "<2 & 3>")) == (
+        "<a><b>\n &lt;2 &amp; 3> \n</b><c>1<d/></c></a>"
+    )
+    assert edits.replace_text(c, "2") is None
+
+
 def test_an_empty_element_before_the_end_of_its_parent() -> None:
     root = read("<a><a/></a>")
     (child,) = root.children
@@ -207,6 +222,7 @@ def test_swap_exchanges_attributes_and_texts() -> None:
     [
         ("<a>\n  <b/>\n  <b/>\n  <c/>\n</a>", "<a>\n  <c/>\n</a>"),
         ("<a><b/><b/></a>", "<a></a>"),
+        ("<a>\n  <b/> <b/>\n  <c/>\n</a>", "<a>\n  <c/>\n</a>"),
         ("<a>\n  <b/>\n  <c/>\n  <b/>\n</a>", "<a>\n  <c/>\n</a>"),
         ("<a>\n\n  <b/>\n\n  <b/>\n\n  <c/>\n</a>", "<a>\n\n  <c/>\n</a>"),
     ],
