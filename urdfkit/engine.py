@@ -234,7 +234,9 @@ def _each(
 
 def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterable[list[Judged]]:
     import signal
+    import time
     from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
 
     # Ctrl-C reaches every process of the terminal; only the first one has something to say.
     silent = (signal.SIGINT, signal.SIG_DFL)
@@ -242,8 +244,12 @@ def _in_processes(jobs: list[Job], settings: Settings, processes: int) -> Iterab
     with ProcessPoolExecutor(count, initializer=signal.signal, initargs=silent) as pool:
         # Not `map`, which cancels what is left and trips over it when the processes are gone.
         futures = [pool.submit(_run_alone, job, settings) for job in jobs]
-        for future in futures:
-            yield future.result()
+        try:
+            for future in futures:
+                yield future.result()
+        except BrokenProcessPool:
+            time.sleep(1)  # the others may have heard Ctrl-C first; then it is raised here
+            raise
 
 
 def _run_alone(job: Job, settings: Settings) -> list[Judged]:
