@@ -20,11 +20,20 @@ def tip(mass: float, kind: str = "prismatic") -> str:
 def test_a_moving_link() -> None:
     assert messages("INE017", tip(1e-10)) == [
         (
-            "link 'tip' weighs 1e-10 kg and is moved by the prismatic joint 'tip_joint'; below "
+            "link 'tip' weighs 1e-10 kg and is moved by the prismatic joint 'tip_joint'; up to "
             "1e-06 kg older Gazebo leaves it out"
         )
     ]
     assert places("INE017", tip(1e-10)) == [(4, "1e-10")]
+
+
+def test_the_largest_that_is_none() -> None:
+    assert len(messages("INE017", tip(1e-6))) == 1
+
+
+def test_a_mass_without_moments() -> None:
+    light = link("tip", '<inertial><mass value="1e-10"/></inertial>')
+    assert len(messages("INE017", BASE + light + joint("base", "tip", "prismatic"))) == 1
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,8 @@
 """A link that a joint moves has a mass so small that Gazebo takes it for none.
 
-Up to sdformat 9.10.0 and 12.7.1 a mass below 1e-6 kg counts as none: Gazebo leaves out the link and
-everything that hangs on it. Such a mass is meant to be "nothing"; a moving link cannot have that.
-Give it a gram, or make its joint fixed.
+Up to sdformat 9.10.0 and 12.7.1 a mass of up to 1e-6 kg counts as none: Gazebo leaves out the link
+and everything that hangs on it. Such a mass is meant to be "nothing"; a moving link cannot have
+that. Give it a gram, or make its joint fixed.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.conversion import OLD
+from urdfkit.mechanics.rigid import NO_MASS
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -51,12 +51,12 @@ GOOD = BAD.replace('"1e-10"', '"0.001"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for body in subject.masses.bodies:
-        if body.joint is None or not 0 < body.mass <= OLD.least_mass:
+        if body.joint is None or not 0 < body.mass <= NO_MASS:
             continue
         link = body.top
         mass = link.inertial.mass if link.inertial else None
         yield Finding(
             mass or link.at,
             f"link '{link.name}' weighs {body.mass:.3g} kg and is moved by the {body.joint.kind} "
-            f"joint '{body.joint.name}'; below {OLD.least_mass:g} kg older Gazebo leaves it out",
+            f"joint '{body.joint.name}'; up to {NO_MASS:g} kg older Gazebo leaves it out",
         )

@@ -90,17 +90,14 @@ def _refused(
 
 def _remedy(node: Node, wanted: str) -> str:
     """What to write instead."""
-    if not isinstance(node, Value) or wanted.endswith("_array"):
-        return f"write {_WORDS[wanted]}"
-    text = node.text.replace(",", ".")
-    try:
-        number = float(text)
-    except ValueError:
-        return f"write {_WORDS[wanted]}"
-    if wanted == "double":
-        return f"write {number}"
-    return (
-        f"write {int(number)}"
-        if wanted == "int" and number.is_integer()
-        else (f"write {_WORDS[wanted]}")
-    )
+    if isinstance(node, Value) and wanted in ("double", "int"):
+        try:
+            number = float(node.text.replace(",", "."))
+        except ValueError:
+            pass
+        else:
+            if wanted == "double":
+                return f"write {number}"
+            if number.is_integer():
+                return f"write {int(number)}"
+    return f"write {_WORDS[wanted]}"

@@ -15,7 +15,7 @@ from functools import cached_property
 
 from urdfkit.gazebo.values import is_true
 from urdfkit.mechanics.inertia import MassProperties
-from urdfkit.mechanics.rigid import KEEPING_TAGS, RigidBody, rigid_bodies
+from urdfkit.mechanics.rigid import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
 
@@ -49,7 +49,7 @@ class Converter(Record):
     stops_at_merged: bool
 
 
-OLD = Converter("sdformat before 9.10.1 and 12.7.2", 1e-6, True)
+OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True)
 NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False)
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.document import Element, Tag
 from urdfkit.inertials.weighed import SIGNIFICANT, Weighed, by_tensor
 from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.mechanics.rigid import KEEPING_TAGS, RigidBody, rigid_bodies
+from urdfkit.mechanics.rigid import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
 from urdfkit.mechanics.shapes import Lump
 from urdfkit.mechanics.tree import KinematicTree
 from urdfkit.mechanics.twins import numbered_pairs, pairs
@@ -28,9 +28,6 @@ LIKEWISE = 3
 
 #: A link that carries more than this many times its own mass makes iterative solvers jitter.
 CARRIED = 1000.0
-
-#: The smallest mass in kg that old converters of Gazebo take for one.
-LEAST_MASS = 1e-6
 
 #: The smallest moment of inertia in kg m^2 that MuJoCo takes for one: its mjMINVAL.
 LEAST_MOMENT = 1e-15
@@ -110,7 +107,7 @@ class Masses:
             codes.add("INE019")
         else:
             codes |= self._told_of_massless()
-        if any(weighed.mass < LEAST_MASS for weighed in self.weighed):
+        if any(body.joint and 0 < body.mass <= NO_MASS for body in self.bodies):
             codes.add("INE017")
         found = {
             "INE005": self.without_inertia,
@@ -194,7 +191,7 @@ class Masses:
             mass, load = body.mass, carried[body.top.name]
             if body.joint and body.joint.parent:
                 carried[self.body_of[body.joint.parent.value].top.name] += mass + load
-                if mass >= LEAST_MASS and load > CARRIED * mass:
+                if mass > NO_MASS and load > CARRIED * mass:
                     found.append((body, load))
         return found[::-1]
 

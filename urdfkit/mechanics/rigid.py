@@ -15,6 +15,8 @@ from urdfkit.spatial import Frame
 
 #: Tags in ``<gazebo>`` that keep a fixed joint as a joint.
 KEEPING_TAGS = ("preserveFixedJoint", "disableFixedJointLumping")
+#: A mass in kg that sdformat before 9.10.1 and 12.7.2 takes for none, and any smaller one.
+NO_MASS = 1e-6
 
 
 class RigidBody(Record):
