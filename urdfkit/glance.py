@@ -209,7 +209,7 @@ def _about_sense(model: RobotModel) -> set[str]:
         codes.add("JNT037")  # which begins at 0.5 m
     names = " ".join(model.links_by_name).lower()
     if "wheel" not in names and not any("wheel" in joint.name.lower() for joint in joints):
-        codes |= {"JNT033", "JNT034", "JNT043"}
+        codes |= {"JNT033", "JNT034", "JNT043", "JNT044"}
     kinds = {shape.kind for shape in model.shapes}
     if "cylinder" not in kinds:
         codes.add("JNT034")
@@ -339,7 +339,7 @@ def _about_types(kinds: list[str]) -> set[str]:
     if len(kinds) < 2:
         codes.add("JNT031")
     if sum(kind in DEGREES_OF_FREEDOM for kind in kinds) < 2:
-        codes |= {"JNT025", "JNT042"}
+        codes |= {"JNT025", "JNT042", "JNT044"}
     if "prismatic" not in kinds:
         codes |= {"JNT032", "JNT038"}
     return codes

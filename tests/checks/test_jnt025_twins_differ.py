@@ -104,3 +104,21 @@ def test_no_tree() -> None:
     assert told("JNT025", text.replace('<parent link="base"/>', "")) == []
     loop = text.replace('<parent link="base"/>', '<parent link="left_arm_link"/>')
     assert told("JNT025", loop) == []
+
+
+LOSSES = '<dynamics damping="{}" friction="{}"/>'
+
+
+@pytest.mark.parametrize(
+    ("losses", "difference"),
+    [
+        ((5, 0.2), "damping 5, not 0.5 N m s/rad"),
+        ((0.5, 0.02), "friction 0.02, not 0.2 N m"),
+        ((0.4, 0.3), ""),  # they are measured
+        ((0, 0.2), ""),
+    ],
+)
+def test_damping_and_friction(losses: tuple[float, float], difference: str) -> None:
+    robot = twins(REVOLUTE + LOSSES.format(0.5, 0.2), REVOLUTE + LOSSES.format(*losses))
+    expected = f"joint 'right_arm' differs from its twin 'left_arm': {difference}"
+    assert messages("JNT025", robot) == ([expected] if difference else [])

@@ -5,8 +5,8 @@ or one steering joint has an end and the other none, one of the two was forgotte
 the robot pulls to one side, and a policy learnt on it does so too. Twins are found by name (left
 and right, l and r, FL and FR, ...) or, for numbers, by joints at mirrored places of one link, and
 they hang on different branches. Limits may be equal or mirrored; a twentieth of the range is
-allowed for, as real robots differ so much, and 1 % of effort and velocity. Zeros have rules of
-their own.
+allowed for, as real robots differ so much, 1 % of effort and velocity, and a factor of two of
+damping and friction. Zeros have rules of their own.
 
 Sources:
     unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
@@ -18,6 +18,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Related, Severity
 from urdfkit.mechanics.joints import bounds, effort_unit, unit
+from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -46,6 +47,8 @@ BAD = """\
 GOOD = BAD.replace("1000", "80")
 
 _TOLERANCE = 0.01
+#: Damping and friction are measured, and differ.
+_LOSSES = 2.0
 #: Of the range; the legs of a NAO differ by 0.005 of it.
 _RANGE_TOLERANCE = 0.05
 
@@ -74,6 +77,7 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
     if first.kind != second.kind:
         yield f"{second.kind}, not {first.kind}"
         return
+    yield from _losses(first, second)
     one, other = first.limit, second.limit
     if one is None or other is None:
         return
@@ -90,6 +94,18 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
         yield (
             f"limits {theirs[0]:g} to {theirs[1]:g}, not {ours[0]:g} to {ours[1]:g} {unit(first)}"
         )
+
+
+def _losses(first: Joint, second: Joint) -> Iterator[str]:
+    """Damping and friction, unless one of the two follows the other."""
+    one, other = (joint.at.child("dynamics") for joint in (first, second))
+    if one is None or other is None or first.mimic or second.mimic:
+        return
+    of = effort_unit(first)
+    for key, dimension in (("damping", f"{of} s/{unit(first)}"), ("friction", of)):
+        a, b = number(one.get(key)), number(other.get(key))
+        if a and b and max(a, b) > _LOSSES * min(a, b) > 0:
+            yield f"{key} {b:g}, not {a:g} {dimension}"
 
 
 def _differ(a: Placed[float], b: Placed[float]) -> bool:
