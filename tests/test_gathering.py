@@ -99,3 +99,41 @@ def test_what_is_alike_in_two_files_is_shown_for_each() -> None:
     robot = whole_robot(links(5)).encode()
     report = check(Source("a.urdf", robot), Source("b.urdf", robot), select=["URD001"])
     assert [one.span.source.path for one in gathered(report.diagnostics)] == ["a.urdf", "b.urdf"]
+
+
+MASS = (
+    '<inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+)
+#: Something on each of three links that are fixed to a base.
+ON_LINKS = {
+    "GAZ007": "<material>Gazebo/Silver</material>",
+    "GAZ042": '<sensor name="s{0}" type="imu"><imu><topic_name>t</topic_name></imu></sensor>',
+    "GAZ067": "<selfCollide>true</selfCollide>",
+}
+
+
+@pytest.mark.parametrize(("code", "what"), ON_LINKS.items(), ids=list(ON_LINKS))
+def test_what_an_exporter_writes_on_every_link_is_one_finding(code: str, what: str) -> None:
+    """Such as the 33 switches for collisions in a robot from Fusion."""
+    robot = f'<link name="base">{MASS}</link>'
+    for number in range(3):
+        robot += (
+            f'<link name="l{number}">{MASS}</link><joint name="j{number}" type="fixed">'
+            f'<parent link="base"/><child link="l{number}"/></joint>'
+            f'<gazebo reference="l{number}">{what.format(number)}</gazebo>'
+        )
+    assert len(told(code, robot)) == 3
+    assert len(shown(code, robot)) == 1
+
+
+def test_joints_that_a_whole_block_lacks_are_one_finding() -> None:
+    joints = "".join(f'<joint name="{name}"/>' for name in ("shoulder", "elbow", "wrist"))
+    robot = (
+        '<link name="a"/><link name="b"/><joint name="slide" type="fixed"><parent link="a"/>'
+        f'<child link="b"/></joint><ros2_control name="arm" type="system">{joints}</ros2_control>'
+    )
+    (finding,) = shown("RCT001", robot)
+    assert finding.message.endswith(
+        "names joint 'shoulder', which is not in the model (and 2 more likewise)"
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ pytest.importorskip("coal")
 
 from tests.collision.robots import joint, link, revolute, sphere
 from urdfkit import Diagnostic, check
+from urdfkit.collision.still import Still
 from urdfkit.examples import whole_robot
 
 TURN = revolute(-3, 3, "0 1 0")
@@ -73,3 +75,17 @@ def test_the_matrix_of_a_real_arm(corpus: Path) -> None:
     assert {one.message.partition(" overlap")[0] for one in found} <= {
         "'panda_link2' and 'panda_link6'"
     }
+
+
+def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A humanoid's two hands make 2000 pairs, and a check must end."""
+    asked: list[tuple[int, int]] = []
+
+    def colliding(_: Still, pairs: Sequence[tuple[str, str]], samples: int) -> list[None]:
+        asked.append((len(pairs), samples))
+        return [None] * len(pairs)
+
+    monkeypatch.setattr(Still, "colliding", colliding)
+    told(tmp_path, pair("hand", "base"))
+    told(tmp_path, pair("hand", "base") * 1000)
+    assert asked == [(1, 2000), (1000, 400)]

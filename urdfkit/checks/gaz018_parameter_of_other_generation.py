@@ -69,6 +69,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             f"nothing of that name in {_NAMES[use.plugin.generation]}",
             f"write <{new}>" if new else _advice(found.item, use.plugin),
             Fix.of(f"rename it to <{new}>", edits),
+            alike=f"{use.filename} {'renamed' if edits else 'other'}",
         )
 
 

@@ -69,4 +69,5 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"{use.title} looks for {reference.kind} '{reference.name}', which Gazebo leaves "
                 f"out (link '{link}': {conversion.dropped[link]}){use.outcome}",
                 f"give link '{link}' an <inertial> with its mass",
+                alike=conversion.dropped[link],
             )

@@ -69,8 +69,9 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _finding(child: Element, who: str, known: Iterable[str]) -> Finding:
     message = f"{who} has no <{child.tag}>"
     if instead := _INSTEAD.get(child.tag):
-        return Finding(child, message, instead)
-    return Finding(child, message + did_you_mean(child.tag, known), fix=_fix(child, known))
+        return Finding(child, message, instead, alike=child.tag)
+    hint = did_you_mean(child.tag, known)
+    return Finding(child, message + hint, fix=_fix(child, known), alike=child.tag)
 
 
 def _fix(child: Element, known: Iterable[str]) -> Fix | None:
