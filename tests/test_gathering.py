@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.told import fixed, told
@@ -137,3 +139,24 @@ def test_joints_that_a_whole_block_lacks_are_one_finding() -> None:
     assert finding.message.endswith(
         "names joint 'shoulder', which is not in the model (and 2 more likewise)"
     )
+
+
+def test_controllers_of_a_robot_with_other_names_are_one_finding(tmp_path: Path) -> None:
+    """All twenty joints of one robot's controllers were those of its namesake."""
+    names = ("neck", "hip", "knee")
+    text = "".join(
+        f"{n}_control:\n  type: position_controllers/JointPositionController\n  joint: {n}\n"
+        for n in names
+    )
+    (tmp_path / "c.yaml").write_text(text)
+    (tmp_path / "r.urdf").write_text(
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j_pan" type="fixed">'
+        '<parent link="a"/><child link="b"/></joint></robot>'
+    )
+    (tmp_path / "r.launch").write_text(
+        '<launch>\n<rosparam command="load" file="$(dirname)/c.yaml"/>\n'
+        '<param name="robot_description" textfile="$(dirname)/r.urdf"/>\n</launch>\n'
+    )
+    found = check(tmp_path / "r.launch", select=["RCT013"]).diagnostics
+    assert len(found) == 3
+    assert len(gathered(found)) == 1

@@ -47,10 +47,13 @@ def test_an_endless_word_costs_little() -> None:
         ("right_wheel", ""),
         ("rl_leg", ""),
         ("gripper", ""),
+        ("roller_1", ""),  # nor roller_b
+        ("base_imu_link", ""),
+        ("roler_b", "roller_b"),
     ],
 )
 def test_a_sibling_is_not_a_slip(word: str, meant: str) -> None:
-    known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg"]
+    known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg", "roller_b"]
     assert Speller(known).meant(word) == meant
 
 

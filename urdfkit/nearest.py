@@ -71,8 +71,9 @@ def nearest_file(path: str) -> str | None:
 class Speller:
     """Finds the names that unknown names were meant to be, within a bound of work.
 
-    Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4``, nor
-    ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link`` that it is on.
+    Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4`` or
+    ``wheel_b``, nor ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link``
+    that it is on.
     """
 
     #: Unknown names that are looked at, and known ones that each is compared with.
@@ -101,7 +102,11 @@ class Speller:
 
 def _are_siblings(word: str, other: str) -> bool:
     sides, others = _sides(word), _sides(other)
-    return bool(sides and others and sides != others) or _has_more_words(word, other)
+    return (
+        bool(sides and others and sides != others)
+        or _numbers(sides) != _numbers(others)
+        or _has_more_words(word, other)
+    )
 
 
 def _has_more_words(word: str, other: str) -> bool:
@@ -113,6 +118,10 @@ def _has_more_words(word: str, other: str) -> bool:
         and words[0] == others[0]
         and set(others) < set(words)
     )
+
+
+def _numbers(sides: list[str]) -> list[str]:
+    return [side for side in sides if side.isdigit()]
 
 
 def _sides(name: str) -> list[str]:

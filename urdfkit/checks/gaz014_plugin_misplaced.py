@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(use.at, f"{message} it", f"put it {where or _WHERE['model']}")
         elif _is_wrong(use, kinds):
             message = f"{use.title} stands {_WHERE[use.place]}, and is for a {' or '.join(kinds)}"
-            yield Finding(use.at, message, f"put it {where}")
+            yield Finding(use.at, message, f"put it {where}", alike=f"{use.place} {where}")
 
 
 def _is_wrong(use: Use, kinds: tuple[str, ...]) -> bool:

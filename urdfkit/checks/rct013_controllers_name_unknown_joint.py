@@ -73,6 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                         f"controller '{controller.name}' names joint '{value.text}', "
                         f"which is not in the model{hint}",
                         related=(file.note,),
+                        alike="" if hint else file.path,
                     )
 
 
