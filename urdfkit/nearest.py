@@ -12,6 +12,9 @@ _LONGEST = 200
 #: What tells siblings apart.
 _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
 
+#: What a name may say of the thing that has it, and people leave out.
+_KINDS = frozenset(("link", "joint", "frame"))
+
 
 def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
     """The known word most like ``word``, upper and lower case alike; None if none is like it.
@@ -110,14 +113,9 @@ def _are_siblings(word: str, other: str) -> bool:
 
 
 def _has_more_words(word: str, other: str) -> bool:
-    """True if a name is another one with words in its midst; ends are easily forgotten."""
-    words, others = (name.casefold().split("_") for name in (word, other))
-    return (
-        len(words) > len(others) > 1
-        and words[-1] == others[-1]
-        and words[0] == others[0]
-        and set(others) < set(words)
-    )
+    """True if a name is another one with more words than those that say what has it."""
+    words, others = (set(name.casefold().split("_")) for name in (word, other))
+    return len(others) > 1 and others < words and not words - others <= _KINDS
 
 
 def _numbers(sides: list[str]) -> list[str]:

@@ -234,8 +234,16 @@ SRDF_TAGS = frozenset(
     "disable_default_collisions enable_collisions link_sphere_approximation joint_property".split()
 )
 
-#: Tags of xacro, which do nothing without their prefix.
-XACRO_TAGS = frozenset("include property macro insert_block arg if unless".split())
+#: Tags of xacro, which do nothing without their prefix, and the attribute that each has.
+XACRO_TAGS = {
+    "include": "filename",
+    "property": "name",
+    "macro": "name",
+    "insert_block": "name",
+    "arg": "name",
+    "if": "value",
+    "unless": "value",
+}
 
 
 def places_of(tag: str) -> list[str]:

@@ -190,7 +190,7 @@ class Subject:
         xacro = self.reading.xacro
         if xacro is None:
             return deviations(self.document, plain=True)
-        claimed = XACRO_TAGS.union(macro.name for macro in xacro.macros)  # XAC002
+        claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
         return deviations(self.document, plain=False, claimed=claimed)
 
     @cached_property

@@ -74,3 +74,13 @@ def test_a_slip_in_python(tmp_path: Path) -> None:
 def test_what_may_be_declared_is_calm(tmp_path: Path, head: str, used: str, more: str) -> None:
     text = head + PYTHON.format(declared="gui", used=used, more=more)
     assert told(tmp_path, "LAU006", "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(("used", "count"), [("depth_image_height", 0), ("image_heigth", 1)])
+def test_what_an_including_file_gives_may_have_a_longer_name(
+    tmp_path: Path, used: str, count: int
+) -> None:
+    """As in NVIDIA's isaac_manipulator, where both names are arguments of the outer file."""
+    outer = {"launch/outer.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
+    text = PYTHON.format(declared="image_height", used=used, more="")
+    assert len(told(tmp_path, "LAU006", "a.launch.py", text, outer)) == count

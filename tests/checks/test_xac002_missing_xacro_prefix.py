@@ -27,13 +27,22 @@ def test_a_macro_inside_a_link() -> None:
 
 @pytest.mark.parametrize("tag", sorted(XACRO_TAGS))
 def test_a_tag_of_xacro(tag: str) -> None:
-    (found,) = told("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} name="b"/>')
+    (found,) = told("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} {XACRO_TAGS[tag]}="b"/>')
     assert found.span.line == 4
     assert found.message == f"<{tag}> is a tag of xacro, without its prefix"
 
 
+def test_a_tag_of_another_program_is_not_that_of_xacro() -> None:
+    """AUBO's joints have a ``<property>`` of their own."""
+    body = (
+        '<link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>'
+        '<child link="b"/><property inertia="4.9" ratio="101"/></joint>'
+    )
+    assert told("XAC002", f'{ARM}<xacro:arm side="a"/>{body}') == []
+
+
 def test_no_other_rule_says_the_same() -> None:
-    body = f'{ARM}<link name="base"><arm side="l"/></link>\n<arm side="r"/><include/>'
+    body = f'{ARM}<link name="base"><arm side="l"/></link>\n<arm side="r"/><include filename="x"/>'
     report = engine.check(Source("robot.xacro", xacro(body).encode()))
     codes = [one.code for one in report.diagnostics]
     assert codes.count("XAC002") == 3

@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_value
-from urdfkit.nearest import Speller, did_you_mean
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -42,6 +42,10 @@ FILES = {
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
+#: How like another name a name must be for that to be offered: "amr" is like "arm".
+_LIKE = 0.66
+
+
 @rule(
     "SRD001",
     "unknown-name",
@@ -57,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
-            hint = did_you_mean(attribute.value, known)
+            hint = Speller(known, _LIKE).hint(attribute.value)
             message = f"there is no {kind} '{attribute.value}'{hint}"
             yield Finding(attribute, message, fix=_fix(attribute, known))
 

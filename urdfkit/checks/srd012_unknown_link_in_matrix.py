@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import replace_value
-from urdfkit.nearest import Speller, did_you_mean
+from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -47,6 +47,10 @@ FILES = {
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 
 
+#: How like another name a name must be for that to be offered: "amr" is like "arm".
+_LIKE = 0.66
+
+
 @rule(
     "SRD012",
     "unknown-link-in-matrix",
@@ -64,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for key in ("link1", "link2"):
             attribute = pair.attributes.get(key)
             if attribute is not None and attribute.value not in links:
-                hint = did_you_mean(attribute.value, links)
+                hint = Speller(links, _LIKE).hint(attribute.value)
                 message = f"there is no link '{attribute.value}'{hint}"
                 yield Finding(attribute, message, fix=_fix(attribute, links))
 

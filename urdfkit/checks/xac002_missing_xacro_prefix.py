@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             elif child.tag in macros:
                 message = f"<{child.tag}> is a macro, called without its prefix"
                 yield Finding(child, message, fix=_fix(child))
-            elif child.tag in schema.XACRO_TAGS:
+            elif schema.XACRO_TAGS.get(child.tag) in child.attributes:  # else it is of others
                 message = f"<{child.tag}> is a tag of xacro, without its prefix"
                 yield Finding(child, message, fix=_fix(child))
 

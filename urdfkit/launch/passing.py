@@ -10,7 +10,7 @@ from urdfkit.document import Frame
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch.collect import UNKNOWN
 from urdfkit.launch.signature import Signature
-from urdfkit.nearest import did_you_mean, nearest
+from urdfkit.nearest import Speller, did_you_mean
 from urdfkit.reading import Problem, is_launch
 from urdfkit.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
@@ -25,8 +25,8 @@ MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
 def is_slip(name: str, known: Iterable[str]) -> bool:
-    """True if a name is nearly a known one."""
-    return nearest(name, known, _SLIP) is not None
+    """True if a name is nearly a known one, and not that of something else."""
+    return bool(Speller(frozenset(known), _SLIP).meant(name))
 
 
 def undeclared(

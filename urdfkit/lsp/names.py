@@ -26,7 +26,7 @@ _WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*")
 _QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
 _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
 _PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
-_OWN_TAGS = XACRO_TAGS | {"call", "element", "attribute"}
+_OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
 #: Attributes that name a link or a joint outside of URDF's grammar: of SRDF and of Gazebo.
 NAMING = {
