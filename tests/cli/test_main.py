@@ -373,3 +373,14 @@ def test_a_slip_in_the_name_of_a_command(
 ) -> None:
     assert main([word]) == 2
     assert capsys.readouterr().err == f"error: {message} (see 'urdfkit --help')\n"
+
+
+@UNIX
+def test_an_error_that_nobody_reads_is_an_error_still() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    for words in (["tree", "none.urdf"], ["chek"], ["check", "none.urdf"]):
+        command = [sys.executable, "-m", "urdfkit", *words]
+        done = subprocess.run(command, check=False, stdout=writer, stderr=writer, timeout=60)
+        assert done.returncode == 2, words
+    os.close(writer)

@@ -121,6 +121,22 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
     assert project.summary(".", "--baseline", "known.json") == (0, "no findings in 2 files")
 
 
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--write-baseline"], "--write-baseline needs --baseline FILE"),
+        (["--baseline", "none.json"], "none.json: there is no such file"),
+    ],
+)
+def test_a_baseline_that_is_missing_is_told_before_the_check(
+    project: Project, monkeypatch: pytest.MonkeyPatch, words: list[str], told: str
+) -> None:
+    monkeypatch.setattr("urdfkit.cli.checking.check", lambda *_, **__: pytest.fail("it checks"))
+    code, _, err = project.check(".", *words)
+    assert code == 2
+    assert told in err
+
+
 def test_a_baseline_works_from_every_folder(project: Project, monkeypatch) -> None:
     project.check(".", "--baseline", "known.json", "--write-baseline")
     project.write("inner/x", "")

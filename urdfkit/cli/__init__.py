@@ -60,6 +60,8 @@ def _guarded(words: list[str]) -> int:
         return _fail(2, str(error))
     except KeyboardInterrupt:
         return 130
+    except BrokenPipeError:
+        return 2  # of standard error; of standard output it is none
     except Exception as error:
         if isinstance(error, MemoryError) or getattr(error, "errno", None) == ENOSPC:
             return _fail(2, getattr(error, "strerror", "") or "there is not enough memory")
@@ -91,6 +93,9 @@ def _run(words: list[str]) -> int:
 def _fail(code: int, error: str, *more: str) -> int:
     from urdfkit.screen import printable
 
-    if sys.stderr is not None:
-        print(f"error: {printable(error)}", *more, sep="\n", file=sys.stderr)
+    try:
+        if sys.stderr is not None:
+            print(f"error: {printable(error)}", *more, sep="\n", file=sys.stderr, flush=True)
+    except OSError:
+        pass  # nobody reads it
     return code

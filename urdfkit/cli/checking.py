@@ -13,6 +13,9 @@ from urdfkit.engine import check
 from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections import Counter
+
+    from urdfkit.baseline import Fingerprint
     from urdfkit.cli.progress import Progress
     from urdfkit.engine import Options
     from urdfkit.fixing import Fixes
@@ -26,6 +29,7 @@ def run_check(values: Mapping[str, Any]) -> int:
     """
     outputs = options.outputs(values)
     chosen = choices(values)
+    known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
         fixes = mend(values, chosen)
         if values["diff"]:
@@ -36,8 +40,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
         report = _check(values, chosen)
-    if values["baseline"] or values["write_baseline"]:
-        report = _with_baseline(report, values)
+    report = _with_baseline(report, known, values)
     _show_crashes(report)
     # Files first: if one cannot be written, standard output stays empty.
     for name, file in sorted(outputs, key=lambda one: not one[1]):
@@ -133,17 +136,32 @@ def _tell(fixes: Fixes) -> None:
         print(f"not fixed ({count}): {reason}", file=sys.stderr)
 
 
-def _with_baseline(report: Report, values: Mapping[str, Any]) -> Report:
-    """The findings that a baseline does not hold; after writing it there are none."""
-    from urdfkit import baseline
+def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:
+    """The findings that are tolerated; None without a baseline, or one that is to be written."""
+    file = values["baseline"]
+    if values["write_baseline"] and not file:
+        raise options.UsageError("--write-baseline needs --baseline FILE to write to")
+    if not file or values["write_baseline"]:
+        return None
+    from urdfkit.baseline import load
 
+    return load(file)
+
+
+def _with_baseline(
+    report: Report, known: Counter[Fingerprint] | None, values: Mapping[str, Any]
+) -> Report:
+    """The findings that a baseline does not hold; after writing it there are none."""
     file = values["baseline"]
     if not file:
-        raise options.UsageError("--write-baseline needs --baseline FILE to write to")
+        return report
+    from urdfkit import baseline
+
     folder = os.path.dirname(os.path.abspath(file))
-    if values["write_baseline"]:
+    if known is None:
         atomic.write(file, output.encode(baseline.dump(report.diagnostics, folder)))
-    new, tolerated = baseline.sift(report.diagnostics, baseline.load(file), folder)
+        known = baseline.load(file)
+    new, tolerated = baseline.sift(report.diagnostics, known, folder)
     return report._replace(diagnostics=tuple(new), tolerated=tolerated)
 
 
