@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from urdfkit.controllers import Controller, controllers
 from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import CONTROL
+from urdfkit.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.grammar import is_expression
 from urdfkit.nearest import did_you_mean
 from urdfkit.rules import Finding, Written, rule
@@ -24,27 +24,9 @@ if TYPE_CHECKING:
     from urdfkit.placed_yaml import Value
     from urdfkit.subject import Subject
 
-BAD = (
-    """\
-<link name="base">
-  <inertial>
-    <mass value="3"/>
-    <inertia ixx="0.03" ixy="0" ixz="0" iyy="0.03" iyz="0" izz="0.03"/>
-  </inertial>
-</link>
-"""
-    + CONTROL
-)
+BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
-_YAML = b"""\
-controller_manager:
-  ros__parameters:
-    drive:
-      type: diff_drive_controller/DiffDriveController
-drive:
-  ros__parameters:
-    base_frame_id: base
-"""
+_YAML = DRIVE + b"    base_frame_id: base\n"
 FILES = {
     "config/bad.yaml": _YAML.replace(b"_id: base", b"_id: base_link"),
     "config/good.yaml": _YAML,

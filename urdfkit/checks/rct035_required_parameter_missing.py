@@ -42,7 +42,6 @@ FILES = {
     "config/good.yaml": _YAML,
 }
 
-
 #: How like a name another must be to be a slip of it, which is RCT027.
 _SLIP = 0.88
 
@@ -56,8 +55,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             own = everywhere.get(one.name, one.section)
             if told := _told(one, own, {n: s for n, s in everywhere.items() if n not in names}):
                 at, message, help = told
-                note = (file.note,)
-                yield Finding(Written(at), message, help, related=note)
+                yield Finding(Written(at), message, help, related=(file.note,))
 
 
 def _told(

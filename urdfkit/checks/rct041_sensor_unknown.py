@@ -52,6 +52,7 @@ controller_manager:
 imu_broadcaster:
   ros__parameters:
     sensor_name: imu
+    frame_id: base
 """
 FILES = {
     "config/bad.yaml": _YAML.replace(b"sensor_name: imu", b"sensor_name: imu_sensor"),
