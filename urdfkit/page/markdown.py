@@ -10,6 +10,7 @@ from urdfkit.page.document import Document
 from urdfkit.page.words import Words
 
 _SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
+_PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 _VERDICTS = {"good": "🟢", "doubtful": "🟡", "unfit": "🔴"}
 
 
@@ -20,7 +21,7 @@ def render(document: Document, words: Words) -> str:
 
 def _sections(document: Document, _: Words) -> Iterator[str]:
     robot, summary = document["robot"], document["summary"]
-    counts = ", ".join(f"{summary[key]} {_(key)}" for key in ("error", "warning", "info"))
+    counts = ", ".join(_counted(summary[key], key, _) for key in ("error", "warning", "info"))
     title = robot["name"] if robot else document["file"]
     yield f"## {escape(title)}\n\n{_code(document['file'])}: **{counts}**\n"
     if robot:
@@ -41,6 +42,10 @@ def _sections(document: Document, _: Words) -> Iterator[str]:
     if document["links"]:
         header = [_("Link"), f"{_('Mass')} / kg", _("Principal moments") + " / kg m²"]
         yield f"### {_('Masses')}\n\n" + table(header, map(_link, document["links"]))
+
+
+def _counted(count: int, noun: str, _: Words) -> str:
+    return f"{count} {_(noun if count == 1 else _PLURALS[noun])}"
 
 
 def _target(target: dict[str, Any], _: Words) -> list[str]:
