@@ -35,6 +35,12 @@ def test_a_part_that_reaches_out_saves_the_link() -> None:
     assert messages("COL004", CHASSIS + parts + joint("chassis", "wheel", "continuous")) == []
 
 
+@pytest.mark.parametrize(("away", "told"), [("0.3 0 0", 0), ("0.05 0 0", 1)])
+def test_a_rotor_in_its_motor_turns_what_is_fixed_to_it(away: str, told: int) -> None:
+    rotor = wheel(sphere(0.05), "0 0 0") + link("horn", sphere(0.02))
+    assert len(messages("COL004", rotor + joint("wheel", "horn", "fixed", away))) == told
+
+
 def test_meshes(tmp_path: Path) -> None:
     small = mesh(cube(tmp_path / "small.stl", 0.05))
     assert len(messages("COL004", wheel(small, "0 0 0"))) == 1

@@ -3,7 +3,8 @@
 Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
 bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
 other without end. Make the outer geometry smaller, or move the inner one to where the part is. A
-link that holds several others is reported once.
+link that holds several others is reported once; not reported is one with links fixed to it that
+reach out, such as the rotor of a motor.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -56,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     still = subject.collisions.still
     swallowed: dict[str, list[Meeting]] = {}
     for one in still.meetings:
-        if one.is_swallowed and not one.is_rigid and still.always(one):
+        if one.is_out_of_reach and not one.is_rigid and still.always(one):
             swallowed.setdefault(one.large.link, []).append(one)
     for meetings in swallowed.values():
         if len(meetings) > 1:

@@ -43,6 +43,7 @@ class Meeting(NamedTuple):
         part: how deep they overlap, as a part of the thickness of the smaller one.
         is_solid: both bodies are convex, so that the depth is true.
         is_swallowed: all bodies of the smaller one's link are in the inside of the large one.
+        is_out_of_reach: so are those of all links that fixed joints bind to it.
         is_adjacent: a joint holds the links together, or nothing with bodies lies between.
         is_rigid: only fixed joints lie between.
     """
@@ -53,6 +54,7 @@ class Meeting(NamedTuple):
     part: float
     is_solid: bool
     is_swallowed: bool
+    is_out_of_reach: bool
     is_adjacent: bool
     is_rigid: bool
 
@@ -203,19 +205,29 @@ class Still:
         (small, _), (large, at) = bodies
         own = pair[0] if small is gauge.first else pair[1]
         names = self._names(pair)
-        inside = [self._examiner.form(body) for body in self._examiner.bodies(own)]
+        is_swallowed = self._is_inside(own, large, frames[at][0], frames)
         return Meeting(
             small.solid,
             large.solid,
             distance,
             -distance / max(2 * float(small.half.min()), TOUCH),
             small.is_convex and large.is_convex,
-            all(
-                _is_inside(one, frames[body][0], large, frames[at][0])
-                for one, body in zip(inside, self._examiner.bodies(own), strict=True)
+            is_swallowed,
+            is_swallowed
+            and all(
+                self._is_inside(link, large, frames[at][0], frames)
+                for link in self._examiner.links
+                if self._adjacency.is_rigid(self.chain.links[link], self.chain.links[own])
             ),
             self._adjacency.is_adjacent(*names),
             self._adjacency.is_rigid(*names),
+        )
+
+    def _is_inside(self, link: int, large: Form, at: Floats, frames: dict[int, Floats]) -> bool:
+        """True if all bodies of a link are in the inside of a body that is at a frame (4, 4)."""
+        return all(
+            _is_inside(self._examiner.form(body), frames[body][0], large, at)
+            for body in self._examiner.bodies(link)
         )
 
     def _close(self, frames: dict[int, Floats]) -> list[Pair]:
