@@ -52,3 +52,8 @@ def test_a_file_whose_name_is_put_together_elsewhere_may_get_it_there(tmp_path: 
     for end, count in ((".launch.py", 0), ("_arm.launch.py", 0), ("_base.launch.py", 1)):
         outer = {"launch/b.launch.py": includes.format(end)}
         assert len(told(tmp_path, "LAU012", "gz_arm.launch.py", USE, outer)) == count
+
+
+def test_a_configuration_that_nobody_reads_is_calm(tmp_path: Path) -> None:
+    assert told(tmp_path, "LAU012", "a.launch.py", "model = " + USE) == []
+    assert len(told(tmp_path, "LAU012", "a.launch.py", "model = " + USE + "print(model)\n")) == 1

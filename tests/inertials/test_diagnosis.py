@@ -82,6 +82,14 @@ def test_a_stand_in_is_in_no_unit() -> None:
     assert unlike(part("a", 2.5e-7, (1e-3,) * 3, BALL)).cause == ""
 
 
+def test_equal_moments_of_a_box_are_in_no_unit() -> None:
+    """Links of 1 kg that all have 0.0226667 three times, which fit one of them in lb ft^2."""
+    even = sum(BOX_MOMENTS) / 3 / dict(UNITS)["lb ft^2"]
+    assert unlike(part("a", 12, (even,) * 3, BOX)).cause == ""
+    ball = 0.004 / dict(UNITS)["lb ft^2"]
+    assert unlike(part("a", 1, (ball,) * 3, BALL)).cause == "is in lb ft^2"
+
+
 def test_about_the_origin_of_the_link() -> None:
     # The ball of 1 kg has 0.004; 0.5 m away it has 0.254 across.
     diagnosis = unlike(part("a", 1, (0.004, 0.254, 0.254), BALL, xyz="0.5 0 0"))

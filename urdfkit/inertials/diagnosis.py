@@ -38,6 +38,9 @@ NEAR = 1.5
 #: Products of inertia below this part of the largest moment come from angles such as 1.5708.
 CLEAR = 1e-4
 
+#: Moments nearer to one another than this factor are as good as equal.
+_EVEN = 1.01
+
 #: Places that a finding about many links lists beside the first.
 MAX_RELATED = 20
 
@@ -87,7 +90,8 @@ def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Slips without which the tensor agrees with the shape, each with the tensor meant."""
     if weighed.is_at_wrong_axes:
         yield "has its moments at the wrong axes", expected
-    if not weighed.is_placeholder:
+    # Three equal moments of a shape that has none were made up, in whatever unit they fit.
+    if not weighed.is_placeholder and (_is_even(expected) or not _is_even(weighed.tensor)):
         for unit, factor in UNITS:
             tensor = inertia.scaled(weighed.tensor, factor)
             if inertia.agree(tensor, expected, NEAR):
@@ -98,6 +102,13 @@ def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     twice = weighed.expected_of_twice
     if weighed.is_diagonal and twice is not None and weighed.fits(twice, EXACT):
         yield "was computed with twice the size, as of a diameter for a radius", expected
+
+
+def _is_even(tensor: Tensor) -> bool:
+    """True for the tensor of a ball or a cube."""
+    moments = (tensor.ixx, tensor.iyy, tensor.izz)
+    products = max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz)))
+    return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
 
 
 def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from urdfkit.errors import UnreadableFile
 from urdfkit.launch.passing import (
@@ -27,11 +27,15 @@ class Configurations:
         values: what its expressions give.
         own: the arguments that it declares by plain names.
         calls: of its program.
+        idle: those of them whose value nothing reads.
     """
 
-    def __init__(self, values: Values, own: Signature, calls: list[ast.Call]) -> None:
+    def __init__(
+        self, values: Values, own: Signature, calls: list[ast.Call], idle: Collection[ast.expr]
+    ) -> None:
         self._values = values
         self._calls = calls
+        self._idle = idle
         declared = (argument(call, 0, "name") for call in calls if declares(call))
         names = {values.text(name) for name in declared}
         self._known = {name for name in names if name}
@@ -94,7 +98,11 @@ class Configurations:
         """The uses of arguments that neither this file nor one that it includes declares."""
         used: dict[str, ast.Call] = {}
         for call in self._calls:
-            if called(call) == "LaunchConfiguration" and argument(call, 1, "default") is None:
+            if (
+                called(call) == "LaunchConfiguration"
+                and argument(call, 1, "default") is None
+                and call not in self._idle
+            ):
                 name = self._values.text(argument(call, 0, "variable_name"))
                 if name:
                     used.setdefault(name, call)

@@ -12,6 +12,7 @@ from urdfkit.launch.collect import Collector, frame_at
 from urdfkit.launch.commands import run_together
 from urdfkit.launch.configurations import Configurations
 from urdfkit.launch.found import PARAMETERS, Started
+from urdfkit.launch.scopes import unread
 from urdfkit.launch.signature import of_python
 from urdfkit.launch.values import Values, argument, called
 from urdfkit.reading import Problem
@@ -54,7 +55,7 @@ class _Reader:
         self.frame = frame
         self.values = Values(collector, source, tree, arguments)
         self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
-        self.configurations = Configurations(self.values, of_python(tree), self.calls)
+        self.configurations = Configurations(self.values, of_python(tree), self.calls, unread(tree))
 
     def read(self) -> None:
         for call in self.calls:

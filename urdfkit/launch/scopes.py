@@ -67,6 +67,18 @@ class Scopes:
         return scope
 
 
+def unread(tree: ast.Module) -> set[ast.expr]:
+    """The expressions that are given to names which nothing reads."""
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    read = {name.id for name in names if isinstance(name.ctx, ast.Load)}
+    return {
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign)
+        and all(isinstance(name, ast.Name) and name.id not in read for name in node.targets)
+    }
+
+
 def _are_alike(one: ast.expr | None, other: ast.expr | None) -> bool:
     if one is None or other is None:
         return False
