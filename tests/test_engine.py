@@ -120,7 +120,9 @@ def test_what_cannot_be_done_is_an_exception(tmp_path: Path) -> None:
     with pytest.raises(UnreadableFile, match=r"no such file; did you mean 'r\.urdf'"):
         check(tmp_path / "r.xacro")
     (tmp_path / "empty").mkdir()
-    with pytest.raises(UnreadableFile, match=r"no \.urdf and no \.xacro"):
+    with pytest.raises(
+        UnreadableFile, match=r"no \.urdf, no \.xacro with a <robot> and no launch file"
+    ):
         check(tmp_path / "empty")
     with pytest.raises(UnknownRule):
         check(good, select=["XYZ"])
