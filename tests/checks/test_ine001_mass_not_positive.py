@@ -47,3 +47,15 @@ def test_a_root_of_no_mass_is_nailed_to_the_world_in_pybullet() -> None:
 def test_the_place_is_the_number() -> None:
     robot = BASE + link("arm", inertial(-0.5, TENSOR)) + joint("base", "arm")
     assert places("INE001", robot) == [(4, "-0.5")]
+
+
+def test_between_the_axes_of_a_ball_joint_nothing_weighs() -> None:
+    """Such chains let a base float, or a wrist turn about three axes: no ROS node minds them."""
+    nothing = (0, 0, 0)
+    roll = link("roll", inertial(0, nothing)) + joint("base", "roll", "continuous")
+    pitch = link("pitch", inertial(0, nothing)) + joint("roll", "pitch", "continuous")
+    hand = link("hand", inertial(1, TENSOR)) + joint("pitch", "hand", "continuous")
+    assert messages("INE001", BASE + roll + pitch + hand) == []
+    assert len(messages("INE001", BASE + roll + pitch)) == 1, "at the end nothing is carried"
+    simulated = "<gazebo><plugin name='p' filename='libgazebo_ros_p3d.so'/></gazebo>"
+    assert len(messages("INE001", BASE + roll + pitch + hand + simulated)) == 2

@@ -3,7 +3,8 @@
 Nothing that moves weighs nothing. Gazebo leaves out a moving link of zero mass together with all
 that hangs on it, MuJoCo refuses the robot, PyBullet nails the link to the world; a negative mass
 makes Gazebo refuse the robot and lets other engines fall upwards. Write the mass in kg. A frame
-that only marks a place needs no `<inertial>` if its joint is fixed.
+that only marks a place needs no `<inertial>` if its joint is fixed. Not reported, unless the robot
+is for a simulator, is a link without shape between two joints, such as in a ball joint.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
@@ -16,10 +17,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.joints import can_move
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.targets import GAZEBO
 
 if TYPE_CHECKING:
+    from urdfkit.model import Link
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -53,6 +57,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         if mass.value < 0:
             yield Finding(mass, f"link '{link.name}' has a mass of {mass.value:g} kg")
         elif mass.value == 0 and masses.total > 0 and body and body.joint and body.mass <= 0:
+            if _is_between_axes(link, subject):
+                continue
             joint = body.joint
             yield Finding(
                 mass,
@@ -60,3 +66,15 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"the {joint.kind} joint '{joint.name}'",
                 alike="zero",
             )
+
+
+def _is_between_axes(link: Link, subject: Subject) -> bool:
+    """True for a link without shape and inertia between two moving joints, such as in a ball joint.
+
+    Only simulators want a mass of it.
+    """
+    tensor = link.inertial.tensor if link.inertial else None
+    if link.visuals or link.collisions or (tensor and any(tensor.value)):
+        return False
+    carries = any(map(can_move, subject.tree.children[link.name]))
+    return carries and not subject.targets.any_of((*GAZEBO, "mujoco", "isaac"))
