@@ -166,6 +166,8 @@ class Report(Record):
             several have in common is one diagnostic, but an error of each.
         proposals: the edits that the fixes of each description ask for.
         launched: the robots that have their arguments from launch files.
+        unknown_arguments: those given that no description mentions, each with the one that was
+            meant, or nothing.
     """
 
     files: tuple[str, ...]
@@ -179,6 +181,7 @@ class Report(Record):
     errors: tuple[tuple[str, ...], ...] = ()
     proposals: tuple[tuple[Edit, ...], ...] = ()
     launched: tuple[Launched, ...] = ()
+    unknown_arguments: tuple[tuple[str, str], ...] = ()
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

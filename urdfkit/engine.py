@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.judge import Verdict, judge
-from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned
+from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -58,6 +58,7 @@ class Settings(Record):
     foreign: dict[str, str]
     texts: dict[str, bytes]
     cache: bool
+    given: tuple[str, ...]
 
 
 def check(
@@ -124,6 +125,7 @@ def check(
         catalogue.foreign(),
         dict(texts or {}),
         cache,
+        tuple(arguments or ()),
     )
     if resolver is None:
         resolver = Resolver(settings.packages, texts=settings.texts)
@@ -289,10 +291,12 @@ def _run(
         )
 
     chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
-    return [
-        (job, _without_arguments(judge(subject, chosen, settings.config), job, subject))
-        for job, subject in as_launched(job, read)
-    ]
+    judged: list[Judged] = []
+    for launched, subject in as_launched(job, read):
+        verdict = _without_arguments(judge(subject, chosen, settings.config), launched, subject)
+        unknown = unknown_arguments(subject, settings.given) if settings.given else {}
+        judged.append((launched, verdict._replace(unknown_arguments=unknown)))
+    return judged
 
 
 def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
@@ -339,6 +343,11 @@ def _report(plan: Plan, judged: list[Judged]) -> Report:
             for verdict in verdicts
         ),
         launched=tuple(job.launched for job, _ in judged if job.launched),
+        unknown_arguments=tuple(
+            one
+            for one in (verdicts[0].unknown_arguments.items() if verdicts else ())
+            if all(one[0] in verdict.unknown_arguments for verdict in verdicts)
+        ),
     )
 
 

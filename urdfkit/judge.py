@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from urdfkit import glance, libraries, rules
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
@@ -43,6 +43,7 @@ class Verdict(Record):
         ran: codes of the rules that ran.
         targets: the consumers that severities were weighed for; None if it did not matter.
         suppressed: how many findings the model's comments or the configuration suppress.
+        unknown_arguments: those given that the description never mentions, with the one meant.
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -51,6 +52,7 @@ class Verdict(Record):
     ran: frozenset[str]
     targets: Targets | None
     suppressed: int
+    unknown_arguments: Mapping[str, str] = {}
 
 
 def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None) -> Verdict:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from urdfkit.diagnostic import Launched, Skipped
 from urdfkit.errors import UnreadableFile
+from urdfkit.nearest import nearest
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
@@ -223,6 +224,21 @@ def missing_arguments(subject: Subject) -> tuple[str, ...]:
     from urdfkit.launch.given import missing_argument
 
     return tuple(dict.fromkeys(map(missing_argument, problems)))
+
+
+def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
+    """The given arguments that a description never mentions, each with the one that was meant.
+
+    xacro takes any, so that a slip changes nothing and nobody says so. A launch file may pass them
+    on, and of what cannot be read not all is known: neither has any.
+    """
+    names = () if is_launch(subject.source.path) else tuple(given)
+    if not names or subject.reading.document is None:
+        return {}
+    xacro = subject.reading.xacro
+    declared = {argument.name for argument in xacro.arguments} if xacro else set()
+    mentioned = declared | (xacro.usage.names if xacro else frozenset())
+    return {name: nearest(name, declared) or "" for name in names if name not in mentioned}
 
 
 def _spelt(path: str, given: str) -> str:

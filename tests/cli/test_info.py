@@ -136,3 +136,31 @@ def test_instead_of_a_folder_its_robots_are_named(
     assert f"is a folder; name one of its robots: {os.path.relpath(ARM)}\n" in told
     assert main(["info", str(tmp_path)]) == 2
     assert capsys.readouterr().err.endswith("is a folder; name the file of a robot\n")
+
+
+@pytest.mark.parametrize(
+    ("given", "note"),
+    [
+        ("prefx:=a_", "argument 'prefx'; did you mean 'prefix'?"),
+        ("colour:=red", "argument 'colour'\n"),
+        ("prefix:=a_", ""),
+        ("side:=left", ""),
+    ],
+)
+def test_an_argument_that_nothing_reads_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], given: str, note: str
+) -> None:
+    robot = tmp_path / "r.xacro"
+    robot.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="prefix" default=""/><link name="$(arg prefix)a"/>'
+        '<xacro:if value="0"><link name="$(arg side)"/></xacro:if></robot>'
+    )
+    assert main(["info", str(robot), given]) == 0
+    told = capsys.readouterr().err
+    assert note in told
+    assert bool(note) == bool(told)
+    assert main(["check", str(robot), given, "--select", "XML"]) == 0
+    out = capsys.readouterr().out
+    assert note in out
+    assert bool(note) == ("No robot here has an argument" in out)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
@@ -16,6 +17,8 @@ from urdfkit.discovery import discover
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.meshes.facts import counted
+from urdfkit.plan import unknown_arguments
+from urdfkit.screen import printable
 from urdfkit.source import shown
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -109,16 +112,21 @@ def robot(
     """
     values = {options.FILES: words, "package": package}
     file = only_file(values)
+    arguments = options.arguments(values)
     try:
-        return read(
+        subject = read(
             stdin.opened(file),
-            arguments=options.arguments(values),
+            arguments=arguments,
             packages=options.packages(values),
             trust=trust,
             progress=progress,
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
+    for name, meant in unknown_arguments(subject, arguments).items():
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        print(printable(f"note: the robot has no argument '{name}'{hint}"), file=sys.stderr)
+    return subject
 
 
 def first_of(error: UnreadableRobot, file: str) -> UnreadableRobot:

@@ -31,6 +31,9 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     blocks += [page.crash(crash) for crash in report.crashed]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += _mendable(report)
+    for name, meant in report.unknown_arguments:
+        hint = f"; did you mean '{meant}'?" if meant else ""
+        hints.append(printable(f"No robot here has an argument '{name}'{hint}"))
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
         text = f"Weighed for {'; '.join(evidence)}. Others: --target NAME"
