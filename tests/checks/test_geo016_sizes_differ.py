@@ -93,3 +93,18 @@ def test_the_units_that_were_confused(factor: float, why: str) -> None:
     assert why in said(factor / 1.05)
     assert "as by" not in said(1.12 * factor)
     assert "as by" not in said(factor / 1.12)
+
+
+@pytest.mark.parametrize(
+    ("box", "found"),
+    [
+        ("0.0001 0.0002 0.0003", 1),
+        ("0.00012 0.0002 0.0002", 1),  # a rough likeness
+        ("0.001 0.001 0.001", 0),  # a marker
+        ("0.0002 0.0002 0.0002", 0),
+        ("0.0003 0.0002 0.0001", 0),
+    ],
+)
+def test_a_shape_that_is_a_thousand_times_too_small(box: str, found: int) -> None:
+    seen = '<box size="0.1 0.2 0.3"/>'
+    assert len(messages("GEO016", pair(seen, f'<box size="{box}"/>'))) == found

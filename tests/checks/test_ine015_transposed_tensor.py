@@ -1,6 +1,8 @@
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi, radians, sin
+
+import pytest
 
 from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
 from tests.told import fixed, messages, told
@@ -37,3 +39,29 @@ def test_a_small_part_of_a_large_body_does_not_matter() -> None:
     imu = link("imu", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
     robot = part("base", 60, (0.5, 0.25, 0.65), BOX) + imu + joint("base", "imu")
     assert messages("INE015", robot) == []
+
+
+def turned(degrees: float) -> tuple[float, ...]:
+    """The six entries of a rod along x of 1 kg, 0.6 x 0.1 x 0.1 m, that is turned about z."""
+    across, along, angle = (0.6**2 + 0.1**2) / 12, 2 * 0.1**2 / 12, radians(degrees)
+    c, s = cos(angle), sin(angle)
+    ixx, iyy = along * c * c + across * s * s, along * s * s + across * c * c
+    return (ixx, (along - across) * s * c, 0, iyy, 0, across)
+
+
+@pytest.mark.parametrize(
+    ("shape_at", "tensor_at", "found"),
+    [
+        (30, 30, 0),
+        (30, -30, 1),  # the sign of ixy
+        (45, -45, 1),
+        (0, 60, 1),
+        (0, 10, 0),  # a part that is not quite straight
+        (90, 90, 0),
+    ],
+)
+def test_a_tensor_with_products(shape_at: float, tensor_at: float, found: int) -> None:
+    rod = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy=f"0 0 {radians(shape_at)!r}")
+    robot = link("rod", rod, inertial(1, turned(tensor_at)))
+    assert len(messages("INE015", robot)) == found
+    assert messages("INE015", fixed("INE015", robot)) == []

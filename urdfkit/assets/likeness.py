@@ -25,6 +25,10 @@ NESTED = 0.9
 #: Shapes with no edge over this, in m, mark a place.
 MARKER = 0.005
 
+#: Edges of a cube differ by less; and how many times as large as what is too small by a thousand a
+#: part may be, as a rough likeness.
+CUBE, THOUSAND = 1.1, (600.0, 1600.0)
+
 #: A box that is longer, wider and higher by this factor was drawn in another unit.
 LARGER = 5.0
 
@@ -77,6 +81,17 @@ class Likeness:
             max(one.bounds.edges) <= MARKER and not _is_mesh(one)
             for one in (self.touched, self.seen)
         )
+
+    @cached_property
+    def is_shrunk(self) -> bool:
+        """True if one of the two is a thousand times too small, and marks no place.
+
+        A marker is a cube or a ball; a shrunk shape has the proportions of its link.
+        """
+        small, large = sorted((self.touched.bounds.edges, self.seen.bounds.edges), key=max)
+        ratios = [a / b if b > 0 else 0.0 for a, b in zip(large, small, strict=True)]
+        is_cube = max(small) < CUBE * min(small)
+        return not is_cube and all(THOUSAND[0] <= ratio <= THOUSAND[1] for ratio in ratios)
 
     @cached_property
     def overlap(self) -> float:
@@ -207,7 +222,7 @@ class Likenesses:
                     yield Likeness(link, touched, seen)
 
     def _code(self, one: Likeness) -> str:
-        if one.overlap >= ALIGNED or one.is_marker:
+        if one.overlap >= ALIGNED or (one.is_marker and not one.is_shrunk):
             return ""
         if one.factor:
             return "GEO016"

@@ -1,10 +1,10 @@
 """The moments of inertia stand at the wrong axes.
 
-They are those of the link's shape, but in another order: a wheel that lies along y has the tensor
-of one along z. URDF turns the tensor with the `<origin>` of the `<inertial>`, not with that of the
-collision or the visual, which are often turned by a quarter. The wheel then spins up faster than it
-should and resists tipping less. Swap the values, or give the `<inertial>` the same `rpy` as the
-shape.
+They are those of the link's shape, but in another order, or about axes that are turned: a wheel
+that lies along y has the tensor of one along z, or a product of inertia has the wrong sign. URDF
+turns the tensor with the `<origin>` of the `<inertial>`, not with that of the collision or the
+visual, which are often turned by a quarter. The wheel then spins up faster than it should and
+resists tipping less. Swap the values, or give the `<inertial>` the same `rpy` as the shape.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link

@@ -27,6 +27,9 @@ SAME = 0.03
 #: Three moments that agree to this factor with those of another formula are no chance.
 EXACT = 1.03
 
+#: What a turn changes in an entry of the tensor, as a part of the largest moment.
+TURNED = 0.25
+
 #: A tensor may be this many times that of the uniform solid: a mass in the middle has less, and the
 #: thinnest shell twice as much. Numbers with many digits were computed from something.
 LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
@@ -202,11 +205,13 @@ class Weighed:
 
     @property
     def is_at_wrong_axes(self) -> bool:
-        """True if the moments are those of the uniform solid, but in another order."""
-        if self.expected is None or not self.is_diagonal or self.fits(self.expected, 1.2):
+        """True if the principal moments are those of the uniform solid, but about other axes."""
+        if self.expected is None or (self.is_diagonal and self.fits(self.expected, 1.2)):
             return False
-        others = (self.expected.ixx, self.expected.iyy, self.expected.izz)
-        pairs = zip(sorted(self.diagonal), sorted(others), strict=True)
+        apart = max(abs(a - b) for a, b in zip(self.tensor, self.expected, strict=True))
+        if not self.is_diagonal and apart < TURNED * self.moments[2]:
+            return False  # it is tilted a little
+        pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
         return all(abs(a - b) <= SAME * b for a, b in pairs)
 
     @property
