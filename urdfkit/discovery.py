@@ -143,7 +143,9 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
         raise UnreadableFile(f"{folder}: no such folder")
     count = 0
     for path in _below(folder):
-        if path.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude):
+        is_meant = path.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude)
+        # A link to nothing is told; a pipe or a device may never end.
+        if is_meant and (os.path.isfile(path) or not os.path.exists(path)):
             count += 1
             if count > MAX_FILES:
                 raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")

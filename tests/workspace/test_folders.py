@@ -61,6 +61,14 @@ def test_links_that_lead_nowhere_or_in_circles_are_no_files(tmp_path: Path) -> N
     assert folders.find(str(tmp_path), "link.stl") == str(tmp_path / "link.stl")
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
+def test_pipes_and_devices_are_no_files(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.yaml")
+    (tmp_path / "null.yaml").symlink_to(os.devnull)
+    add_file(tmp_path / "a.yaml")
+    assert Folders().entries(str(tmp_path)) == {"a.yaml": False}
+
+
 def test_every_folder_is_listed_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(100):
         add_file(tmp_path / "meshes" / f"link_{number}.stl")

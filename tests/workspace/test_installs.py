@@ -17,7 +17,7 @@ def rules(folder: Path, text: str, package: str = "arm") -> list[Installed]:
 
 def paths(folder: Path, text: str, relative: str) -> list[str]:
     rules(folder, text)
-    return source_paths(str(folder), "arm", relative)
+    return source_paths(read_rules(str(folder), "arm"), "arm", relative)
 
 
 INSTALL = "install(DIRECTORY {} DESTINATION {})".format

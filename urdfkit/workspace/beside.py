@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.record import Record
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.peek import peek
 
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver
@@ -93,11 +94,7 @@ class Setup(Record):
 
 
 def _setup(folder: str) -> Setup:
-    try:
-        with open(os.path.join(folder, ".setup_assistant"), encoding="utf-8") as file:
-            text = file.read(100_000)
-    except (OSError, UnicodeDecodeError):
-        return Setup()
+    text = peek(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
 
     def section(name: str) -> str:
         found = re.search(_SECTION.format(name), text)

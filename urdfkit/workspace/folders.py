@@ -37,18 +37,18 @@ class Folders:
             try:
                 with os.scandir(folder) as found:
                     self._entries[folder] = {
-                        entry.name: _is_folder(entry) for entry in found if self._leads(entry)
+                        entry.name: _is_folder(entry) for entry in found if self._counts(entry)
                     }
             except (OSError, ValueError):  # ValueError: a NUL in the name
                 self._entries[folder] = None
         return self._entries[folder]
 
-    def _leads(self, entry: os.DirEntry[str]) -> bool:
-        """False for a symbolic link to nothing."""
+    def _counts(self, entry: os.DirEntry[str]) -> bool:
+        """False for a symbolic link to nothing, and for pipes and devices, which may never end."""
         if not entry.is_symlink():
-            return True
+            return entry.is_file() or entry.is_dir()
         self._links.add(entry.path)
-        return os.path.exists(entry.path)
+        return os.path.isfile(entry.path) or os.path.isdir(entry.path)
 
     def find(self, folder: str, relative: str) -> str | None:
         """The file at a path below a folder, spelt exactly so; None if there is none."""

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.workspace.peek import peek
+
+#: Longer files are none that people write.
+MAX_BYTES = 1024 * 1024
+
 
 class Ignored:
     """The files that git ignores, asked for by path with ``in``.
@@ -49,10 +54,7 @@ def _may_mean(words: set[str], path: str) -> bool:
 
 def _words(folder: str) -> set[str]:
     """The last words of the patterns in a folder's .gitignore, such as ``*.obj``."""
-    try:
-        with open(os.path.join(folder, ".gitignore"), encoding="utf-8", errors="replace") as file:
-            lines = [line.strip() for line in file]
-    except OSError:
-        return set()
+    text = peek(os.path.join(folder, ".gitignore"), MAX_BYTES).decode("utf-8", "replace")
+    lines = map(str.strip, text.split("\n"))
     patterns = [line.rstrip("/") for line in lines if line and not line.startswith(("#", "!"))]
     return {pattern.rpartition("/")[2].lower() for pattern in patterns}

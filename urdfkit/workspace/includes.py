@@ -6,6 +6,7 @@ import os
 import re
 
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.workspace.peek import peek
 
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages
@@ -52,7 +53,7 @@ def includer(path: str, packages: Packages) -> str | None:
         for file in sorted(files):
             if file.endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
                 searched += 1
-                if pattern.search(_head(there)):
+                if pattern.search(peek(there, MAX_BYTES)):
                     found.append(there)
         if entries > MAX_ENTRIES or searched > MAX_FILES:
             return ""
@@ -67,11 +68,3 @@ def top_includer(path: str, packages: Packages) -> str | None:
         seen.add(above)
         found, above = above, includer(above, packages)
     return found or above
-
-
-def _head(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read(MAX_BYTES)
-    except OSError:
-        return b""

@@ -9,9 +9,10 @@ from __future__ import annotations
 import os
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.record import Record
+from urdfkit.workspace.peek import peek
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
@@ -47,17 +48,17 @@ class _Command(Record):
     arguments: tuple[tuple[str, bool], ...]  # text, quoted
 
 
-def source_paths(folder: str, package: str, relative: str) -> list[str]:
+def source_paths(rules: Iterable[Installed], package: str, relative: str) -> list[str]:
     """The paths in a source tree that may be installed at ``share/<package>/<relative>``.
 
     Args:
-        folder: of the package.
+        rules: what the build of the package installs.
         package: its name.
         relative: a path in the installed package.
     """
     wanted = posixpath.normpath(f"share/{package}/{relative}")
     found = []
-    for rule in read_rules(folder, package):
+    for rule in rules:
         if wanted == rule.target or wanted.startswith(f"{rule.target}/"):
             rest = wanted[len(rule.target) :]
             found.append(posixpath.normpath(rule.source + rest))
@@ -66,11 +67,7 @@ def source_paths(folder: str, package: str, relative: str) -> list[str]:
 
 def read_rules(folder: str, package: str) -> list[Installed]:
     """What the CMakeLists.txt of a package installs; conditions are taken as true."""
-    try:
-        with open(os.path.join(folder, "CMakeLists.txt"), "rb") as file:
-            text = file.read(MAX_BYTES).decode("utf-8", "replace")
-    except OSError:
-        return []
+    text = peek(os.path.join(folder, "CMakeLists.txt"), MAX_BYTES).decode("utf-8", "replace")
     reader = _Reader(known_variables(package))
     for command in _commands(text):
         reader.read(command)

@@ -10,6 +10,7 @@ from functools import lru_cache
 
 from urdfkit.record import Record
 from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.peek import peek
 
 #: A scan stops here and says so. Real workspaces have some thousand folders.
 MAX_FOLDERS = 20_000
@@ -336,15 +337,8 @@ def _package_name(folder: str) -> str | None:
 
 def _read_marker(folder: str, name: str) -> bytes:
     """A package.xml or manifest.xml without its comments; empty if there is none."""
-    path = os.path.join(folder, name)
-    try:
-        if not os.path.isfile(path):
-            return b""
-        with open(path, "rb", buffering=0) as file:
-            data = file.read(65_536)
-        return re.sub(_COMMENT, b"", data) if b"<!--" in data else data
-    except (OSError, ValueError):
-        return b""
+    data = peek(os.path.join(folder, name), 65_536)
+    return re.sub(_COMMENT, b"", data) if b"<!--" in data else data
 
 
 @lru_cache(maxsize=1024)

@@ -14,8 +14,12 @@ from stat import S_ISDIR, S_ISREG
 from urdfkit.errors import PackageNotFound
 from urdfkit.record import Record
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.packages import Candidate, Packages, path_list
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.installs import Installed
 
 _DRIVE = r"/?[A-Za-z]:/"
 _BUILD_FILES = ("CMakeLists.txt", "setup.py")
@@ -78,6 +82,7 @@ class Resolver:
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
         self._located: dict[tuple[str, str, str], Located] = {}
+        self._rules: dict[str, list[Installed]] = {}
         self._texts = _by_real_path(texts or {})
 
     def with_texts(self, texts: Mapping[str, bytes]) -> Resolver:
@@ -288,12 +293,21 @@ class Resolver:
         """The files that a build would install at a path of the package."""
         from urdfkit.workspace.installs import source_paths  # needed by few packages only
 
-        for source in source_paths(folder, name, relative):
+        for source in source_paths(self._installed(name, folder), name, relative):
             path = self.folders.find(folder, source)
             if path:
                 yield path
         if not any(self.folders.find(folder, file) for file in _BUILD_FILES):
             yield from self._one_level_down(folder, relative)
+
+    def _installed(self, name: str, folder: str) -> list[Installed]:
+        """What the build of a package installs; its CMakeLists.txt is read once."""
+        if folder not in self._rules:
+            from urdfkit.workspace.installs import read_rules
+
+            is_there = self.folders.find(folder, "CMakeLists.txt") is not None
+            self._rules[folder] = read_rules(folder, name) if is_there else []
+        return self._rules[folder]
 
     def _one_level_down(self, folder: str, relative: str) -> Iterator[str]:
         """The only file at this path in a subfolder, where no build file tells the layout.

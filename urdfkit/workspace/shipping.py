@@ -12,6 +12,7 @@ from fnmatch import fnmatch
 from functools import cached_property
 
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
+from urdfkit.workspace.peek import peek
 
 #: Commands that may install what is not told here: other files, and functions of the package.
 _UNCLEAR = (
@@ -100,11 +101,7 @@ class Shipping:
 
     @cached_property
     def _text(self) -> str:
-        try:
-            with open(self.file, "rb") as file:
-                return file.read(MAX_BYTES).decode("utf-8", "replace")
-        except OSError:
-            return ""
+        return peek(self.file, MAX_BYTES).decode("utf-8", "replace")
 
     @cached_property
     def _targets(self) -> list[str]:

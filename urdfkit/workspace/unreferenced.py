@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from urdfkit.meshes.facts import BY_SUFFIX
 from urdfkit.workspace.folders import Folders
+from urdfkit.workspace.peek import peek
 
 #: Files in which meshes are named.
 _TEXTS = frozenset(
@@ -71,11 +72,7 @@ def _text(workspace: str, folders: Folders) -> bytes | None:
     for path in folders.files_below(workspace, MAX_FOLDERS):
         if os.path.splitext(path)[1].lower() not in _TEXTS:
             continue
-        try:
-            with open(path, "rb") as file:
-                data = file.read(left + 1)
-        except OSError:
-            continue
+        data = peek(path, left + 1)
         left -= len(data)
         if left < 0:
             return None
