@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests import update_corpus_findings as corpus_findings
-from tests.conftest import MODELS, manifest, model_id
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from urdfkit import Subject, frames, read, to_yourdfpy
 from urdfkit.errors import MissingLibrary, UnreadableRobot
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, laws
@@ -54,6 +54,7 @@ def is_one_tree(robot: Subject) -> bool:
     return len(robot.tree.roots) == 1 and len(set(names)) == len(frames(robot.tree, {}))
 
 
+@needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_yourdfpy_agrees_about_every_frame(entry: corpus_findings.Entry) -> None:
     folder, model = entry

@@ -29,6 +29,11 @@ def test_a_hundred_are_counted() -> None:
     assert len(found.related) == 8
 
 
+def test_eight_are_named_without_a_count() -> None:
+    (message,) = messages("TRE002", links(*(f"l{number}" for number in range(8))))
+    assert message.endswith(", 'l6', 'l7'")
+
+
 def test_below_a_missing_link_hangs_no_root() -> None:
     robot = links("base", "arm") + JOINT.format("bse", "arm")
     assert told("TRE002", robot) == []

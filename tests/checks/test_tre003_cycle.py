@@ -46,6 +46,13 @@ def test_a_long_loop_is_shortened() -> None:
     ]
 
 
+def test_a_loop_of_eight_is_named_whole() -> None:
+    names = [f"l{number}" for number in range(8)]
+    model = robot(" ".join(names), *map(" ".join, zip(names, names[1:] + names[:1], strict=True)))
+    (message,) = messages("TRE003", model)
+    assert message.endswith("l6 -> l7 -> l0")
+
+
 def test_two_ways_to_one_link_and_a_joint_to_itself_are_other_findings() -> None:
     assert told("TRE003", robot("a b c d", "a b", "a c", "b d", "c d")) == []  # TRE004
     assert told("TRE003", robot("a", "a a")) == []  # TRE006

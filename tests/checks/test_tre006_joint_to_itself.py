@@ -17,3 +17,8 @@ def test_the_child_is_the_place() -> None:
 
 def test_two_links_are_right() -> None:
     assert told("TRE006", JOINT.format("a", "b")) == []
+
+
+def test_a_joint_without_ends_is_told_elsewhere() -> None:
+    for end in ('<parent link="a"/>', '<child link="a"/>', ""):
+        assert told("TRE006", f'<link name="a"/><joint name="j" type="fixed">{end}</joint>') == []

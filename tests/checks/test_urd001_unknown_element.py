@@ -36,6 +36,12 @@ def test_a_slip_is_corrected_at_both_ends(written: str, meant: str) -> None:
     )
 
 
+@pytest.mark.parametrize("inside", ["<text/>", "12", "<!-- 12 -->"])
+def test_only_what_holds_nothing_is_removed(inside: str) -> None:
+    (found,) = told("URD001", JOINT.format(f"<anchor>{inside}</anchor>"))
+    assert (found.fix is None) == (inside != "<!-- 12 -->")
+
+
 def test_what_is_there_already_is_not_meant_again() -> None:
     robot = JOINT.format('<origin xyz="0 0 1"/><orign xyz="0 0 1"/>')
     assert messages("URD001", robot) == ["joint 'j': <joint> has no element <orign>"]

@@ -13,7 +13,7 @@ pytest.importorskip("coal")
 import itertools
 
 from tests.collision.robots import joint, link, revolute, robot
-from tests.conftest import MODELS, manifest, model_id
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.update_corpus_findings import arguments_of
 from urdfkit.collision.chain import Branch, chain, matrix
 from urdfkit.loading import read
@@ -57,6 +57,7 @@ def test_every_kind_of_joint_with_mimic() -> None:
     )
 
 
+@needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_robots_of_the_corpus(entry: Any) -> None:
     folder, model = entry

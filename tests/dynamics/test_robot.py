@@ -304,6 +304,7 @@ ENTRIES = [
 ]
 
 
+@needs_corpus
 @pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
 def test_real_robots_by_three_ways(entry: tuple[Path, dict[str, Any]]) -> None:
     """nq, nv, mass and centre: ours, Pinocchio's own reading, and numpy without either."""
