@@ -121,7 +121,7 @@ def test_the_wheels_are_deep_in_the_chassis(report: Report) -> None:
     assert [wheel.element for wheel in wheels] == [
         f"link/wheel_{number}/collision" for number in (1, 2, 3, 4)
     ]
-    assert all("'base_link' by 0.045 m" in wheel.message for wheel in wheels)
+    assert all("'base_link' by 45 mm" in wheel.message for wheel in wheels)
 
 
 def test_the_macro_behind_it_is_told_with_the_links(report: Report) -> None:
