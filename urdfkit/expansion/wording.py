@@ -170,15 +170,16 @@ def _defined_elsewhere(run: Run, kind: str, name: str) -> str:
     span = next((span for span, named in _definitions(run, kind) if named == name), None)
     if span is None:
         return ""
+    place = f"{shown(span.source.path)}:{span.line}:{span.column}"
     within = _innermost(span.source.data[: span.start])
     if within == "macro":
-        return f"'{name}' is defined at {span}, and known in that macro only"
+        return f"'{name}' is defined at {place}, and known in that macro only"
     if within:
         return (
-            f"'{name}' is defined at {span}, but the <xacro:{within}> around it does not hold, or "
+            f"'{name}' is defined at {place}, but the <xacro:{within}> around it does not hold, or "
             "comes after the use"
         )
-    return f"'{name}' is defined further down, at {span}: move its definition above the use"
+    return f"'{name}' is defined further down, at {place}: move its definition above the use"
 
 
 def _definitions(run: Run, kind: str) -> Iterator[tuple[Span, str]]:
