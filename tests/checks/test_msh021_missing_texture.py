@@ -24,6 +24,14 @@ def test_an_image_of_collada(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH021", robot, {"meshes/wood.png": b"beside"}) == []
 
 
+def test_nobody_sees_a_collision(tmp_path: Path) -> None:
+    files = {"a.dae": WOOD}
+    assert messages(tmp_path, "MSH021", link(mesh("a.dae")), files) == []
+    both = link(mesh("a.dae"), mesh("a.dae", "visual"))
+    (message,) = messages(tmp_path, "MSH021", both, files)
+    assert message.startswith("link 'arm': the visual mesh")
+
+
 def test_an_image_that_no_surface_uses(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH021", link(mesh("a.dae")), {"a.dae": collada()}) == []
 

@@ -42,3 +42,11 @@ def test_nobody_sees_collisions_and_not_every_obj_has_colours(tmp_path: Path) ->
     plain = OBJ.partition(b"\n")[2]
     assert messages(tmp_path, "MSH037", link(mesh("a.obj")), {"a.obj": OBJ}) == []
     assert messages(tmp_path, "MSH037", link(mesh("b.obj", "visual")), {"b.obj": plain}) == []
+
+
+def test_a_file_that_is_a_collision_too(tmp_path: Path) -> None:
+    for number, parts in enumerate((("collision", "visual"), ("visual", "collision"))):
+        robot = link(*(mesh("a.obj", role) for role in parts))
+        (tmp_path / f"{number}").mkdir()
+        (message,) = messages(tmp_path / f"{number}", "MSH037", robot, {"a.obj": OBJ})
+        assert "the visual mesh 'a.obj'" in message

@@ -49,10 +49,14 @@ COLOURS = "colours of"
 def claims(measured: Measured) -> dict[str, list[Use]]:
     """The doubtful meshes by the code of the rule that tells them."""
     found: dict[str, list[Use]] = {}
-    for use in measured.files:
-        for code, is_doubtful in OF_FILES.items():
-            if is_doubtful(use):
-                found.setdefault(code, []).append(use)
+    told: set[tuple[str, str]] = set()
+    visuals = [use for use in measured.uses if use.role == "visual"]
+    for uses, rules in ((visuals, OF_LOOKS), (measured.files, OF_FILES)):
+        for use in uses:
+            for code, is_doubtful in rules.items():
+                if (code, use.path) not in told and is_doubtful(use):
+                    told.add((code, use.path))
+                    found.setdefault(code, []).append(use)
     # What has no joints may be scenery, where a landscape lies beside a tree.
     span = rest_of_robot(measured) if measured.model.joints else 0.0
     shared = _shared(measured)
@@ -152,8 +156,7 @@ def _shared(measured: Measured) -> set[int]:
 
 def _lacks_materials(use: Use) -> bool:
     """True if nothing else says which colour the mesh has."""
-    own = use.body.material is not None
-    return bool(use.measures.no_materials) and use.role == "visual" and not own
+    return bool(use.measures.no_materials) and use.body.material is None
 
 
 def _is_open(use: Use) -> bool:
@@ -191,12 +194,17 @@ OF_FILES: dict[str, Callable[[Use], bool]] = {
     "MSH017": _is_degenerate,
     "MSH019": lambda use: use.role == "collision" and use.measures.triangles > DENSE_COLLISION,
     "MSH020": lambda use: use.role == "visual" and use.measures.triangles > DENSE_VISUAL,
-    "MSH021": lambda use: bool(missing_textures(use)),
     "MSH022": _overlaps,
     "MSH023": _has_gaps,
-    "MSH028": lambda use: any(extra.startswith(COLOURS) for extra in use.measures.extras),
     "MSH029": lambda use: bool(extras(use)),
     "MSH033": _is_flat,
+    "MSH034": lambda use: bool(losses(use)),
+}
+
+#: Of what nobody sees of a collision.
+OF_LOOKS: dict[str, Callable[[Use], bool]] = {
+    "MSH021": lambda use: bool(missing_textures(use)),
+    "MSH028": lambda use: any(extra.startswith(COLOURS) for extra in use.measures.extras),
     "MSH034": lambda use: bool(losses(use)),
     "MSH037": _lacks_materials,
 }

@@ -3,7 +3,7 @@
 The path of a texture stands in the mesh file or in its .mtl, relative to it. The image was not
 copied along, or the path is that of another machine. RViz and Gazebo draw the part white or black
 and fill the log with warnings. Put the image beside the mesh, or export the mesh with a plain
-colour.
+colour. Collisions, which nobody sees, are not reported.
 
 Sources:
     RViz, assimp_loader.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_rendering/src/rviz_rendering/mesh_loader_helpers/assimp_loader.cpp
