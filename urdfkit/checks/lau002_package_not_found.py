@@ -27,13 +27,7 @@ BAD = '<launch><node name="states" pkg="arm_states" type="joint_state_publisher"
 GOOD = BAD.replace("arm_states", "joint_state_publisher")
 
 
-@rule(
-    "LAU002",
-    "package-not-found",
-    Severity.WARNING,
-    needs=(Need.LAUNCH,),
-    help="mend the name, or declare the package in package.xml",
-)
+@rule("LAU002", "package-not-found", Severity.WARNING, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
     manifest = manifest_of(subject.resolver, subject.source.path)
     declared = manifest.dependencies if manifest else frozenset()
@@ -42,4 +36,9 @@ def check(subject: Subject) -> Iterator[Finding]:
         if package.searched is not None and not known:
             searched = ", ".join(package.searched)
             place = Written(package.span)
-            yield Finding(place, f"package '{package.name}' is not found; searched {searched}")
+            yield Finding(
+                place,
+                f"package '{package.name}' is not found",
+                f"mend the name, or declare the package in package.xml; searched {searched}",
+                alike="lost",
+            )

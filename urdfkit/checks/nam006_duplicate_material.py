@@ -39,5 +39,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if name.value in first:
             related = (Related(first[name.value].span, "the first"),)
-            yield Finding(name, f"material '{name.value}' is defined again", related=related)
+            message = f"material '{name.value}' is defined again"
+            yield Finding(name, message, related=related, alike="again")
         first.setdefault(name.value, material.at)

@@ -72,7 +72,7 @@ def _judged(who: str, element: Element) -> Iterator[Finding]:
         if number(text) is None and not is_expression(text):
             shown = f"'{text}'" if text else "empty"
             message = f"{who}: parameter '{name.value}' is {shown}, and no number"
-            yield Finding(element, message, "write a number")
+            yield Finding(element, message, "write a number", alike="no number")
     elif meant := nearest(name.value, ("initial_value",), _SLIP):
         edits = replace_value(name, meant)
         fix = Fix.of(f"rename it to {meant}", edits)
