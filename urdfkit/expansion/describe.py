@@ -18,6 +18,7 @@ from urdfkit.expansion.spot import Located, Spot, spot
 from urdfkit.expansion.substitution import EnvironmentRefused
 from urdfkit.expansion.values import YamlTooLarge
 from urdfkit.expansion.wording import bare_property, macro_of, words
+from urdfkit.nearest import nearest
 from urdfkit.reading import Problem, TooMuch
 from urdfkit.source import Span
 
@@ -137,7 +138,7 @@ def _argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
                 f"argument '{argument.name}' must be given: with its default '{default}' "
                 "files are missing that the model needs"
             )
-            return Problem("XAC010", at, message, f"pass it: {argument.name}:=VALUE")
+            return Problem("XAC010", at, message, _pass(run, argument.name))
     return None
 
 
@@ -167,10 +168,17 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
 
 def _how_to_pass(run: Run, missing: BaseException) -> str:
     declared = {name: default for name, default in run.known_arguments().items() if default}
-    text = f"pass it: {missing}:=VALUE"
+    text = _pass(run, str(missing))
     if declared:
         text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in declared.items())
     return text
+
+
+def _pass(run: Run, name: str) -> str:
+    """How to give an argument; with the slip in its place, if there is one."""
+    known = run.known_arguments()
+    slip = nearest(name, [given for given in run.arguments if given not in known])
+    return f"pass it: {name}:=VALUE" + (f", not {slip}:=" if slip else "")
 
 
 def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
