@@ -167,6 +167,12 @@ def test_a_sensor_looks_along_its_link_however_the_visual_is_turned(tmp_path: Pa
     assert "fitted to the collision" in one.reason
 
 
+@pytest.mark.parametrize("edge", ["1e-300", "1e300"])
+def test_a_shape_out_of_all_bounds_tells_no_size(edge: str, tmp_path: Path) -> None:
+    one = made(robot(tmp_path, "velodyne.dae", f'<box size="{edge} 0.1 0.1"/>'))
+    assert "its true size" in one.reason
+
+
 def test_a_placeholder_tells_no_size(tmp_path: Path) -> None:
     inertial = """<inertial><mass value="1"/>
         <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>"""

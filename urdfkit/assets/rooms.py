@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 _SHORTEST, _LONGEST = 0.001, 3.0
 
 
+#: Edges in m that solids can be built of.
+BUILDABLE = (1e-6, 1e4)
+
+
 class Room(Record):
     """A box in the frame of a visual or collision.
 
@@ -65,6 +69,12 @@ def counterparts(link: Link, body: Body) -> tuple[tuple[Body, ...], str]:
     return link.visuals, "the visual"
 
 
+def is_buildable(size: Vector) -> bool:
+    """True for edges of which a solid can be built."""
+    least, most = BUILDABLE
+    return all(least <= edge <= most for edge in size)
+
+
 def turning_axis(subject: Subject, link: Link, body: Body) -> Vector | None:
     """The direction that a wheel turns about, in the frame of one of its shapes.
 
@@ -91,7 +101,7 @@ def _room(
 ) -> Room | None:
     pairs = [*zip(low, high, strict=True)]
     x, y, z = (high - low for low, high in pairs)
-    if not min(x, y, z) > 0:
+    if not is_buildable((x, y, z)):
         return None
     a, b, c = ((low + high) / 2 for low, high in pairs)
     return Room((x, y, z), Frame(axes, rotate(axes, (a, b, c))), source, measured)

@@ -12,7 +12,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.assets.files import MeshReference
-from urdfkit.assets.rooms import Room, counterparts, room, turning_axis
+from urdfkit.assets.rooms import (
+    BUILDABLE,
+    Room,
+    counterparts,
+    is_buildable,
+    room,
+    turning_axis,
+)
 from urdfkit.errors import UrdfkitError
 from urdfkit.meshes.sniff import sniff_file
 from urdfkit.meshes.writers import SUFFIXES, refuse_good, write
@@ -86,6 +93,10 @@ class NoSuchMesh(UrdfkitError):
     """No shape of the robot names that mesh."""
 
 
+class NoSuchSize(UrdfkitError):
+    """No part has such edges."""
+
+
 def generate_missing(subject: Subject) -> StandIns:
     """Make a mesh for every file that a robot names and that is missing, empty or broken.
 
@@ -124,8 +135,10 @@ def generate(
 
     Raises:
         NoSuchMesh: no shape of the robot has this reference.
+        NoSuchSize: an edge is out of all bounds.
         GoodMesh: the file is good, and not to be replaced.
     """
+    _require_buildable(size)
     references = tuple(mesh for mesh in subject.files.meshes if mesh.at.value == reference)
     if not references:
         from urdfkit.nearest import nearest
@@ -152,14 +165,27 @@ def generate_part(
         force: also where the file is a good mesh.
 
     Raises:
+        NoSuchSize: an edge is out of all bounds.
         GoodMesh: the file is good, and not to be replaced.
     """
+    _require_buildable(size)
     if not force:
         refuse_good(path)
     facts = sniff_file(path) if os.path.exists(path) else None
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
     return StandIn(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")
+
+
+def _require_buildable(size: Vector | None) -> None:
+    """See that solids can be built of a size.
+
+    Raises:
+        NoSuchSize: an edge is out of all bounds.
+    """
+    if size is not None and not is_buildable(size):
+        edges, (least, most) = "{:g} x {:g} x {:g} m".format(*size), BUILDABLE
+        raise NoSuchSize(f"{edges}: every edge must be from {least:g} to {most:g} m")
 
 
 def unusable(subject: Subject) -> Iterator[tuple[str, tuple[MeshReference, ...], str]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import click
 
 from urdfkit.cli import output
@@ -31,8 +33,8 @@ def command(file: str, out: str, turn: bool, scale: float, force: bool) -> int:
 
     Exit codes: 0 done, 2 it cannot be done.
     """
-    if not scale > 0:
-        raise click.BadParameter("must be more than 0", param_hint="--scale")
+    if not 0 < scale < inf:
+        raise click.BadParameter("must be more than 0, and finite", param_hint="--scale")
     mesh = load(file)
     if not force:
         refuse_good(out)

@@ -58,8 +58,6 @@ def command(
     files = [word for word in words if ":=" not in word]
     if len(files) > 1:
         raise options.UsageError("name one mesh, or none for all that are missing")
-    if size is not None and not min(size) > 0:
-        raise options.UsageError("--size: every edge must be more than 0")
     part = _PARTS[part_name] if part_name else None
     if model is None:
         if not files or part is None:
