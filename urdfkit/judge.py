@@ -182,9 +182,10 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
 def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
     """The rules that tell what the parts of the Subject have found, where they have something."""
     told = set(subject.deviations)
-    if not subject.model.joints:
+    model = subject.model
+    if not model.joints and any(link.at.children for link in model.links):
         told.add("JNT011")  # which is about the shapes and inertias of links, too
-    if any(shape.filename for shape in subject.model.shapes):
+    if any(shape.filename for shape in model.shapes):
         told |= _told_by_meshes(subject, chosen)
     if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
         told |= subject.masses.told
