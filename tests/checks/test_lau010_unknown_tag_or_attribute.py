@@ -36,3 +36,15 @@ def test_it_is_told_with_what_was_meant(tmp_path: Path, text: str, word: str, he
 )
 def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
     assert told(tmp_path, "LAU010", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('<rosparam command="loads" file="$(arg f)"/>', "<rosparam>: command is 'loads'"),
+        ('<node pkg="a" type="b" name="$(anon c)" output="scren"/>', "<node>: output is 'scren'"),
+    ],
+)
+def test_words_that_an_attribute_cannot_be(tmp_path: Path, text: str, message: str) -> None:
+    (found,) = told(tmp_path, "LAU010", "a.launch", text)
+    assert found.message == message

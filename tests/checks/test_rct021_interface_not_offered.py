@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.test_rct013_controllers_name_unknown_joint import TRAJECTORY, controller
-from tests.controls import GZ, ROBOT, control, driven, plugin
+from tests.controls import GZ, ROBOT, control, driven, plugin, transmission
 from urdfkit import Diagnostic, check
 from urdfkit.examples import whole_robot
 
@@ -80,3 +80,31 @@ def test_a_launch_file_that_starts_the_real_robot(
         f"     parameters=[{{'robot_description': robot}}, '{tmp_path}/real.yaml'])\n"
     )
     assert len(check(tmp_path / "r.launch.py", select=["RCT021"]).diagnostics) == count
+
+
+DRIVE = "drive:\n  type: {}_controllers/JointPositionController\n  joint: swing\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (DRIVE.format("position"), 1),
+        (DRIVE.format("effort"), 0),
+        (DRIVE.format("position") + DRIVE.format("effort").replace("drive", "other"), 0),
+    ],
+)
+def test_ros_1_goes_by_the_transmission(tmp_path: Path, text: str, count: int) -> None:
+    (tmp_path / "c.yaml").write_text(text)
+    robot = ROBOT + transmission("swing") + plugin("libgazebo_ros_control.so")
+    (tmp_path / "r.urdf").write_text(whole_robot(robot))
+    (tmp_path / "a.launch").write_text(
+        '<launch><param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+        '<rosparam command="load" file="$(dirname)/c.yaml"/></launch>'
+    )
+    found = check(tmp_path / "a.launch", select=["RCT021"]).diagnostics
+    assert len(found) == count
+    for one in found:
+        assert one.message == (
+            "controller 'drive' commands the position of joint 'swing', whose command interfaces "
+            "are: effort"
+        )

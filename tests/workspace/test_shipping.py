@@ -70,3 +70,10 @@ def test_the_remedy(tmp_path: Path) -> None:
     assert Shipping(str(tmp_path), "arm").remedy("urdf") == (
         "write install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})"
     )
+
+
+def test_comments_make_no_files(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("# the header file (see below)\nproject(arm)\n")
+    assert not Shipping(str(tmp_path), "arm").makes_files
+    (tmp_path / "CMakeLists.txt").write_text("file(COPY a DESTINATION b)\n")
+    assert Shipping(str(tmp_path), "arm").makes_files

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 
+from urdfkit.errors import UnreadableFile
 from urdfkit.launch.collect import UNKNOWN, Collector
+from urdfkit.launch.evaluation import evaluate
 from urdfkit.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
+#: What ROS 1 and ROS 2 would substitute in a file of parameters.
+_IN_FILES = {
+    1: r"\$\((arg|find|env|optenv|eval) [^)\n]*\)",
+    2: r"\$\((var|find-pkg-share|find-pkg-prefix|env) [^)\n]*\)",
+}
 #: Substitutions inside one another that are followed.
 MAX_LEVELS = 50
 
@@ -40,15 +49,16 @@ class Substitutions:
 
     def command(self, content: str, span: Span, level: int = 0) -> str | None:
         """What stands for the content of ``$(...)``; None where that is not known."""
+        if content.startswith("eval "):  # the quotes in it are those of the expression
+            functions = {"find": lambda name: self._found(name, span)}
+            return evaluate(content[len("eval ") :], self._values, functions)
         inner = self.text(content, span, level + 1)
         words = inner.split(None, 1) if inner else []
         if not words:
             return None
         command, rest = words[0], words[1].strip() if len(words) > 1 else ""
         if command in ("find", "find-pkg-share", "find-pkg-prefix"):
-            # Only the file in the package matters; that xacro itself is installed does not.
-            found = self._collector.package(rest, self._source, span)
-            return found if found is not None else f"{UNKNOWN}/{rest}"
+            return self._found(rest, span)
         if command in ("arg", "var"):
             return self._values.get(rest)
         if command == "dirname":
@@ -56,7 +66,15 @@ class Substitutions:
         if command in ("optenv", "env"):
             default = rest.split(None, 1)
             return default[1].strip("'\"") if len(default) > 1 else None
-        return None  # eval, anon, exec-in-pkg, command
+        return None  # anon, exec-in-pkg, command
+
+    def _found(self, package: str, span: Span) -> str:
+        """The folder of a package.
+
+        Only the file in it matters; that xacro itself is installed does not.
+        """
+        found = self._collector.package(package, self._source, span)
+        return found if found is not None else f"{UNKNOWN}/{package}"
 
 
 def pieces(text: str) -> Iterator[tuple[bool, str]]:
@@ -76,3 +94,13 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
         start = position = end + 1
     if start < len(text):
         yield False, text[start:]
+
+
+def unmade(path: str, ros: int, resolver: Resolver) -> str | None:
+    """The first substitution that stands in a YAML file; None if there is none."""
+    try:
+        text = resolver.read(path).data.decode("utf-8", "replace")
+    except UnreadableFile:
+        return None
+    found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
+    return found.group(0) if found else None

@@ -76,6 +76,14 @@ _ROS_2 = {
 }
 _TABLES = {1: _ROS_1, 2: _ROS_2}
 
+#: The words that an attribute may be, by ROS, tag and name.
+_WORDS = {
+    (1, "rosparam", "command"): ("load", "dump", "delete"),
+    (1, "node", "output"): ("screen", "log"),
+    (1, "param", "type"): ("str", "string", "int", "double", "bool", "boolean", "yaml", "auto"),
+    (2, "node", "output"): ("screen", "log", "both", "own_log", "full"),
+}
+
 #: What an attribute of the other ROS is called in this one, by tag.
 _TRANSLATED = {
     1: {("node", "exec"): "type", ("node", "namespace"): "ns", ("arg", "description"): "doc"},
@@ -128,6 +136,10 @@ def slips(element: Element, ros: int, frame: Frame | None) -> Iterator[Problem]:
     known = _names(row)
     for attribute in element.attributes.values():
         name = attribute.name
+        words = _WORDS.get((ros, element.tag, name))
+        if words and attribute.value not in words and "$" not in attribute.value:
+            message = f"<{element.tag}>: {name} is '{attribute.value}'"
+            yield Problem("LAU010", attribute.span, message, f"write {' or '.join(words)}", frame)
         if name in known or name in _CONDITIONS or _OF_OTHERS.search(name):
             continue
         meant = _TRANSLATED[ros].get((element.tag, name)) or nearest(name, known)

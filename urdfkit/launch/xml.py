@@ -21,7 +21,7 @@ from urdfkit.launch.passing import (
     undeclared,
 )
 from urdfkit.launch.signature import USE, Signature, arguments_in, signature
-from urdfkit.launch.substitutions import Substitutions, pieces
+from urdfkit.launch.substitutions import Substitutions, pieces, unmade
 from urdfkit.launch.tags import dialect, slips
 from urdfkit.reading import Problem
 from urdfkit.source import Source, Span
@@ -260,7 +260,7 @@ class _File:
             if attribute is None:
                 continue
             if key == "from":
-                self._named_file(attribute, PARAMETERS)
+                self._parameter_file(attribute, "allow_substs")
             elif key == "textfile" and _DESCRIPTION.search(name):
                 path = self.text(attribute)
                 if path is not None:
@@ -340,7 +340,7 @@ class _File:
         if element.get("command") not in (None, "load"):
             return
         if attribute:
-            self._named_file(attribute, PARAMETERS)
+            self._parameter_file(attribute, "subst_value")
         if not attribute or "ns" in element.attributes or "param" in element.attributes:
             self.collector.names_parameters = True
 
@@ -348,10 +348,19 @@ class _File:
         """The value of an attribute; None where it cannot be known without running it."""
         return self.substitutions.text(attribute.value, attribute.span)
 
-    def _named_file(self, attribute: Attribute, purpose: str) -> None:
+    def _parameter_file(self, attribute: Attribute, switch: str) -> None:
+        """A file of parameters; the switch lets launch make the substitutions in it."""
         path = self._path_in(attribute)
-        if path is not None:
-            self.collector.file(path, attribute.span, purpose)
+        if path is None or not self.collector.file(path, attribute.span, PARAMETERS):
+            return
+        switched = attribute.element.get(switch)
+        if switched not in (None, "false", "False", "0") or self._ros is None:
+            return
+        if found := unmade(path, self._ros, self.collector.resolver):
+            message = f"'{os.path.basename(path)}' holds {found}, which stays as it is written"
+            help = f'write {switch}="true"'
+            problem = Problem("LAU019", attribute.span, message, help, self.frame)
+            self.collector.problems.append(problem)
 
     def _path_in(self, attribute: Attribute) -> str | None:
         """The path that an attribute names; None if it needs an argument that is empty so far."""

@@ -101,7 +101,9 @@ class Shipping:
 
     @cached_property
     def _text(self) -> str:
-        return peek(self.file, MAX_BYTES).decode("utf-8", "replace")
+        """The build file; of CMake without its comments, which the templates of ROS are full of."""
+        text = peek(self.file, MAX_BYTES).decode("utf-8", "replace")
+        return text if self.file.endswith(".py") else re.sub(r"#.*", "", text)
 
     @cached_property
     def _targets(self) -> list[str]:

@@ -1,0 +1,30 @@
+"""A YAML file holds a substitution, and the launch file that loads it does not make it.
+
+`$(arg prefix)` or `$(find-pkg-share pkg)` stays as it is written: nothing of that name exists.
+roslaunch makes it with `subst_value="true"`, launch of ROS 2 with `allow_substs="true"`.
+
+Sources:
+    roslaunch, rosparam: https://wiki.ros.org/roslaunch/XML/rosparam
+    launch_ros, ParameterFile: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/parameter_descriptions.py
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule, told
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+NAME = "robot.launch"
+BAD = '<launch><rosparam command="load" file="$(dirname)/control.yaml"/></launch>'
+GOOD = BAD.replace('yaml"', 'yaml" subst_value="true"')
+FILES = {"control.yaml": b"drive:\n  base_frame_id: $(arg prefix)base_link\n"}
+
+
+@rule("LAU019", "substitution-not-made", Severity.WARNING, needs=(Need.LAUNCH,))
+def check(subject: Subject) -> Iterator[Finding]:
+    yield from told(subject, "LAU019")
