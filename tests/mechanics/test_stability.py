@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import atan2, pi, sqrt
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.massive import inertial, joint, link, shape
 from tests.test_overview import of
+from urdfkit.examples import whole_robot
 from urdfkit.loading import read
 from urdfkit.mechanics.stability import hull, stand
 
@@ -26,6 +28,25 @@ def test_a_tall_box_tips_across_its_narrow_side() -> None:
     assert found.margin == pytest.approx(0.1, rel=1e-12)
     assert found.angle == pytest.approx(atan2(0.1, 0.6), rel=1e-12)
     assert not found.tips
+
+
+def test_a_mesh_stands_as_the_box_that_it_is(tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box((0.4, 0.2, 1)).export(tmp_path / "box.stl")
+    inside = shape("collision", '<mesh filename="box.stl"/>') + inertial(
+        3, (1, 1, 1), xyz="0 0 0.1"
+    )
+    (tmp_path / "r.urdf").write_text(whole_robot(link("box", inside)))
+    found = stand(read(tmp_path / "r.urdf"))
+    assert found is not None
+    assert [round(value, 6) for corner in sorted(found.polygon) for value in corner] == [
+        *(-0.2, -0.1, -0.2, 0.1),
+        *(0.2, -0.1, 0.2, 0.1),
+    ]
+    assert found.ground == pytest.approx(-0.5)
+    assert found.margin == pytest.approx(0.1)
+    assert found.angle == pytest.approx(atan2(0.1, 0.6))
+    assert stand(read(tmp_path / "r.urdf"), meshes=False) is None
 
 
 def test_it_falls_where_its_mass_hangs_out() -> None:
