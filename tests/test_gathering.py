@@ -160,3 +160,15 @@ def test_controllers_of_a_robot_with_other_names_are_one_finding(tmp_path: Path)
     found = check(tmp_path / "r.launch", select=["RCT013"]).diagnostics
     assert len(found) == 3
     assert len(gathered(found)) == 1
+
+
+def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path) -> None:
+    include = '<include file="$(dirname)/{}.launch"><arg name="sim" value="1"/></include>'
+    for name in ("arm", "base", "view"):
+        (tmp_path / f"{name}.launch").write_text("<launch/>")
+    includes = "\n".join(map(include.format, ("arm", "base", "view")))
+    (tmp_path / "all.launch").write_text(f"<launch>\n{includes}\n</launch>")
+    found = check(tmp_path / "all.launch", select=["LAU007"]).diagnostics
+    assert len(found) == 3
+    (seen,) = gathered(found)
+    assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more likewise)"

@@ -63,6 +63,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             (Related(right.at.span, f"the {right.at.tag}"),),
             confidence=Confidence.INFERRED,
             weight=1 - one.overlap,
+            alike="moved" if why else "apart",
         )
 
 

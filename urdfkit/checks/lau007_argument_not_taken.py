@@ -39,4 +39,6 @@ FILES = {"world.launch": b'<launch><arg name="with_gui" default="true"/></launch
     help="pass an argument that the file has",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU007")
+    for finding in told(subject, "LAU007"):
+        _, _, argument = finding.message.partition(" has no ")
+        yield finding._replace(alike=argument)
