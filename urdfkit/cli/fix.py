@@ -111,9 +111,9 @@ def _why(reason: str) -> str:
 
 def _row(text: str, found: Iterable[Diagnostic]) -> str:
     lines = sorted({one.span.line for one in found})
-    shown = ", ".join(map(str, lines[:_MAX_LINES]))
+    numbers = ", ".join(map(str, lines[:_MAX_LINES]))
     more = f" and {len(lines) - _MAX_LINES} more" if len(lines) > _MAX_LINES else ""
-    row = f"{text}: line{'s' * (len(lines) > 1)} {shown}{more}"
+    row = f"{text}: line{'s' * (len(lines) > 1)} {numbers}{more}"
     return f"  {wrap(row, output.width() - 2, indent=6)}"
 
 

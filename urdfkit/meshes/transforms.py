@@ -37,11 +37,13 @@ def scaled(mesh: Mesh, factors: Vector) -> Mesh:
 def _scaled(part: Part, stretch: Floats, mirrored: bool) -> Part:
     normals = part.normals
     if normals is not None:
-        normals = normals / stretch
+        normals = normals / (stretch / np.abs(stretch).max())  # so that no square overflows
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         normals = normals / np.where(lengths > 0, lengths, 1.0)
     faces = part.faces[:, ::-1].copy() if mirrored else part.faces
-    return part._replace(vertices=part.vertices * stretch, faces=faces, normals=normals)
+    with np.errstate(over="ignore"):  # beyond all numbers, which whoever writes it refuses
+        vertices = part.vertices * stretch
+    return part._replace(vertices=vertices, faces=faces, normals=normals)
 
 
 def in_metres(mesh: Mesh) -> Mesh:
