@@ -37,7 +37,7 @@ _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 #: The same where z points down, as vehicles under water have it; or a camera that hangs head down.
 _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 #: Words in the names of cameras that do not look forwards, whatever their frame does.
-_ELSEWHERE = ("down", "bottom", "belly", "nadir", "up", "ceiling")
+_ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
 #: People write pi with four digits.
 _TOLERANCE = 0.01
 
