@@ -88,6 +88,7 @@ def _finding(weighed: Weighed) -> Finding:
         _in_kilograms(weighed) if unit_slip(weighed) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
+        alike="density",
     )
 
 
