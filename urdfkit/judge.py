@@ -216,6 +216,8 @@ def _silent_about_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
     if "PKG004" in chosen and not _may_lose_meshes(subject):
         codes.add("PKG004")
     codes |= _silent_about_packages(subject, subject.document.sources)
+    if "GEO018" not in codes and not _may_be_enclosed(subject):
+        codes.add("GEO018")
     if "pinocchio" not in subject.given_targets:
         codes |= {"DYN001", "DYN002"}
     if not rules.TOLD_BY_COAL.isdisjoint(chosen) and not _can_collide(subject):
@@ -295,6 +297,18 @@ def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
         for code in chosen
         if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
+
+
+def _may_be_enclosed(subject: Subject) -> bool:
+    """True if a link sees, and the shapes that may hide it are not all meshes that are missing."""
+    from urdfkit.gazebo.eyes import eyes
+
+    found = list(eyes(subject.model))
+    bodies = [body for link in subject.model.links for body in link.visuals if found]
+    if any(eye.type == "ray" for eye in found):
+        bodies += [body for link in subject.model.links for body in link.collisions]
+    shapes = (body.shape for body in bodies if body.shape)
+    return any(not shape.filename or subject.files.path(shape) for shape in shapes)
 
 
 def _may_lose_meshes(subject: Subject) -> bool:
