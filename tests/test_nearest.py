@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from urdfkit.nearest import Speller, did_you_mean, nearest
+from urdfkit.nearest import Speller, did_you_mean, is_slip, nearest
 
 CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 
@@ -23,6 +23,29 @@ CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 )
 def test_nearest(word: str, meant: str | None) -> None:
     assert nearest(word, CODES) == meant
+
+
+@pytest.mark.parametrize(
+    ("word", "other", "expected"),
+    [
+        ("drive", "drive", True),
+        ("drive", "driver", True),
+        ("dive", "drive", True),
+        ("drove", "drive", True),
+        ("drvie", "drive", True),
+        ("drives", "driver", True),
+        ("aa", "a", True),
+        ("", "a", True),
+        ("drvei", "drive", False),
+        ("drivers", "drive", False),
+        ("gps", "imu", False),
+        ("drive2", "drive", False),
+        ("drive1", "drive2", False),
+    ],
+)
+def test_a_slip_is_one_letter_or_two_exchanged(word: str, other: str, expected: bool) -> None:
+    assert is_slip(word, other) is expected
+    assert is_slip(other, word) is expected
 
 
 def test_did_you_mean() -> None:

@@ -31,7 +31,7 @@ ABOUT_CHILDREN = {
 }
 
 #: Silent if no ``<gazebo>`` holds a plugin.
-ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64))
+ABOUT_PLUGINS = frozenset(f"GAZ{number:03}" for number in (*range(10, 40), 64, 70))
 
 #: Silent if no ``<gazebo>`` holds a sensor.
 ABOUT_SENSORS = frozenset(

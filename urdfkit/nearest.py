@@ -56,6 +56,24 @@ def _alike(word: str, others: Iterable[str], likeness: float) -> list[str]:
     return found
 
 
+def is_slip(word: str, other: str) -> bool:
+    """True if two words differ in one letter, or in two that changed places, or not at all.
+
+    Digits are no letters: they tell siblings apart.
+    """
+    if abs(len(word) - len(other)) > 1:
+        return False
+    start = 0
+    while word[start : start + 1] == other[start : start + 1] != "":
+        start += 1
+    end = 0
+    while end < min(len(word), len(other)) - start and word[-1 - end] == other[-1 - end]:
+        end += 1
+    one, two = word[start : len(word) - end], other[start : len(other) - end]
+    is_small = max(len(one), len(two)) <= 1 or (len(one) == 2 and one == two[::-1])
+    return is_small and not any(map(str.isdigit, one + two))
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'arm'?``, or nothing if no known word is like ``word``."""
     found = nearest(word, known)

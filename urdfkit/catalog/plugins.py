@@ -7,6 +7,7 @@ from functools import cache
 from itertools import chain
 
 from urdfkit.catalog import loads, text
+from urdfkit.nearest import is_slip
 from urdfkit.record import Record
 from urdfkit.static import Any
 
@@ -152,6 +153,20 @@ def files() -> list[str]:
         for key in ("files", "fortress_files")
     ]
     return [file for file in dict.fromkeys(chain.from_iterable(lists)) if file]
+
+
+@cache
+def misspelt(filename: str) -> str:
+    """The file name that an unknown one was meant to be; empty if it may be a vendor's own.
+
+    They differ in one letter, in two that changed places, or in ``lib`` and ``.so``.
+    """
+    stem = _stem(filename)
+    return next((file for file in files() if is_slip(stem, _stem(file))), "")
+
+
+def _stem(filename: str) -> str:
+    return filename.removeprefix("lib").removesuffix(".so")
 
 
 def find(filename: str) -> tuple[Plugin, ...]:

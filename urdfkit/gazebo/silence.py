@@ -138,6 +138,7 @@ def _is_on_optical_frame(sensor: Sensor) -> bool:
 _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
     "GAZ010": lambda use: not (use.name.strip() and use.filename),
     "GAZ011": lambda use: not use.known,
+    "GAZ070": lambda use: not use.known,
     "GAZ014": _is_misplaced,
     "GAZ015": _is_in_another_sensor,
     "GAZ030": _has_absolute_name,
