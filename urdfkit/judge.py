@@ -247,7 +247,7 @@ def _silent_families(subject: Subject) -> set[str]:
         "RCT": subject.parameters or glance.is_controlled(model),
         "GAZ": model.gazebo,
         "SRD": srdf_files(subject.source.path, subject.resolver)
-        or other_srdf_files(subject.source.path, subject.resolver),
+        or other_srdf_files(subject.source.path, model.name, subject.resolver),
     }
     return {family for family, things in there.items() if not things}
 
@@ -270,7 +270,8 @@ def _silent_about_xacro(xacro: Xacro) -> set[str]:
     codes = {"XAC003", *(code for code, things in about.items() if not things)}
     if all(source.data.count(b"{") == source.data.count(b"${") for source in xacro.sources):
         codes.add("XAC021")
-    if not any(b"^" in source.data for source in xacro.sources):
+    # Behind a sign of equality it forwards a value of the caller.
+    if all(source.data.count(b"^") == source.data.count(b"=^") for source in xacro.sources):
         codes.add("XAC022")
     return codes
 

@@ -183,7 +183,7 @@ def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> 
     same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
     chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
     if not found:
-        others = other_srdf_files(path, resolver)
+        others = other_srdf_files(path, tree.model.name, resolver)
         read_files = (read(one, tree, resolver, trust=trust) for one in others)
         chosen = [srdf for srdf in read_files if srdf is not None and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None

@@ -145,14 +145,15 @@ def _by_id() -> dict[str, Plugin]:
     return {}
 
 
-def files() -> list[str]:
+@cache
+def files() -> tuple[str, ...]:
     """Every file name of every plugin, cut out of their lines: nothing else of them is read."""
     lists = [
         line.partition(f'"{key}": [')[2].partition("]")[0].replace('"', "").split(", ")
         for line in _content()[1]
         for key in ("files", "fortress_files")
     ]
-    return [file for file in dict.fromkeys(chain.from_iterable(lists)) if file]
+    return tuple(file for file in dict.fromkeys(chain.from_iterable(lists)) if file)
 
 
 @cache

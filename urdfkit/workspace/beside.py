@@ -36,10 +36,15 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     return list(_srdf_in(folders, resolver))
 
 
-def other_srdf_files(robot: str, resolver: Resolver) -> list[str]:
+def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     """The SRDF files of MoveIt packages beside a robot that may be for it, or for others.
 
     They name it with arguments of its own, or do not say which file they are made for.
+
+    Args:
+        robot: path of it.
+        name: of it; an SRDF is of the robot that it is called like.
+        resolver: finds files.
     """
     package = resolver.packages.enclosing(robot)
     folders: dict[str, None] = {}
@@ -48,7 +53,14 @@ def other_srdf_files(robot: str, resolver: Resolver) -> list[str]:
         is_for = package is not None and setup.is_for(robot, package)
         if not setup.urdf or (is_for and setup.has_arguments):
             folders.update(dict.fromkeys(_folders(moveit, setup)))
-    return list(_srdf_in(folders, resolver))
+    return [path for path in _srdf_in(folders, resolver) if _may_be_called(path, name)]
+
+
+def _may_be_called(srdf: str, name: str) -> bool:
+    """True unless an SRDF is plainly of a robot of another name, which a look at its head tells."""
+    head = peek(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
+    called = head.replace("'", '"').partition('name="')[2]
+    return called.startswith((f'{name}"', "$"))
 
 
 def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
