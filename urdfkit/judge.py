@@ -216,6 +216,8 @@ def _silent_about_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
     if "PKG004" in chosen and not _may_lose_meshes(subject):
         codes.add("PKG004")
     codes |= _silent_about_packages(subject, subject.document.sources)
+    if "DYN004" not in codes and _may_stand_on_what_is_missing(subject):
+        codes.add("DYN004")
     if "GEO018" not in codes and not _may_be_enclosed(subject):
         codes.add("GEO018")
     if "pinocchio" not in subject.given_targets:
@@ -298,6 +300,14 @@ def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
         for code in chosen
         if code[:3] in families and code not in rules.TOLD_BY_READING
     ]
+
+
+def _may_stand_on_what_is_missing(subject: Subject) -> bool:
+    """True if the file of a mesh that may touch the ground is not there."""
+    shapes = (
+        body.shape for link in subject.model.links for body in link.collisions or link.visuals
+    )
+    return any(s and s.filename and subject.files.path(s) is None for s in shapes)
 
 
 def _may_be_enclosed(subject: Subject) -> bool:

@@ -85,13 +85,17 @@ def test_a_mesh_on_the_ground_or_above_it(z: str, found: int, tmp_path: Path) ->
 
 def test_without_the_readers_of_meshes_it_is_skipped_where_it_matters(
     monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
 ) -> None:
     def lean(*_: object) -> None:
         raise ImportError("numpy")
 
     monkeypatch.setattr("urdfkit.assets.triangles.Meshes.mesh", lean)
+    mesh = tmp_path / "part.stl"
+    mesh.write_bytes(b"what is in it is not read")
+    part = shape("collision", f'<mesh filename="{mesh}"/>')
     sources = [
-        Source("r.urdf", whole_robot(on_wheels(at, more=shape("collision", MESH))).encode())
+        Source("r.urdf", whole_robot(on_wheels(at, more=part)).encode())
         for at in ("-0.05 0 0", "0.5 0 0")
     ]
     reports = [engine.check(source, select=["DYN004"]) for source in sources]

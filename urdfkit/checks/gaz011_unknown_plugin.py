@@ -11,9 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.catalog.plugins import files, misspelt
+from urdfkit.catalog.plugins import misspelt
 from urdfkit.diagnostic import Severity
-from urdfkit.nearest import Speller
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -32,9 +31,6 @@ BAD = """\
 </gazebo>"""
 GOOD = BAD.replace("our_omni_drive", "gazebo_ros_planar_move")
 
-#: Names of libraries are long, and much of them is what all of one maker have in common.
-_SLIP = 0.9
-
 
 @rule(
     "GAZ011",
@@ -45,15 +41,12 @@ _SLIP = 0.9
 )
 def check(subject: Subject) -> Iterator[Finding]:
     told: set[str] = set()
-    speller = Speller(files(), _SLIP)
     for use in subject.plugins:
         name = use.filename
         if use.known or not name or name in told or misspelt(name):
             continue
         told.add(name)  # one robot may use a library a hundred times
-        meant = speller.meant(name)
         yield Finding(
             use.at.attributes["filename"],
             f"'{name}' is not a plugin of Gazebo or ROS that is known here",
-            f"did you mean '{meant}'?" if meant else "",
         )

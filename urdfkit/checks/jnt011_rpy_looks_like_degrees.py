@@ -14,6 +14,7 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from math import pi, radians
 
 from urdfkit.diagnostic import Confidence, Fix, Severity
@@ -53,8 +54,8 @@ _TURN = 2 * pi + 1e-3
 def check(subject: Subject) -> Iterator[Finding]:
     for origin in _origins(subject.document.root):
         rpy = origin.attributes.get("rpy")
-        angles = numbers(rpy.value) if rpy else None
-        if not rpy or not angles or len(angles) != 3 or not any(map(_is_degrees, angles)):
+        angles = _with_degrees(rpy.value) if rpy else ()
+        if not rpy or not angles:
             continue
         assert origin.parent is not None
         at = origin.parent
@@ -78,6 +79,13 @@ def _origins(root: Element) -> Iterator[Element]:
             for child in part.children:
                 if child.tag in ("visual", "collision", "inertial"):
                     yield from child.all("origin")
+
+
+@lru_cache(maxsize=1024)
+def _with_degrees(rpy: str) -> tuple[float, ...]:
+    """The three angles of a text, if one of them looks like degrees; models repeat a few texts."""
+    angles = numbers(rpy) or ()
+    return angles if len(angles) == 3 and any(map(_is_degrees, angles)) else ()
 
 
 def _is_degrees(angle: float) -> bool:
