@@ -205,6 +205,8 @@ def _about_sense(model: RobotModel) -> set[str]:
     codes = _about_strengths(joints)
     if not any(joint.kind == "fixed" and joint.limit for joint in joints):
         codes.add("JNT035")
+    if len({joint.limit is None for joint in joints if joint.kind == "continuous"}) < 2:
+        codes.add("JNT021")
     if all(abs(part) < 0.5 for joint in joints for part in joint.origin.position):
         codes.add("JNT037")  # which begins at 0.5 m
     names = " ".join(model.links_by_name).lower()
@@ -331,7 +333,7 @@ def _about_types(kinds: list[str]) -> set[str]:
     if all(kind == "fixed" or kind in DEGREES_OF_FREEDOM for kind in kinds):
         codes.add("JNT001")
     if "continuous" not in kinds:
-        codes |= {"JNT013", "JNT021"}
+        codes.add("JNT013")
     if kinds.count("continuous") < 4:
         codes.add("JNT043")
     if not {"floating", "planar"}.intersection(kinds):

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.catalog.plugins import Parameter
+from urdfkit.catalog.plugins import Parameter, Plugin
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
@@ -40,23 +40,27 @@ GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 @rule("GAZ017", "missing-parameter", Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
-        if use.plugin is None or _is_of_another(use):
+        found = list(_missing(use, use.plugin, subject)) if use.plugin else []
+        if found and not _is_of_another(use):
+            yield from found
+
+
+def _missing(use: Use, plugin: Plugin, subject: Subject) -> Iterator[Finding]:
+    given = {item.path for item in use.items if item.text}
+    blocks = {item.path for item in use.items}
+    for parameter in plugin.parameters.values():
+        block = parameter.name.rpartition("/")[0]
+        if parameter.name in (blocks if parameter.type == "container" else given):
             continue
-        given = {item.path for item in use.items if item.text}
-        blocks = {item.path for item in use.items}
-        for parameter in use.plugin.parameters.values():
-            block = parameter.name.rpartition("/")[0]
-            if parameter.name in (blocks if parameter.type == "container" else given):
-                continue
-            if parameter.required and (not block or block in blocks):
-                yield _finding(use, parameter, "")
-            elif use.plugin.missing and parameter.type == "joint" and parameter.default:
-                known = subject.model.joints_by_name
-                if parameter.default not in known and not subject.is_part:
-                    yield _finding(use, parameter, parameter.default)
-        if use.plugin.any_of and given.isdisjoint(use.plugin.any_of):
-            wanted = " or ".join(f"<{name}>" for name in use.plugin.any_of)
-            yield Finding(use.at, f"{use.title} needs {wanted}", f"add {wanted}")
+        if parameter.required and (not block or block in blocks):
+            yield _finding(use, parameter, "")
+        elif plugin.missing and parameter.type == "joint" and parameter.default:
+            known = subject.model.joints_by_name
+            if parameter.default not in known and not subject.is_part:
+                yield _finding(use, parameter, parameter.default)
+    if plugin.any_of and given.isdisjoint(plugin.any_of):
+        wanted = " or ".join(f"<{name}>" for name in plugin.any_of)
+        yield Finding(use.at, f"{use.title} needs {wanted}", f"add {wanted}")
 
 
 def _is_of_another(use: Use) -> bool:

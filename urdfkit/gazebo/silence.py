@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 from itertools import chain
+from math import inf, pi
 
+from urdfkit.catalog.plugins import misspelt
 from urdfkit.catalog.sensors import types
 from urdfkit.gazebo.drives import drive_of
 from urdfkit.gazebo.plugins import Use, fate
 from urdfkit.gazebo.sensors import Sensor, sensors
 from urdfkit.static import TYPE_CHECKING
+from urdfkit.targets import CLASSIC, GZ
 
 if TYPE_CHECKING:
     from urdfkit.gazebo.conversion import Conversion
@@ -91,10 +94,16 @@ def about_sensors(model: RobotModel, targets: Targets) -> set[str]:
     """The rules about sensors."""
     there = list(sensors(model))
     codes = {code for code, is_odd in _ABOUT_SENSORS.items() if not any(map(is_odd, there))}
+    links = model.links_by_name
+    if all(sensor.reference in links and sensor.type != "force_torque" for sensor in there):
+        codes.add("GAZ062")
     if len({sensor.name for sensor in there}) == len(there):
         codes.add("GAZ061")
-    if targets.names and not any(name.startswith("gz") for name in targets.names):
+    if targets.names and not targets.any_of(GZ):
         codes.add("GAZ053")
+        known = (types().get(sensor.type) for sensor in there)
+        if targets.any_of(CLASSIC) and all(kind is None or kind.classic for kind in known):
+            codes.add("GAZ041")
     return codes
 
 
@@ -130,6 +139,17 @@ def _has_no_rate(sensor: Sensor) -> bool:
     return rate is None or rate.value <= 0
 
 
+def _has_odd_clip(sensor: Sensor) -> bool:
+    near, far = sensor.number("camera/clip/near"), sensor.number("camera/clip/far")
+    return near is not None and not 0 < near.value < (far.value if far else inf)
+
+
+def _has_odd_view(sensor: Sensor) -> bool:
+    angle = sensor.number("camera/horizontal_fov")
+    is_odd = angle is not None and not 0 < angle.value <= 2 * pi
+    return is_odd or len(sensor.at.all("camera")) > 1
+
+
 def _is_on_optical_frame(sensor: Sensor) -> bool:
     return "optical" in sensor.reference
 
@@ -138,7 +158,7 @@ def _is_on_optical_frame(sensor: Sensor) -> bool:
 _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
     "GAZ010": lambda use: not (use.name.strip() and use.filename),
     "GAZ011": lambda use: not use.known,
-    "GAZ070": lambda use: not use.known,
+    "GAZ070": lambda use: not use.known and bool(misspelt(use.filename)),
     "GAZ014": _is_misplaced,
     "GAZ015": _is_in_another_sensor,
     "GAZ030": _has_absolute_name,
@@ -151,6 +171,8 @@ _ABOUT_PLUGINS: dict[str, Callable[[Use], bool]] = {
 _ABOUT_SENSORS: dict[str, Callable[[Sensor], bool]] = {
     "GAZ040": lambda sensor: sensor.type not in types(),
     "GAZ043": _has_no_rate,
+    "GAZ048": _has_odd_clip,
     "GAZ049": _is_on_optical_frame,
+    "GAZ056": _has_odd_view,
     "GAZ060": lambda sensor: not sensor.name.strip(),
 }
