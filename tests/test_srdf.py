@@ -150,6 +150,7 @@ ARGUMENTS = "\n    xacro_args: side:=left"
 def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
     package = tmp_path / "arm"
     (package / "urdf").mkdir(parents=True)
+    (tmp_path / "LICENSE").touch()
     robot = package / "urdf" / "r.urdf"
     robot.write_text(ROBOT)
     (tmp_path / place).mkdir(parents=True)

@@ -99,7 +99,8 @@ def test_targets_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> Non
     file = "gazebo_pkg/urdf/waking_robot_new.xacro"
     out = doctor(file)
     assert f"\n{file}: xacro\n" in out
-    assert "  workspace: gazebo_pkg\n  package gazebo_pkg: gazebo_pkg\n" in out
+    why = "no .git, workspace or licence around it"
+    assert f"  packages are searched in gazebo_pkg ({why})\n    package gazebo_pkg: " in out
     assert "  targets: ros1, classic-ros1\n    ros1: package.xml\n    classic-ros1: plugin " in out
     assert "  targets: mujoco (given)\n" in doctor(file, "--target", "mujoco")
     (tmp_path / "urdfkit.toml").write_text('targets = ["drake"]')
@@ -112,10 +113,28 @@ def test_packages_that_were_named(doctor: Doctor, tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text('<robot name="r"><link name="a"/></robot>')
     out = doctor("r.urdf", "--package", "my_parts=parts")
     assert "\nr.urdf: plain XML\n" in out
-    assert "  package my_parts: parts\n" in out
+    assert "  package my_parts: parts (given)\n" in out
     assert "  targets: none; name them with --target\n" in out
     (tmp_path / "urdfkit.toml").write_text('[packages]\nmy_parts = "parts"')
-    assert "  package my_parts: parts\n" in doctor("r.urdf")
+    assert "  package my_parts: parts (given)\n" in doctor("r.urdf")
+
+
+def test_where_packages_come_from(
+    doctor: Doctor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(MODELS / "gazebo_pkg", tmp_path / "gazebo_pkg")
+    file = "gazebo_pkg/urdf/waking_robot_new.xacro"
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "package.xml").write_text("<package><name>other</name></package>")
+    assert "    and next to it, in .\n    package gazebo_pkg: gazebo_pkg\n" in doctor(file)
+    (tmp_path / ".git").mkdir()
+    monkeypatch.setenv("AMENT_PREFIX_PATH", "/opt/ros/none")
+    assert (
+        "  packages are searched in . (because of .git)\n"
+        "    package gazebo_pkg: gazebo_pkg\n"
+        "    package other: other\n"
+        "    and in AMENT_PREFIX_PATH: /opt/ros/none\n"
+    ) in doctor(file)
 
 
 def test_rules_that_do_not_run_are_told_with_the_reason(doctor: Doctor, tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.workspace import packages as module
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.packages import Candidate, Packages
+from urdfkit.workspace.packages import Candidate, Level, Packages
 
 
 @pytest.fixture
@@ -140,23 +140,105 @@ def test_links_in_circles_end(tmp_path: Path) -> None:
     assert packages.searched("none", str(near))[3] == f"{tmp_path / 'arm'} (2 packages)"
 
 
-def test_neighbours_without_a_repository(tmp_path: Path) -> None:
-    """Three levels up: beside the package, beside its repository, and one more."""
-    at = tmp_path / "l4" / "l3" / "l2" / "l1"
-    near = add_package(at / "arm", "arm") / "urdf" / "arm.urdf"
-    found = {
-        name: add_package(folder / name, name)
-        for name, folder in (("one", at), ("two", at.parent), ("three", at.parent.parent))
-    }
-    add_package(tmp_path / "l4" / "package_4", "four")
-    packages = finder()
-    for name, folder in found.items():
-        assert first(packages, name, near) == str(folder)
-    assert first(packages, "four", near) is None
-    assert packages.workspace(str(near)) == str(at / "arm")
+def root(near: Path) -> tuple[str, str]:
+    found = finder().root(str(near))
+    return found.folder, found.mark
+
+
+def test_a_repository_sees_nothing_of_the_clones_next_to_it(tmp_path: Path) -> None:
+    near = add_package(tmp_path / "one" / "arm", "arm") / "arm.urdf"
+    add_file(tmp_path / "one" / ".git" / "HEAD")
+    add_package(tmp_path / "two" / "hand", "hand")
+    add_file(tmp_path / "two" / ".git" / "HEAD")
+    assert first(finder(), "hand", near) is None
+    assert first(finder(), "two", near) is None
+    assert finder().known(str(near)) == {"arm": str(near.parent)}
+    assert root(near) == (str(tmp_path / "one"), ".git")
+
+
+@pytest.mark.parametrize("git", [".git/HEAD", ".git"])
+def test_a_clone_or_worktree_inside_a_repository_ends_the_search(tmp_path: Path, git: str) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "clones" / "arm", "arm") / "arm.urdf"
+    add_file(near.parent / git, b"gitdir: ../../.git/worktrees/arm")
+    add_package(tmp_path / "hand", "hand")
+    assert first(finder(), "hand", near) is None
+    assert root(near) == (str(near.parent), ".git")
+
+
+@pytest.mark.parametrize(
+    ("mark", "told"),
+    [
+        ("src/.keep", "src"),
+        (".catkin_workspace", ".catkin_workspace"),
+        (".catkin_tools/README", ".catkin_tools"),
+        ("install/COLCON_IGNORE", os.path.join("install", "COLCON_IGNORE")),
+    ],
+)
+def test_the_repositories_of_a_workspace_see_one_another(
+    tmp_path: Path, mark: str, told: str
+) -> None:
+    add_file(tmp_path / "ws" / mark)
+    source = tmp_path / "ws" / "src" if told == "src" else tmp_path / "ws"
+    near = add_package(source / "one" / "arm", "arm") / "arm.urdf"
+    add_file(source / "one" / ".git" / "HEAD")
+    hand = add_package(source / "two" / "hand", "hand")
+    add_file(source / "two" / ".git" / "HEAD")
+    add_package(tmp_path / "ws" / "install" / "foot", "foot")
+    add_package(tmp_path / "else" / "leg", "leg")
+    assert root(near) == (str(source), told)
+    assert first(finder(), "hand", near) == str(hand)
+    assert first(finder(), "foot", near) is None
+    assert first(finder(), "leg", near) is None
+
+
+def test_the_repository_around_a_workspace_counts(tmp_path: Path) -> None:
+    """Whether somebody has built it, which leaves marks, makes no difference."""
+    add_file(tmp_path / ".git" / "HEAD")
+    near = add_package(tmp_path / "ws" / "src" / "arm", "arm") / "arm.urdf"
+    assert root(near) == (str(tmp_path), ".git")
+    add_file(tmp_path / "ws" / "log" / "COLCON_IGNORE")
+    assert root(near) == (str(tmp_path), ".git")
+
+
+def test_an_archive_has_the_files_of_its_top(tmp_path: Path) -> None:
+    near = add_package(tmp_path / "robot" / "parts" / "arm", "arm") / "arm.urdf"
+    add_file(near.parent / "LICENSE")
+    add_file(tmp_path / "robot" / "LICENSE.txt")
+    hand = add_package(tmp_path / "robot" / "hand", "hand")
+    add_package(tmp_path / "foot", "foot")
+    assert root(near) == (str(tmp_path / "robot"), "LICENSE.txt")
+    assert first(finder(), "hand", near) == str(hand)
+    assert first(finder(), "foot", near) is None
+
+
+def test_packages_alone_in_a_folder_are_of_one_repository(tmp_path: Path) -> None:
+    near = add_package(tmp_path / "arm", "arm") / "urdf" / "arm.urdf"
+    hand = add_package(tmp_path / "hand", "hand")
+    assert first(finder(), "hand", near) == str(hand)
+    assert root(near) == (str(tmp_path / "arm"), "")  # and nothing else is edited
+
+
+@pytest.mark.parametrize("other", ["repository/foot/package.xml", "hand/.git/HEAD"])
+def test_a_folder_of_repositories_is_none(tmp_path: Path, other: str) -> None:
+    near = add_package(tmp_path / "arm", "arm") / "urdf" / "arm.urdf"
+    add_package(tmp_path / "hand", "hand")
+    add_file(tmp_path / other, b"<package><name>foot</name></package>")
+    assert first(finder(), "hand", near) is None
+    assert finder().known(str(near)) == {"arm": str(tmp_path / "arm")}
+
+
+def test_where_nothing_is_known_the_search_ends_at_the_folder(tmp_path: Path) -> None:
+    near = add_file(tmp_path / "robots" / "arm.urdf")
+    add_package(tmp_path / "hand", "hand")
+    foot = add_package(tmp_path / "robots" / "foot", "foot")
+    assert first(finder(), "hand", near) is None
+    assert first(finder(), "foot", near) == str(foot)
+    assert root(near) == (str(tmp_path / "robots"), "")
 
 
 def test_the_nearest_of_two_packages_of_a_name(tmp_path: Path) -> None:
+    add_file(tmp_path / ".git" / "HEAD")
     near = add_package(tmp_path / "ros2" / "arm", "arm") / "arm.urdf"
     add_package(tmp_path / "ros1" / "hand", "hand")
     hand = add_package(tmp_path / "ros2" / "hand", "hand")
@@ -178,13 +260,14 @@ def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.Monkey
     add_package(tmp_path / "private", "private")
     packages = finder()
     assert first(packages, "private", near) is None
-    assert packages.levels(str(near)) == ()
+    assert packages.levels(str(near)) == (Level(str(near.parent), True),)
     assert packages.workspace(str(near)) == str(near.parent)
     for name in ("tmp", "home", "etc", "usr"):
         assert first(packages, name, near) is None
 
 
 def test_a_folder_of_that_name_is_uncertain(tmp_path: Path) -> None:
+    add_file(tmp_path / "LICENSE")
     near = add_file(tmp_path / "icub" / "robots" / "v2" / "model.urdf")
     beside = add_file(tmp_path / "icub" / "meshes_pack" / "arm.stl").parent
     packages = finder()
@@ -217,7 +300,6 @@ def test_what_was_searched_is_told(tmp_path: Path) -> None:
         "ROS_PACKAGE_PATH (not set)",
         f"{tmp_path / 'repo' / 'arm'} (1 package)",
         f"{tmp_path / 'repo'} (1 package)",
-        f"{tmp_path} (1 package)",
     )
 
 

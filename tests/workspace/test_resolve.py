@@ -172,6 +172,7 @@ def test_the_folder_with_the_file_among_folders_of_that_name(tmp_path: Path) -> 
 
 
 def test_a_build_may_install_the_folder_around_the_file_as_the_package(tmp_path: Path) -> None:
+    add_file(tmp_path / "LICENSE")
     manual = add_package(tmp_path / "robot_manual", "robot")
     kept = add_file(manual / "meshes" / "kept.stl")
     add_file(manual / "meshes" / "both.stl")

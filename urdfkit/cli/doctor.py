@@ -146,13 +146,24 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
 
 
 def _packages(path: str, resolver: Resolver) -> Iterator[str]:
-    workspace = resolver.packages.workspace(path)
-    known = {**resolver.packages.known(path), **resolver.packages.explicit}
-    inside = {name: at for name, at in known.items() if at.startswith(workspace)}
-    yield f"  workspace: {shown(workspace)}"
-    yield from (f"  package {name}: {shown(folder)}" for name, folder in sorted(inside.items()))
-    if len(known) > len(inside):
-        yield f"  and {len(known) - len(inside)} packages around it"
+    """Where packages come from: the root of the search and what decided it, and other sources."""
+    packages = resolver.packages
+    root = packages.root(path)
+    known = packages.known(path)
+    why = f"because of {root.mark}" if root.mark else "no .git, workspace or licence around it"
+    yield f"  packages are searched in {shown(root.folder)} ({why})"
+    beside = [level.root for level in packages.levels(path) if not level.inside]
+    yield from (f"    and next to it, in {shown(folder)}" for folder in beside)
+    for name, folder in sorted(known.items()):
+        if name not in packages.explicit:
+            yield f"    package {name}: {shown(folder)}"
+    for name, folder in sorted(packages.explicit.items()):
+        yield f"    package {name}: {shown(folder)} (given)"
+    for variable, folders in (
+        ("AMENT_PREFIX_PATH", packages.prefixes),
+        ("ROS_PACKAGE_PATH", packages.ros1_paths),
+    ):
+        yield from (f"    and in {variable}: {shown(folder)}" for folder in folders)
 
 
 def _targets(subject: Subject, given: Targets | None) -> Iterator[str]:

@@ -29,7 +29,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     package = resolver.packages.enclosing(robot)
     top = package[1] if package else folder
     folders = dict.fromkeys((folder, *(os.path.join(top, name) for name in ("config", "srdf"))))
-    for moveit in _moveit_packages(package, resolver):
+    for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         if package and setup.is_for(robot, package) and not setup.has_arguments:
             folders.update(dict.fromkeys(_folders(moveit, setup)))
@@ -48,7 +48,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     """
     package = resolver.packages.enclosing(robot)
     folders: dict[str, None] = {}
-    for moveit in _moveit_packages(package, resolver):
+    for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         is_for = package is not None and setup.is_for(robot, package)
         if not setup.urdf or (is_for and setup.has_arguments):
@@ -70,12 +70,15 @@ def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
                 yield os.path.join(place, name)
 
 
-def _moveit_packages(package: tuple[str, str] | None, resolver: Resolver) -> Iterator[str]:
-    """The MoveIt packages beside a package, and those in a folder of them."""
+def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
+    """The MoveIt packages beside that of a robot, and those in a folder of them."""
+    package = resolver.packages.enclosing(robot)
     around = os.path.dirname(package[1]) if package else ""
-    for name in resolver.folders.entries(around) or () if around else ():
+    if package is None or not resolver.packages.searches(around, robot):
+        return  # what lies there is of another repository
+    for name in resolver.folders.entries(around) or ():
         folder = os.path.join(around, name)
-        if "moveit" not in name or package is None or folder == package[1]:
+        if "moveit" not in name or folder == package[1]:
             continue
         entries = resolver.folders.entries(folder) or {}
         if "package.xml" in entries:

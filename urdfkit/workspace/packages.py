@@ -1,4 +1,19 @@
-"""Finding ROS packages without ROS."""
+"""Finding ROS packages without ROS.
+
+The search ends at the root of the repository or workspace, so that a clone next to it changes
+nothing. Going up from the package of a file, the root is
+
+1. the outermost folder of a workspace: one named ``src``, with ``.catkin_workspace`` or
+   ``.catkin_tools``, or where colcon put its ``build``, ``install`` or ``log``;
+2. widened to, or without a workspace simply, the nearest folder with ``.git``; from a submodule
+   on to the repository that has it;
+3. else, as in an archive that was unpacked, the outermost folder, not itself a package, with a
+   file that belongs to the top of a repository: ``LICENSE``, ``.gitignore``, ``urdfkit.toml``...;
+4. else nothing is known, and it is the package (or the file's own folder). The packages next to it
+   count if their folder holds packages only, and no repository.
+
+Home and the folders that hold the things of many (``/tmp``, ``/opt``) are never in it.
+"""
 
 from __future__ import annotations
 
@@ -15,13 +30,19 @@ from urdfkit.workspace.peek import peek
 #: A scan stops here and says so. Real workspaces have some thousand folders.
 MAX_FOLDERS = 20_000
 MAX_SECONDS = 2.0
-#: Depth of a scan inside a repository or workspace, and of one among its neighbours.
+#: Depth of a scan inside a repository or workspace, and of one outside of it.
 DEPTH_INSIDE = 12
 DEPTH_OUTSIDE = 4
-#: How far above the package of a file its neighbours are looked for where nothing marks a
-#: repository, and how far above a repository.
-LEVELS_WITHOUT_REPOSITORY = 3
-LEVELS_ABOVE_REPOSITORY = 1
+#: Depth at which a folder next to a package shows that it holds packages of its own.
+DEPTH_OF_REPOSITORIES = 2
+
+_CATKIN = (".catkin_workspace", ".catkin_tools")
+_COLCON = ("install", "build", "log")
+#: What lies at the top of a repository, also where an archive left out ``.git``.
+_AT_THE_TOP = re.compile(
+    r"(?i)(?:licen[sc]e|copying)(?:[.-].*)?|\.git(?:hub|ignore|attributes|modules|lab-ci\.yml)"
+    r"|\.travis\.yml|\.pre-commit-config\.yaml|urdfkit\.toml|pyproject\.toml"
+)
 
 _NOT_SOURCES = frozenset("build devel install log node_modules __pycache__ site-packages".split())
 _SHARED_BY_ALL = frozenset(
@@ -58,6 +79,18 @@ class Level(Record):
     inside: bool
 
 
+class Root(Record):
+    """The folder at which the search for packages ends.
+
+    Attributes:
+        folder: of the repository or workspace; of the package, or the file, if nothing marks one.
+        mark: the name in it that decided, such as ``.git``; empty if nothing did.
+    """
+
+    folder: str
+    mark: str
+
+
 class Packages:
     """Finds packages; everything is read once.
 
@@ -76,6 +109,7 @@ class Packages:
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
         self._too_wide = _too_wide(environment)
         self._names: dict[str, str | None] = {}
+        self._roots: dict[str, Root] = {}
         self._levels: dict[str, tuple[Level, ...]] = {}
         self._scans: dict[Level, _Scan] = {}
         self._searched: dict[str, tuple[str, ...]] = {}
@@ -105,7 +139,7 @@ class Packages:
         for folder in self._in_environment(name):
             yield Candidate(folder, trusted=True)
         # A build may install this folder under its name, whatever package.xml lies elsewhere.
-        yield from (Candidate(at, certain=False) for at in self._named(name, start))
+        yield from (Candidate(at, certain=False) for at in self._named(name, near))
         for level in self.levels(near):
             found = self._scan(level).find(name)
             if found:
@@ -153,16 +187,19 @@ class Packages:
         return None
 
     def workspace(self, near: str) -> str:
-        """The folder that a file belongs to.
+        """The folder that a file belongs to: its repository or workspace, package or folder."""
+        return self.root(near).folder
 
-        The outermost repository or workspace around it, else its package, else its own folder.
-        """
+    def root(self, near: str) -> Root:
+        """Where the search for packages that a file refers to ends, and what says so."""
         start = self.folder_of(near)
-        inside = [level.root for level in self.levels(near) if level.inside]
-        if inside:
-            return inside[-1]
-        package = self.enclosing(near)
-        return package[1] if package else start
+        if start not in self._roots:
+            self._roots[start] = self._find_root(start)
+        return self._roots[start]
+
+    def searches(self, folder: str, near: str) -> bool:
+        """True if the packages in a folder are looked for on behalf of a file."""
+        return any(_is_within(folder, level.root) for level in self.levels(near))
 
     def levels(self, near: str) -> tuple[Level, ...]:
         """What is scanned for packages that a file refers to, from the inside out."""
@@ -191,28 +228,63 @@ class Packages:
         return self._names[folder]
 
     def _find_levels(self, start: str) -> tuple[Level, ...]:
+        above = self._above(start)
+        root = self.root(os.path.join(start, "x"))
+        inside = [Level(folder, True) for folder in above if _is_within(folder, root.folder)]
+        parent = os.path.dirname(root.folder)
+        if root.mark or parent not in above or not self._holds_packages_only(parent):
+            return tuple(inside)
+        return (*inside, Level(parent, False))
+
+    def _above(self, start: str) -> list[str]:
+        """The package around a folder, else the folder, and what is above that may be a root."""
         package = self.enclosing(os.path.join(start, "x"))
         base = package[1] if package else start
-        above = [folder for folder in _upwards(base) if folder not in self._too_wide]
-        limit = workspace = -1
-        for number, folder in enumerate(above):
-            if os.path.basename(folder) == "src" and folder != base:
-                limit, workspace = number, number
-            elif os.path.exists(os.path.join(folder, ".git")):
-                limit = number
-        inside = above[: limit + 1]
-        if limit < 0:
-            # The package itself is no level: what is nested in it is found from its parent.
-            levels = LEVELS_WITHOUT_REPOSITORY + (0 if package else 1)
-            outside = above[1 if package else 0 :][:levels]
-        elif limit == workspace:
-            outside = []
-        else:
-            outside = above[limit + 1 :][:LEVELS_ABOVE_REPOSITORY]
-        return (
-            *(Level(folder, True) for folder in inside),
-            *(Level(folder, False) for folder in outside),
-        )
+        return [folder for folder in _upwards(base) if folder not in self._too_wide]
+
+    def _find_root(self, start: str) -> Root:
+        above = self._above(start)
+        root = None
+        is_closed = False  # a repository ends the search, but for a workspace around it
+        for folder in above:
+            mark = self._mark_of_workspace(folder, above)
+            if mark:
+                root, is_closed = Root(folder, mark), False
+            elif not is_closed and ".git" in self._names_in(folder):
+                root, is_closed = Root(folder, ".git"), not _is_submodule(folder)
+        return root or self._unpacked(above) or Root(above[0] if above else start, "")
+
+    def _unpacked(self, above: list[str]) -> Root | None:
+        """The root of a repository without its ``.git``, as in an archive."""
+        for folder in reversed(above):
+            names = () if self.name_of(folder) else self._names_in(folder)
+            mark = next(filter(_AT_THE_TOP.fullmatch, sorted(names)), "")
+            if mark:
+                return Root(folder, mark)
+        return None
+
+    def _mark_of_workspace(self, folder: str, above: list[str]) -> str:
+        """What makes a folder a workspace of catkin or colcon; empty if nothing does."""
+        is_named = os.path.basename(folder) == "src" and folder != above[0]
+        if is_named and os.path.dirname(folder) in above:
+            return "src"
+        names = self._names_in(folder)
+        made = (name for name in _COLCON if names.get(name))
+        ignored = (os.path.join(name, "COLCON_IGNORE") for name in made)
+        catkin = next((name for name in _CATKIN if name in names), "")
+        return catkin or next((path for path in ignored if self.folders.find(folder, path)), "")
+
+    def _holds_packages_only(self, folder: str) -> bool:
+        """True of several packages and no folder of packages: those of one repository."""
+        inside = [os.path.join(folder, n) for n, is_folder in self._names_in(folder).items()
+                  if is_folder and _is_searched(n)]  # fmt: skip
+        others = [at for at in inside if not self.name_of(at)]
+        if len(inside) - len(others) < 2 or any(".git" in self._names_in(at) for at in inside):
+            return False
+        return not any(_Scan(self, at, DEPTH_OF_REPOSITORIES, nested=False).all() for at in others)
+
+    def _names_in(self, folder: str) -> Mapping[str, bool]:
+        return self.folders.entries(folder) or {}
 
     def _scan(self, level: Level) -> _Scan:
         if level not in self._scans:
@@ -235,18 +307,18 @@ class Packages:
             if found:
                 yield found
 
-    def _named(self, name: str, start: str) -> list[str]:
+    def _named(self, name: str, near: str) -> list[str]:
         """The folders of that name around a file, the innermost first."""
         return [
             folder
-            for folder in _upwards(start)
+            for folder in _upwards(self.folder_of(near))
             if name and os.path.basename(folder) == name and folder not in self._too_wide
+            if not self.root(near).mark or self.searches(folder, near)
         ]
 
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
         """Folders of that name beside those above a file."""
-        start = self.folder_of(near)
-        above = [folder for folder in _upwards(start) if folder not in self._too_wide]
+        above = [at for at in _upwards(self.folder_of(near)) if self.searches(at, near)]
         for folder in above:
             beside = os.path.join(folder, name)
             if beside not in above and os.path.isdir(beside):
@@ -307,7 +379,7 @@ class _Scan:
         if depth >= self._depth:
             return
         for entry in sorted(entries):
-            if entries[entry] and entry[0] != "." and entry not in _NOT_SOURCES:
+            if entries[entry] and _is_searched(entry):
                 path = os.path.join(folder, entry)
                 if not self._in_a_circle(path):
                     self._queue.append((path, depth + 1))
@@ -321,6 +393,20 @@ class _Scan:
             return True
         self._linked.add(real)
         return False
+
+
+def _is_searched(name: str) -> bool:
+    """False of hidden folders, and of those that a build makes."""
+    return name[0] != "." and name not in _NOT_SOURCES
+
+
+def _is_submodule(folder: str) -> bool:
+    """True if the ``.git`` of a folder says that another repository has it."""
+    return b"/modules/" in peek(os.path.join(folder, ".git"), 4096)
+
+
+def _is_within(path: str, folder: str) -> bool:
+    return os.path.join(path, "").startswith(os.path.join(folder, ""))
 
 
 def _package_name(folder: str) -> str | None:
