@@ -172,6 +172,9 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
         told |= _told_of_robot(subject, chosen)
         waiting |= _silent_about_robot(subject, chosen)
         silent |= _silent_families(subject)
+        if "SRD" not in silent and subject.other_variant:
+            silent.add("SRD")  # what else it names is not of this robot either
+            told.add("SRD025")
     return [
         rules.get(code)
         for code in chosen

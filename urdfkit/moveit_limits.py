@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.model import number
-from urdfkit.placed_yaml import Value, load
+from urdfkit.placed_yaml import Key, Value, load
 from urdfkit.record import Record
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ class PlannedLimit(Record):
 
     Attributes:
         joint: its name.
-        at: a value of it, for its place.
+        at: where its name stands.
         values: by name, such as ``max_velocity``.
     """
 
@@ -63,8 +63,8 @@ def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:
     for name, entry in limits.items() if isinstance(limits, dict) else ():
         values = entry.items() if isinstance(entry, dict) else ()
         given = {key: value for key, value in values if isinstance(value, Value)}
-        if given:
-            yield PlannedLimit(name, next(iter(given.values())), given)
+        if given and isinstance(name, Key):
+            yield PlannedLimit(name, name.at, given)
 
 
 def _find(subject: Subject) -> str | None:

@@ -90,6 +90,18 @@ class Srdf:
             yield from _named("joint", passive, "name")
 
     @cached_property
+    def named(self) -> set[str]:
+        """The links and joints that are named anywhere, the collision matrix included."""
+        pairs = (*self.root.all("disable_collisions"), *self.root.all("enable_collisions"))
+        names = {name.value for kind, name in self.references() if kind != "group"}
+        return names.union(*map(pair_of, pairs)) - {""}
+
+    @cached_property
+    def unknown(self) -> set[str]:
+        """Those of them that the robot does not have."""
+        return self.named - self.known("link") - self.known("joint")
+
+    @cached_property
     def speaks_of_robot(self) -> bool:
         """True if the robot has at least half of the links and joints that are named."""
         named = [(kind, name.value) for kind, name in self.references() if kind != "group"]

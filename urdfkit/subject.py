@@ -302,6 +302,15 @@ class Subject:
         return find(self.source.path, self.tree, self.resolver, trust=self.trust)
 
     @cached_property
+    def other_variant(self) -> str:
+        """What is wrong if the SRDF is for another variant of the robot; empty if it is not."""
+        if self.srdf is None:
+            return ""
+        from urdfkit.srdf_variant import other_variant
+
+        return other_variant(self, self.srdf)
+
+    @cached_property
     def launch(self) -> Launch:
         """What the launch file needs.
 

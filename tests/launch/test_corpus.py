@@ -22,10 +22,6 @@ FOUND: dict[str, dict[str, int]] = {
     "gazebo_ros_demos/rrbot_description/launch/rrbot_rviz.launch": {"LAU003": 1},
     "husky/husky_gazebo/launch/multi_husky_playpen.launch": {"LAU007": 3},
     "nao_robot/nao_description/launch/display.launch": {"LAU003": 1},
-    "urdf_sim_tutorial/launch/09-joints.launch": {"LAU003": 1},
-    "urdf_sim_tutorial/launch/10-head.launch": {"LAU003": 1},
-    "urdf_sim_tutorial/launch/12-gripper.launch": {"LAU003": 1},
-    "urdf_sim_tutorial/launch/13-diffdrive.launch": {"LAU003": 1},
     "urdf_tutorial/launch/display.launch": {"LAU003": 1},
 }
 

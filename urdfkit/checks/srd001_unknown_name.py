@@ -63,7 +63,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
             hint = Speller(known, _LIKE).hint(attribute.value)
             message = f"there is no {kind} '{attribute.value}'{hint}"
-            yield Finding(attribute, message, fix=_fix(attribute, known))
+            fix = _fix(attribute, known)
+            yield Finding(attribute, message, fix=fix, alike=attribute.value if fix else kind)
 
 
 def _is_free_flyer(attribute: Attribute) -> bool:

@@ -70,7 +70,9 @@ def check(subject: Subject) -> Iterator[Finding]:
             if attribute is not None and attribute.value not in links:
                 hint = Speller(links, _LIKE).hint(attribute.value)
                 message = f"there is no link '{attribute.value}'{hint}"
-                yield Finding(attribute, message, fix=_fix(attribute, links))
+                fix = _fix(attribute, links)
+                alike = attribute.value if fix else "link"
+                yield Finding(attribute, message, fix=fix, alike=alike)
 
 
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:

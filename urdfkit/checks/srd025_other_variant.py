@@ -1,0 +1,48 @@
+"""The SRDF is made for another variant of the robot.
+
+Much of what it names is in another robot of the package, or differs by a prefix: one SRDF serves
+the complete robot, and this is its arm alone, or it was started with `prefix:=left_`. MoveIt does not
+load the two together. The other rules about the SRDF are silent, for nothing in it is wrong.
+
+Sources:
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Severity
+from urdfkit.rules import Finding, Need, rule
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<link name="left_base"/>
+<link name="left_arm"/>
+<joint name="left_shoulder" type="continuous">
+  <parent link="left_base"/>
+  <child link="left_arm"/>
+</joint>"""
+GOOD = BAD.replace("left_", "")
+FILES = {
+    "example.srdf": b"""<robot name="example">
+  <group name="arm"><joint name="shoulder"/></group>
+  <disable_collisions link1="base" link2="arm" reason="Adjacent"/>
+</robot>
+"""
+}
+
+
+@rule(
+    "SRD025",
+    "other-variant",
+    Severity.INFO,
+    needs=(Need.MODEL, Need.SRDF),
+    help="check the variant that the SRDF is for, or generate an SRDF for this one",
+)
+def check(subject: Subject) -> Iterator[Finding]:
+    if subject.srdf is not None and subject.other_variant:
+        yield Finding(subject.srdf.root, subject.other_variant)
