@@ -30,6 +30,7 @@ def told(
         text: of it; what stands in ``<launch>``, or the program.
         files: further ones, by path.
     """
+    folder.mkdir(exist_ok=True)
     (folder / "package.xml").write_text(MANIFEST)
     (folder / "launch").mkdir(exist_ok=True)
     for path, content in (files or {}).items():

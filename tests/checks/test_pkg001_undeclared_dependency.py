@@ -28,7 +28,7 @@ def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
     (found,) = told(tmp_path, HAND)
     manifest = tmp_path / "arm" / "package.xml"
     assert found.message == f"package 'hand' is used, and {manifest} does not declare it"
-    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
     assert (found.span.line, found.span.text) == (3, "$(find hand)/hand.xacro")
 
 
@@ -63,3 +63,38 @@ def test_the_fix_stands_behind_dependencies_of_its_kind(tmp_path: Path) -> None:
     text = edit.span.source.data.decode()
     place = text.index("<run_depend>urdf</run_depend>") + len("<run_depend>urdf</run_depend>")
     assert (edit.span.start, edit.text) == (place, "\n  <run_depend>hand</run_depend>")
+
+
+def test_the_help_names_the_tag_of_the_format(tmp_path: Path) -> None:
+    (found,) = told(tmp_path, HAND)
+    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
+    assert found.fix is not None
+    assert "<run_depend>" in found.fix.edits[0].text
+    manifest = tmp_path / "arm" / "package.xml"
+    manifest.write_text("<package format='3'><name>arm</name></package>")
+    (found,) = check(tmp_path / "arm" / "arm.xacro", select=["PKG001"]).diagnostics
+    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+
+
+def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
+    """xarm_ros2: its description uses the controller package, which depends on it."""
+    arm = tmp_path / "arm" / "arm.xacro"
+    assert told(tmp_path, HAND)[0].fix is not None
+    hand, palm = tmp_path / "hand" / "package.xml", tmp_path / "palm" / "package.xml"
+    for text in ("<depend>arm</depend>", "<depend>palm</depend>"):
+        palm.parent.mkdir(exist_ok=True)
+        palm.write_text("<package><name>palm</name><depend>arm</depend></package>")
+        hand.write_text(f"<package><name>hand</name>{text}</package>")
+        (found,) = check(arm, select=["PKG001"]).diagnostics
+        assert found.fix is None
+        assert found.help == (
+            "'hand' depends on 'arm', and the reverse would be a cycle: "
+            "move the file to one of the two"
+        )
+
+
+def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
+    told(tmp_path, HAND)
+    (tmp_path / "hand" / "hand.xacro").write_text("<robot>$(find arm)/x</robot>")
+    (found,) = check(tmp_path / "arm" / "arm.xacro", select=["PKG001"]).diagnostics
+    assert found.fix is None

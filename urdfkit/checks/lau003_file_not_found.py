@@ -1,7 +1,8 @@
 """A launch file names a file that does not exist.
 
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
-file stops the launch. What the build of a package may make is not reported.
+file stops the launch. What the build of a package may make is not reported, nor an absolute path
+outside of the repository or workspace, such as `/etc/clearpath`: the computer of the robot has it.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -35,13 +36,16 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:
-        if not file.exists and not _may_be_made(subject, file.path):
+        if not file.exists and not _may_come_from_elsewhere(subject, file.path):
             meant = nearest_file(file.path)
             hint = f"there is '{meant}' beside it" if meant else ""
             yield Finding(Written(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
 
 
-def _may_be_made(subject: Subject, path: str) -> bool:
-    """True if a build may make a file, or put it there from elsewhere."""
-    home = subject.resolver.packages.enclosing(path)
-    return home is not None and Shipping(home[1], home[0]).makes_files
+def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
+    """True if a build may make a file, or the computer of the robot has it: ``/etc/clearpath``."""
+    packages = subject.resolver.packages
+    home = packages.enclosing(path)
+    if home is None:
+        return not packages.searches(path, subject.source.path)
+    return Shipping(home[1], home[0]).makes_files

@@ -1,7 +1,8 @@
 """A launch file uses a package that its own `package.xml` does not declare.
 
 It works on the machine where that package happens to be. Elsewhere rosdep does not install it, and
-launch stops: "package not found". Packages that come with ROS are not reported.
+launch stops: "package not found". Packages that come with ROS are not reported, nor those whose
+declaration would make a cycle of packages.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -14,7 +15,7 @@ from collections.abc import Iterator
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, Need, Written, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
@@ -36,15 +37,19 @@ def check(subject: Subject) -> Iterator[Finding]:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return
+    tag = manifest.dependency_tag
     told = {manifest.package, *manifest.dependencies}
     for package in subject.launch.packages:
         is_own = package.span.source.path == subject.source.path
         if package.searched is not None or package.name in told or not is_own:
             continue  # LAU002, and what included files of other packages use
-        if not comes_with_ros(package.name):
+        if comes_with_ros(package.name):
+            continue
+        near = subject.source.path
+        if not depends_on(package.name, manifest.package, near, subject.resolver):
             yield Finding(
                 Written(package.span),
                 f"package '{package.name}' is used, and {manifest.path} does not declare it",
-                f"add <exec_depend>{package.name}</exec_depend> to package.xml",
+                f"add <{tag}>{package.name}</{tag}> to package.xml",
                 alike="undeclared",
             )

@@ -19,7 +19,7 @@ from urdfkit.meshes.samples import PLATE
 from urdfkit.reading import read_xml
 from urdfkit.rules import Finding, Written, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.mentions import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -50,6 +50,9 @@ FIXED_FILES = {
     b"<run_depend>bot_meshes</run_depend></package>",
 }
 
+#: colcon and catkin refuse a workspace whose packages depend on one another in a circle.
+_CYCLE = "'{}' depends on '{}', and the reverse would be a cycle: move the file to one of the two"
+
 
 @rule("PKG001", "undeclared-dependency", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
@@ -63,23 +66,25 @@ def check(subject: Subject) -> Iterator[Finding]:
         if name in told or comes_with_ros(name):
             continue
         told.add(name)
-        if _is_found(subject.resolver, name, mention.span.source.path):
-            yield Finding(
-                Written(mention.span),
-                f"package '{name}' is used, and {manifest.path} does not declare it",
-                f"add <exec_depend>{name}</exec_depend> to package.xml",
-                _fix(subject.resolver.read(manifest.path), name),
-                alike="undeclared",
-            )
+        near = mention.span.source.path
+        if not _is_found(subject.resolver, name, near):
+            continue
+        message = f"package '{name}' is used, and {manifest.path} does not declare it"
+        if depends_on(name, manifest.package, near, subject.resolver):
+            yield Finding(Written(mention.span), message, _CYCLE.format(name, manifest.package))
+            continue
+        tag = manifest.dependency_tag
+        help_ = f"add <{tag}>{name}</{tag}> to package.xml"
+        fix = _fix(subject.resolver.read(manifest.path), name, tag)
+        yield Finding(Written(mention.span), message, help_, fix, alike="undeclared")
 
 
-def _fix(source: Source, name: str) -> Fix | None:
+def _fix(source: Source, name: str, tag: str) -> Fix | None:
     """The dependency behind the last of its kind, else of any, or at the end of the package."""
     root = read_xml(source)[0]
     if root is None or root.root.tag != "package":
         return None
     package = root.root
-    tag = "exec_depend" if package.get("format") in ("2", "3") else "run_depend"
     line = f"<{tag}>{name}</{tag}>"
     others = [child for child in package.children if child.tag.endswith("depend")]
     others = [child for child in others if child.tag == tag] or others

@@ -5,13 +5,19 @@ from __future__ import annotations
 import os
 import re
 
+from urdfkit.errors import PackageNotFound
 from urdfkit.record import Record
+from urdfkit.workspace.peek import peek
 from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
+#: Folders of a package that are searched for descriptions.
+MAX_FOLDERS = 200
 
 _COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_USE = rb"(?:package://|\$\(find )\s*([\w-]+)"
 _DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
+_FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
 
@@ -50,6 +56,12 @@ class Manifest(Record):
         return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, self.data))
 
     @property
+    def dependency_tag(self) -> str:
+        """What its format calls a dependency that is needed to run."""
+        number = re.search(_FORMAT, self.data)
+        return "exec_depend" if number and number.group(1) in (b"2", b"3") else "run_depend"
+
+    @property
     def ros(self) -> int | None:
         """1 or 2 by the build system; None if it does not tell."""
         build = re.search(_BUILD, self.data)
@@ -71,6 +83,44 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
         except OSError:
             return None  # a rosbuild package
     return Manifest(file, name, re.sub(_COMMENT, b"", data))
+
+
+def depends_on(name: str, other: str, near: str, resolver: Resolver) -> bool:
+    """True if a package needs another one, perhaps by way of more: the reverse makes a cycle.
+
+    What its descriptions use counts, declared or not.
+
+    Args:
+        name: of the package.
+        other: name of the one that it may need.
+        near: path of a file from which packages are searched.
+        resolver: finds packages.
+    """
+    seen = {name}
+    waiting = [name]
+    for one in waiting:  # grows while it is walked
+        needed = _needs(one, near, resolver)
+        if other in needed:
+            return True
+        waiting += sorted(needed - seen)
+        seen |= needed
+    return False
+
+
+def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
+    """The packages that one declares or uses; none of what is installed or not there."""
+    try:
+        folder = resolver.package(name, near)
+    except PackageNotFound:
+        return frozenset()
+    manifest = manifest_of(resolver, os.path.join(folder, "package.xml"))
+    if manifest is None or not resolver.packages.searches(folder, near):
+        return frozenset()
+    files = resolver.folders.files_below(folder, MAX_FOLDERS)
+    texts = (peek(path, MAX_BYTES) for path in files if path.endswith((".urdf", ".xacro")))
+    plain = (re.sub(_COMMENT, b"", text) for text in texts)
+    used = {found.decode() for text in plain for found in re.findall(_USE, text)}
+    return manifest.dependencies.union(used) - {name}
 
 
 def known_tags(number: str | None) -> frozenset[str]:

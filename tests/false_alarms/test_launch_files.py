@@ -1,0 +1,26 @@
+"""Launch files that are right: what the computer of the robot has is not in the repository."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import told
+
+
+@pytest.mark.parametrize("mark", ["", ".git/HEAD"])
+def test_absolute_paths_outside_of_the_repository(tmp_path: Path, mark: str) -> None:
+    """Clearpath's robots keep their description in /etc/clearpath."""
+    files = {mark: ""} if mark else {}
+    text = '<rosparam file="/etc/clearpath/robot.yaml"/>'
+    assert told(tmp_path / "arm", "LAU003", "a.launch", text, files) == []
+    program = (
+        "import launch, launch_ros.actions\n"
+        "def generate_launch_description():\n"
+        "    return launch.LaunchDescription([launch_ros.actions.Node(package='p', "
+        "executable='e', parameters=['/etc/clearpath/platform/config/control.yaml'])])\n"
+    )
+    assert told(tmp_path / "arm", "LAU003", "a.launch.py", program, files) == []
+    inside = f'<rosparam file="{tmp_path}/arm/config/robot.yaml"/>'
+    assert len(told(tmp_path / "arm", "LAU003", "a.launch", inside, files)) == 1
