@@ -31,6 +31,12 @@ CODE = {
     "the module of a function": "${sin.__self__}",
     "the object of a method": "${[].append.__self__}",
     "a format that reads attributes": "${'%s'.format}",
+    "a format whose field looks into its value": "${t0.format(1)}",
+    "a format whose field has an item": "${t1.format('a')}",
+    "a format of anything but texts and numbers": "${t2.format(sin)}",
+    "a format whose width is a field": "${t3.format(1, 10**9)}",
+    "a format of great width": "${t4.format(1)}",
+    "a format of a type": "${str.format(t2, 1)}",
     "a format with a table": "${'a'.format_map(dict(a=1))}",
     "an operator's method": "${(1).__add__(2)}",
     "the tables of xacro": "${xacro.parent}",
@@ -46,9 +52,29 @@ CODE = {
 
 @pytest.mark.parametrize("what", CODE)
 def test_no_way_leads_from_a_value_to_the_interpreter(what: str, workspace: Path) -> None:
-    xacro = run(workspace, f'<a b="{CODE[what]}"/>')
+    formats = ("{0.real}", "{0[0]}", "{}", "{:{}}", "{:99999}")
+    templates = (
+        f'<xacro:property name="t{number}" value="{text}"/>' for number, text in enumerate(formats)
+    )
+    xacro = run(workspace, f'{"".join(templates)}<a b="{CODE[what]}"/>')
     assert [problem.code for problem in xacro.problems] == ["XAC009"]
     assert xacro.document is None
+
+
+def test_a_format_of_texts_and_numbers(workspace: Path) -> None:
+    """A `}` ends an expression of xacro, so that the fields stand in a property."""
+    body = (
+        '<xacro:property name="t" value="{0}_{side}_{1:04.1f}_{0!r:>5}"/>'
+        "<a b=\"${t.format('arm', 2.25, side='left')}\" c=\"${'plain'.format()}\"/>"
+    )
+    xacro = run(workspace, body)
+    assert xacro.problems == ()
+    assert 'b="arm_left_02.2_\'arm\'" c="plain"' in xacro.text()
+    (problem,) = run(
+        workspace, '<xacro:property name="t" value="{0.real}"/><a b="${t.format(1)}"/>'
+    ).problems
+    assert problem.code == "XAC009"
+    assert "the field '{0.real}' of format() is not allowed" in problem.message
 
 
 EVALUATED = [

@@ -38,7 +38,7 @@ GOOD = """\
 @rule(
     "XAC020",
     "argument-above-default",
-    Severity.WARNING,
+    Severity.ERROR,
     needs=(),
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )

@@ -114,6 +114,7 @@ class Fence:
         self._budget = budget
         self.guards: dict[str, Callable[..., Any]] = {
             "fence attribute": self.attribute,
+            "fence format": self.format,
             "fence call": self.call,
             "fence keep": self.keep,
             "fence hashed": lambda values: _hashed(values)[0],
@@ -173,6 +174,12 @@ class Fence:
                 return found
         kind = type(value).__name__
         raise UnsafeExpression(f"attribute '{name}' of a {kind} is not allowed in expressions")
+
+    def format(self, value: Any) -> Any:
+        """The attribute ``format`` of a value where it is called: of a text, within bounds."""
+        return (
+            partial(_format, value) if isinstance(value, str) else self.attribute(value, "format")
+        )
 
     def call(self, function: Any, /, *arguments: Any, **keywords: Any) -> Any:
         """The value of a call, if it can be had within bounds."""
@@ -242,6 +249,30 @@ class Fence:
         for number in numbers:
             least = self.keep(math.lcm(least, number))
         return least
+
+
+def _format(text: str, /, *arguments: Any, **keywords: Any) -> str:
+    """``'...'.format(...)`` of texts and numbers.
+
+    A field that looks into its value, ``{0.a}`` or ``{0[a]}``, gets from any object to all of
+    Python, past the guards; one whose width is a field itself may be of any size.
+    """
+    import string  # few models format
+
+    values = (*arguments, *keywords.values())
+    for value in values:
+        if value is not None and not isinstance(value, (str, int, float)):
+            raise UnsafeExpression(f"a {type(value).__name__} in format() is not allowed")
+    widest = max((len(value) for value in values if isinstance(value, str)), default=0)
+    count = 0
+    for _, field, spec, _ in string.Formatter().parse(text):
+        count += 1
+        if field and not (field.isidentifier() or field.isdigit()):
+            raise UnsafeExpression(f"the field '{{{field}}}' of format() is not allowed")
+        if spec and re.search(r"[{}]|\d{4,}", spec):
+            raise UnsafeExpression(f"the width '{spec}' in format() is not allowed")
+    _check_length(count * (1000 + 10 * widest))
+    return str.format(text, *arguments, **keywords)
 
 
 def _within_bounds(owner: Any, name: str, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
