@@ -40,6 +40,9 @@ GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
 #: Every Gazebo; they convert URDF to SDF with the same library.
 GAZEBO = (*CLASSIC, *GZ)
 
+#: How the names of packages begin that are for one of the two.
+_CLASSIC_PACKAGES = ("gazebo_ros", "gazebo_plugins")
+_GZ_PACKAGES = ("ros_gz", "ros_ign", "gz_", "ign_")
 _CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
 
 
@@ -84,28 +87,62 @@ def parse(names: Iterable[str]) -> Targets:
 
 def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
     """The targets that a model and the package.xml around it give away, each with the reason."""
+    evidence = list(_evidence(model, manifest))
+    left_out = _contradicted(evidence, manifest)
     found: dict[str, str] = {}
-    for name, reason in _evidence(model, manifest):
-        found.setdefault(name, reason)
+    for one in evidence:
+        if one.target not in left_out:
+            found.setdefault(one.target, one.reason)
     names = tuple(name for name in TARGETS if name in found)
     return Targets(names, tuple(f"{name}: {found[name]}" for name in names))
 
 
-def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[tuple[str, str]]:
+class _Evidence(Record):
+    """A line that gives a target away, and how much that counts."""
+
+    target: str
+    reason: str
+    weight: int = 0
+
+
+#: A plugin of Gazebo is loaded by it; a hardware plugin is a name that the control plugin looks up.
+_PLUGIN, _HARDWARE = 2, 1
+
+
+def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidence]:
     ros = f"ros{manifest.ros}" if manifest and manifest.ros else None
     if ros:
-        yield ros, "package.xml"
+        yield _Evidence(ros, "package.xml")
     if model.ros2_controls:
-        yield "ros2", "<ros2_control>"
+        yield _Evidence("ros2", "<ros2_control>")
     for element in (*model.gazebo, *model.ros2_controls):
         for plugin in element.walk():
             # ros2_control names its hardware plugin in the text
             name = plugin.get("filename") or plugin.text.strip()
-            if plugin.tag == "plugin" and (target := _target_of_plugin(name, plugin, ros)):
-                yield target, f"plugin {name}"
+            if plugin.tag == "plugin" and (target := target_of_plugin(name, plugin, ros)):
+                weight = _PLUGIN if "filename" in plugin.attributes else _HARDWARE
+                yield _Evidence(target, f"plugin {name}", weight)
 
 
-def _target_of_plugin(name: str, plugin: Element, ros: str | None) -> str | None:
+def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple[str, ...]:
+    """Gazebo Classic or gz-sim, if one line speaks for it and more for the other.
+
+    That line is the mistake, which rules tell; it does not make others of what fits the rest.
+    """
+    weights = []
+    lines = []
+    for family, begins in ((CLASSIC, _CLASSIC_PACKAGES), (GZ, _GZ_PACKAGES)):
+        own = {one.reason: one.weight for one in evidence if one.target in family}
+        names = manifest.dependencies if manifest else ()
+        lines.append(len(own))
+        weights.append(sum(own.values()) + any(name.startswith(begins) for name in names))
+    if lines[0] == 1 and weights[0] < weights[1] and lines[1]:
+        return CLASSIC
+    return GZ if lines[1] == 1 and weights[1] < weights[0] and lines[0] else ()
+
+
+def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str | None:
+    """The target that a plugin gives away by its library, in a package of that ROS."""
     if "ignition-gazebo" in name or "ign_ros2_control" in name:
         return "gz-fortress"
     if "gz-sim" in name or "gz_ros2_control" in name:

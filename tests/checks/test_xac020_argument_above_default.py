@@ -1,4 +1,4 @@
-"""XAC020: xacro stops at such a use; here the default counts, and a warning tells it."""
+"""XAC020: xacro stops at such a use; here the default counts, so that the rest is checked."""
 
 from urdfkit import check
 from urdfkit.source import Source
@@ -13,7 +13,7 @@ ROBOT = b"""<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro
 def test_the_first_use_is_told_and_the_rest_is_checked():
     report = check(Source("arm.xacro", ROBOT), select=["XAC", "TRE"])
     (finding,) = report.diagnostics
-    assert finding.code == "XAC020"
+    assert (finding.code, finding.severity.value) == ("XAC020", "error")
     assert (finding.span.line, finding.span.column, finding.span.text) == (1, 14, "$(arg name)")
     assert [related.span.line for related in finding.related] == [2]
     assert report.skipped == ()

@@ -20,7 +20,7 @@ from urdfkit.editing.edits import all_or_none, replace_value
 from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import GAZEBO
+from urdfkit.targets import GAZEBO, target_of_plugin
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
@@ -56,6 +56,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
             continue
+        if subject.targets.evidence and target_of_plugin(use.at.get("filename") or "", use.at):
+            continue  # the robot itself is of two generations: GAZ013
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
         yield Finding(

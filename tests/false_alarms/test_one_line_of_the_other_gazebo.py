@@ -1,0 +1,61 @@
+"""One line of another Gazebo is the mistake: it does not make mistakes of all that is right."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from urdfkit import check
+
+ROBOT = """<robot name="r">
+<link name="base"><inertial><mass value="1"/>
+  <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+<link name="arm"><inertial><mass value="1"/>
+  <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+<joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/>
+  <axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="10" velocity="1"/></joint>
+<ros2_control name="arm" type="system">
+  <hardware><plugin>{hardware}</plugin></hardware>
+  <joint name="shoulder">
+    <command_interface name="position"/><state_interface name="position"/>
+  </joint>
+</ros2_control>
+<gazebo>
+  <plugin name="gz_ros2_control::GazeboSimROS2ControlPlugin" filename="gz_ros2_control-system">
+    <parameters>/x.yaml</parameters>
+  </plugin>
+  {plugins}
+</gazebo>
+<gazebo reference="arm">
+  <sensor name="lidar" type="gpu_lidar"><update_rate>10</update_rate></sensor>
+  <sensor name="gps" type="navsat"><update_rate>10</update_rate></sensor>
+</gazebo>
+</robot>
+"""
+#: What is about the simulators.
+CODES = ["RCT011", "GAZ012", "GAZ013", "GAZ041"]
+
+
+def codes(folder: Path, hardware: str, plugins: str = "") -> list[str]:
+    robot = folder / "r.urdf"
+    robot.write_text(ROBOT.format(hardware=hardware, plugins=plugins))
+    return [one.code for one in check(robot, select=CODES).diagnostics]
+
+
+def test_a_hardware_plugin_of_gazebo_classic(tmp_path: Path) -> None:
+    assert codes(tmp_path, "gazebo_ros2_control/GazeboSystem") == ["RCT011"]
+    assert codes(tmp_path, "gz_ros2_control/GazeboSimSystem") == []
+
+
+def test_a_plugin_of_gazebo_classic_is_told_once(tmp_path: Path) -> None:
+    system = "gz_ros2_control/GazeboSimSystem"
+    old = '<plugin name="p3d" filename="libgazebo_ros_p3d.so"><bodyName>arm</bodyName></plugin>'
+    assert codes(tmp_path, system, old) == ["GAZ013"]
+
+
+def test_a_robot_for_both_is_checked_for_both(tmp_path: Path) -> None:
+    both = (
+        '<plugin name="control" filename="libgazebo_ros2_control.so"/>'
+        '<plugin name="p3d" filename="libgazebo_ros_p3d.so"/>'
+    )
+    found = codes(tmp_path, "gz_ros2_control/GazeboSimSystem", both)
+    assert found.count("GAZ041") == 2
