@@ -65,6 +65,10 @@ class Targets(Record):
         """True if one of some consumers is meant."""
         return any(name in self.names for name in names)
 
+    def are_only(self, *names: str) -> bool:
+        """True if no others than some consumers are meant."""
+        return bool(self.names) and set(self.names) <= set(names)
+
     @property
     def applies_units(self) -> bool:
         """True unless all are known and take the numbers of COLLADA files as metres."""

@@ -3,7 +3,8 @@
 The types are revolute, continuous, prismatic, fixed, floating and planar, in small letters.
 urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio, refuses the whole robot; so does Drake.
 `spherical` is known to PyBullet and MuJoCo alone: elsewhere a ball joint is three revolute joints
-in a row, with links of almost no size between them.
+in a row, with links of almost no size between them. It is not reported where MuJoCo is the only
+target.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -53,6 +54,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for joint in subject.model.joints:
         kind = joint.at.attributes.get("type")
         if kind is None or kind.value in JOINT_TYPES or is_expression(kind.value):
+            continue
+        if kind.value == "spherical" and subject.targets.are_only("mujoco"):
             continue
         meant = nearest(kind.value.strip(), JOINT_TYPES, _LIKENESS)
         yield Finding(

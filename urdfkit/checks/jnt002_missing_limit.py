@@ -3,11 +3,13 @@
 A revolute or prismatic joint needs a `<limit>`, and every `<limit>`, of whatever joint, needs
 `effort` and `velocity`. Without them urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio,
 refuses the whole robot. `lower` and `upper` may be left out and are then 0. A joint that turns
-without end is continuous and needs no `<limit>`.
+without end is continuous and needs no `<limit>`. MuJoCo and Drake take what is missing for no limit:
+where they are the only targets nothing is reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
     urdfdom, joint.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/joint.cpp
+    Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
 
 from __future__ import annotations
@@ -35,6 +37,8 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 @rule("JNT002", "missing-limit", Severity.ERROR)
 def check(subject: Subject) -> Iterator[Finding]:
+    if subject.targets.are_only("mujoco", "drake"):
+        return
     for joint in subject.model.joints:
         units = {"effort": effort_unit(joint), "velocity": f"{unit(joint)}/s"}
         if joint.limit is None:

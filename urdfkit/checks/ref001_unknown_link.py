@@ -2,7 +2,8 @@
 
 Then there is no tree: urdfdom (RViz, MoveIt, Gazebo, Pinocchio), MuJoCo, Drake and PyBullet refuse
 the robot. The name is misspelt, a prefix is missing, or the macro that makes the link was not
-called. `world` is no exception: it needs a `<link name="world"/>` like every other link.
+called. `world` is no exception: it needs a `<link name="world"/>` like every other link, but for
+Drake, which has that link itself.
 
 Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
@@ -51,6 +52,8 @@ def check(subject: Subject) -> Iterator[Finding]:
             element = joint.at.child(role)
             link = element.attributes.get("link") if element else None
             if link is None or link.value in known or is_expression(link.value):
+                continue
+            if link.value == "world" and subject.targets.are_only("drake"):
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return

@@ -3,11 +3,14 @@
 A `<capsule>` then counts as no shape, and urdfdom (RViz, MoveIt, Gazebo, Pinocchio) drops every
 visual and collision of the link; a `quat_xyzw` is passed over, and the part is not turned. Build
 the capsule from a cylinder and two spheres and write `rpy`, which every reader knows, or ask for
-the version, which urdfdom 3 refuses.
+the version, which urdfdom 3 refuses. MuJoCo and Drake read a `<capsule>` of any version, and where
+they are the only targets it is not reported.
 
 Sources:
     ros/urdfdom#238: https://github.com/ros/urdfdom/issues/238
     gazebosim/sdformat#1654: https://github.com/gazebosim/sdformat/issues/1654
+    Drake, geometry of URDF: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_geometry.cc
+    MuJoCo, xml_urdf.cc: https://github.com/google-deepmind/mujoco/blob/main/src/xml/xml_urdf.cc
 """
 
 from __future__ import annotations
@@ -35,6 +38,8 @@ GOOD = BAD.replace("capsule", "cylinder")
 def check(subject: Subject) -> Iterator[Finding]:
     version = version_of(subject.document.root)
     for element, attribute, _, since in subject.deviations.get("URD016", ()):
+        if element.tag == "capsule" and subject.targets.are_only("mujoco", "drake"):
+            continue
         what = f"<{element.tag}>" if attribute is None else attribute.name
         yield Finding(
             attribute or element,
