@@ -22,6 +22,14 @@ if TYPE_CHECKING:
     from urdfkit.source import Source
     from urdfkit.targets import Targets
 
+#: A macro that is not called makes no link: what then says that something is missing is the same
+#: defect again.
+_HIDES_PARTS = "XAC002"
+_OF_HIDDEN_PARTS = frozenset(
+    "COL005 GAZ001 GAZ020 GAZ021 GAZ022 GAZ023 GAZ058 GEO008 INE004 INE019 RCT001 RCT013 RCT029 "
+    "REF001 REF003 REF004 SRD001 SRD003 SRD012 SRD014 SRD025 TRE001 TRE002 XAC005".split()
+)
+
 #: Families of rules that look at the document or the robot in it.
 _OF_THE_DOCUMENT = frozenset("COL URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
 
@@ -131,6 +139,8 @@ class _Run:
 
             sifted = sift(diagnostics, self.subject.ignores)
             diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
+        if any(diagnostic.code == _HIDES_PARTS for diagnostic in diagnostics):
+            diagnostics = tuple(d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
         return Verdict(
             diagnostics,

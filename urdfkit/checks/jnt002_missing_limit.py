@@ -3,8 +3,8 @@
 A revolute or prismatic joint needs a `<limit>`, and every `<limit>`, of whatever joint, needs
 `effort` and `velocity`. Without them urdfdom, and with it RViz, MoveIt, Gazebo and Pinocchio,
 refuses the whole robot. `lower` and `upper` may be left out and are then 0. A joint that turns
-without end is continuous and needs no `<limit>`. MuJoCo and Drake take what is missing for no limit:
-where they are the only targets nothing is reported.
+without end is continuous and needs no `<limit>`. MuJoCo and Drake take what is missing for no
+limit: where they are the only targets nothing is reported.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
