@@ -73,6 +73,12 @@ def deviations(
     return walk.found
 
 
+def calling_macro(element: Element) -> str:
+    """The macro that an element was given to as a block, which inserted it; empty for others."""
+    frame = element.parent.frame if element.parent else None
+    return frame.name if frame and frame.kind == "macro" and element.frame is not frame else ""
+
+
 def owner(element: Element) -> str:
     """The link, joint or material that an element belongs to, such as ``link 'arm'``."""
     while element.parent is not None and element.parent.parent is not None:
@@ -277,6 +283,9 @@ class _Walk:
             self._add("URD012", child)
         else:
             meant = nearest(tag, free, LIKENESS) or ""
+            if not meant and calling_macro(child):
+                # A macro tells its blocks apart by such names, and inserts them as they are called.
+                meant = next((word for word in tag.split("_") if word in free), "")
             code = "URD013" if meant in needed else "URD001"
             self._add(code, child, name=meant, meant=meant)
             return meant if meant in needed else ""

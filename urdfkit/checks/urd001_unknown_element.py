@@ -16,7 +16,7 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Fix, Severity
 from urdfkit.editing.edits import remove_element, rename_element
-from urdfkit.grammar import owner
+from urdfkit.grammar import calling_macro, owner
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -48,17 +48,26 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield Finding(
             element,
             f"{message}; did you mean <{meant}>?" if meant else message,
-            f"rename it to <{meant}>" if meant else "",
+            _help(element, meant),
             _fix(element, meant),
             alike=f"{element.tag} in {element.parent.tag}",
         )
+
+
+def _help(element: Element, meant: str) -> str:
+    macro = calling_macro(element)
+    if not meant:
+        return ""
+    return f"rename it to <{meant}>" + (f" in the call of macro '{macro}'" if macro else "")
 
 
 def _fix(element: Element, meant: str) -> Fix | None:
     """Another name, or nothing in the place of an element that holds nothing."""
     if meant:
         edits = rename_element(element, meant)
-        return Fix.of(f"rename <{element.tag}> to <{meant}>", edits)
+        fix = Fix.of(f"rename <{element.tag}> to <{meant}>", edits)
+        # What was not read as a block may move the robot once it is.
+        return fix._replace(safe=False) if fix and calling_macro(element) else fix
     if element.children or element.text.strip():
         return None  # what somebody wrote there may belong elsewhere
     return Fix(f"remove the <{element.tag}>", remove_element(element))
