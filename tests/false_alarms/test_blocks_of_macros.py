@@ -34,7 +34,7 @@ def test_it_is_renamed_in_the_call(tmp_path: Path) -> None:
     assert found.span.line == 12
     assert found.fix is not None
     assert not found.fix.safe
-    fix(robot, select=["URD001"], unsafe=True)
+    fix(robot, select=["URD001"], unsafe=True).write()
     assert robot.read_text() == ROBOT.replace("<optical_origin ", "<origin ")
 
 

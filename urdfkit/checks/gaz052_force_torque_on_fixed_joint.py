@@ -2,7 +2,8 @@
 
 The joint does not exist in the simulation, and a force-torque sensor or `<provideFeedback>` with
 it: the topic never appears. Keep the joint with `<preserveFixedJoint>true</preserveFixedJoint>` in
-the same `<gazebo reference>`.
+the same `<gazebo reference>`. It is a warning where nothing in the robot reads the forces: no
+topic, no plugin, no sensor of ros2_control.
 
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
@@ -71,7 +72,20 @@ def check(subject: Subject) -> Iterator[Finding]:
                 f"{who} is on joint '{name}', which Gazebo merges",
                 fix=Fix("keep the joint in Gazebo", insert_before(at, (line,))),
                 alike="merged",
+                severity=None if _is_read(subject.model, name, at) else Severity.WARNING,
             )
+
+
+def _is_read(model: RobotModel, name: str, at: Element) -> bool:
+    """True if the sensor has a topic or a plugin, or something else asks for the forces."""
+    if at.tag == "sensor" and (at.child("topic") or at.child("plugin")):
+        return True
+    plugins = [plugin for block in model.gazebo for plugin in block.all("plugin")]
+    if any(value.text.strip() == name for plugin in plugins for value in plugin.children):
+        return True
+    sensors_of_control = [one for block in model.ros2_controls for one in block.all("sensor")]
+    interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
+    return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)
 
 
 def _measuring(model: RobotModel) -> Iterator[tuple[str, Element, str]]:

@@ -1,0 +1,31 @@
+"""GAZ052: that nobody's forces are not measured harms nobody."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.sensing import findings
+
+FEEDBACK = "<provideFeedback>true</provideFeedback>"
+
+
+def severity(inside: str = "", beside: str = "", kind: str = "force_torque") -> str:
+    (found,) = findings("GAZ052", kind, inside, reference="wrist", beside=beside)
+    return found.severity.value
+
+
+def test_a_sensor_without_a_reader_is_a_warning() -> None:
+    assert severity() == "warning"
+    assert severity(kind="imu", beside=FEEDBACK) == "warning"
+
+
+@pytest.mark.parametrize(
+    "inside", ["<topic>force</topic>", '<plugin name="p" filename="libforce.so"/>']
+)
+def test_a_sensor_that_is_read_is_an_error(inside: str) -> None:
+    assert severity(inside) == "error"
+
+
+def test_a_plugin_that_names_the_joint_reads_it() -> None:
+    plugin = '<plugin name="p" filename="libx.so"><jointName>wrist</jointName></plugin>'
+    assert severity(kind="imu", beside=FEEDBACK + plugin) == "error"
