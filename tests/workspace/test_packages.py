@@ -348,3 +348,13 @@ def test_known_packages_and_gazebo_model_paths(tmp_path: Path) -> None:
     near = str(arm / "urdf" / "arm.urdf")
     assert packages.known(near) == {"arm": str(arm), "sim": str(sim)}
     assert list(packages.gazebo_model_paths(near)) == [(str(sim), "/models"), (str(sim), "/../b")]
+
+
+def test_the_package_around_a_clone_is_not_its_own(tmp_path: Path) -> None:
+    outer = add_package(tmp_path / "outer", "outer")
+    near = str(add_file(outer / "third_party" / "arm" / "urdf" / "arm.urdf"))
+    add_file(outer / "third_party" / "arm" / ".git" / "HEAD")
+    packages = finder()
+    assert packages.enclosing(near) is None
+    assert packages.workspace(near) == str(outer / "third_party" / "arm")
+    assert next(packages.candidates("outer", near), None) is None

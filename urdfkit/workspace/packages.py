@@ -135,7 +135,11 @@ class Packages:
         if name in ("", ".", "..") or "/" in name or "\\" in name:
             return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
         start = self.folder_of(near)
-        yield from (Candidate(at) for at in _upwards(start) if self.name_of(at) == name)
+        for at in _upwards(start):
+            if self.name_of(at) == name:
+                yield Candidate(at)
+            if self._is_repository(at):
+                break
         for folder in self._in_environment(name):
             yield Candidate(folder, trusted=True)
         # A build may install this folder under its name, whatever package.xml lies elsewhere.
@@ -184,6 +188,8 @@ class Packages:
             name = self.name_of(folder)
             if name:
                 return name, folder
+            if self._is_repository(folder):
+                return None
         return None
 
     def workspace(self, near: str) -> str:
@@ -251,7 +257,7 @@ class Packages:
             if mark:
                 root, is_closed = Root(folder, mark), False
             elif not is_closed and ".git" in self._names_in(folder):
-                root, is_closed = Root(folder, ".git"), not _is_submodule(folder)
+                root, is_closed = Root(folder, ".git"), self._is_repository(folder)
         return root or self._unpacked(above) or Root(above[0] if above else start, "")
 
     def _unpacked(self, above: list[str]) -> Root | None:
@@ -283,6 +289,15 @@ class Packages:
             return False
         return not any(_Scan(self, at, DEPTH_OF_REPOSITORIES, nested=False).all() for at in others)
 
+    def _may_be_around(self, folder: str, near: str) -> bool:
+        """False of a folder above a file that lies outside of its repository or workspace."""
+        return not self.root(near).mark or self.searches(folder, near)
+
+    def _is_repository(self, folder: str) -> bool:
+        """True of the top of a repository, unless it is a submodule of another one."""
+        is_marked = ".git" in self._names_in(folder)
+        return is_marked and b"/modules/" not in peek(os.path.join(folder, ".git"), 4096)
+
     def _names_in(self, folder: str) -> Mapping[str, bool]:
         return self.folders.entries(folder) or {}
 
@@ -313,7 +328,7 @@ class Packages:
             folder
             for folder in _upwards(self.folder_of(near))
             if name and os.path.basename(folder) == name and folder not in self._too_wide
-            if not self.root(near).mark or self.searches(folder, near)
+            if self._may_be_around(folder, near)
         ]
 
     def _by_folder_name(self, name: str, near: str) -> Iterator[str]:
@@ -398,11 +413,6 @@ class _Scan:
 def _is_searched(name: str) -> bool:
     """False of hidden folders, and of those that a build makes."""
     return name[0] != "." and name not in _NOT_SOURCES
-
-
-def _is_submodule(folder: str) -> bool:
-    """True if the ``.git`` of a folder says that another repository has it."""
-    return b"/modules/" in peek(os.path.join(folder, ".git"), 4096)
 
 
 def _is_within(path: str, folder: str) -> bool:
