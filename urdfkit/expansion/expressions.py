@@ -103,8 +103,8 @@ def _wrapped(node: Any, around: ast.AST) -> Any:
     if isinstance(node, ast.Attribute):
         return _call("fence attribute", node.value, ast.Constant(node.attr, **_NOWHERE))
     if isinstance(node, ast.Call):
-        if _is_format(node.func):
-            node.func = _call("fence format", node.func.args[0])
+        if (text := _formatted(node.func)) is not None:
+            node.func = _call("fence format", text)
         node.args.insert(0, node.func)
         node.func = _name("fence call")
     elif isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
@@ -119,13 +119,14 @@ def _wrapped(node: Any, around: ast.AST) -> Any:
     return node
 
 
-def _is_format(node: Any) -> bool:
-    """True for the attribute ``format`` of a value, once it is rewritten."""
-    if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name)):
-        return False
-    name = node.args[-1]
-    is_attribute = node.func.id == "fence attribute"
-    return is_attribute and isinstance(name, ast.Constant) and name.value == "format"
+def _formatted(node: Any) -> Any:
+    """The value whose attribute ``format`` a rewritten node reads; None of any other node."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        name = node.args[-1]
+        is_format = isinstance(name, ast.Constant) and name.value == "format"
+        if is_format and node.func.id == "fence attribute":
+            return node.args[0]
+    return None
 
 
 def _makes_a_value(node: Any, around: ast.AST) -> bool:

@@ -39,7 +39,7 @@ DEPTH_OF_REPOSITORIES = 2
 _CATKIN = (".catkin_workspace", ".catkin_tools")
 _COLCON = ("install", "build", "log")
 #: What lies at the top of a repository, also where an archive left out ``.git``.
-_AT_THE_TOP = re.compile(
+_AT_THE_TOP = (
     r"(?i)(?:licen[sc]e|copying)(?:[.-].*)?|\.git(?:hub|ignore|attributes|modules|lab-ci\.yml)"
     r"|\.travis\.yml|\.pre-commit-config\.yaml|urdfkit\.toml|pyproject\.toml"
 )
@@ -135,11 +135,7 @@ class Packages:
         if name in ("", ".", "..") or "/" in name or "\\" in name:
             return  # a path; below AMENT_PREFIX_PATH it would lead to any folder
         start = self.folder_of(near)
-        for at in _upwards(start):
-            if self.name_of(at) == name:
-                yield Candidate(at)
-            if self._is_repository(at):
-                break
+        yield from (Candidate(at) for own, at in self._around(start) if own == name)
         for folder in self._in_environment(name):
             yield Candidate(folder, trusted=True)
         # A build may install this folder under its name, whatever package.xml lies elsewhere.
@@ -173,10 +169,8 @@ class Packages:
         """The packages around a file: folders by name, the nearest of each name."""
         found: dict[str, str] = {}
         start = self.folder_of(near)
-        for at in _upwards(start):
-            name = self.name_of(at)
-            if name:
-                found.setdefault(name, at)
+        for name, at in self._around(start):
+            found.setdefault(name, at)
         for level in self.levels(near):
             for name, folder in self._scan(level).all().items():
                 found.setdefault(name, folder)
@@ -184,13 +178,16 @@ class Packages:
 
     def enclosing(self, path: str) -> tuple[str, str] | None:
         """Name and folder of the package that a file lies in."""
-        for folder in _upwards(self.folder_of(path)):
+        return next(self._around(self.folder_of(path)), None)
+
+    def _around(self, start: str) -> Iterator[tuple[str, str]]:
+        """Names and folders of the packages that a folder lies in, up to its repository."""
+        for folder in _upwards(start):
             name = self.name_of(folder)
             if name:
-                return name, folder
+                yield name, folder
             if self._is_repository(folder):
-                return None
-        return None
+                return
 
     def workspace(self, near: str) -> str:
         """The folder that a file belongs to: its repository or workspace, package or folder."""
@@ -264,7 +261,7 @@ class Packages:
         """The root of a repository without its ``.git``, as in an archive."""
         for folder in reversed(above):
             names = () if self.name_of(folder) else self._names_in(folder)
-            mark = next(filter(_AT_THE_TOP.fullmatch, sorted(names)), "")
+            mark = next((n for n in sorted(names) if re.fullmatch(_AT_THE_TOP, n)), "")
             if mark:
                 return Root(folder, mark)
         return None
