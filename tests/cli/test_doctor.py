@@ -155,12 +155,14 @@ def test_a_folder_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
     )
     assert doctor(".").endswith(
         "\n.: 1 robots\n  a.urdf\n  lib.xacro: makes no link itself, and no file includes it\n"
+        "  packages are searched in . (no .git, workspace or licence around it)\n"
     )
     (tmp_path / "urdfkit.toml").write_text(
         '[[robot]]\nfile = "lib.xacro"\nvariants = { l = { side = "l" }, r = { side = "r" } }'
     )
     assert doctor(".").endswith(
         "\n.: 2 robots (named by the configuration)\n  lib.xacro side:=l\n  lib.xacro side:=r\n"
+        "  packages are searched in . (because of urdfkit.toml)\n"
     )
 
 

@@ -122,6 +122,7 @@ def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
         yield "  " + " ".join([shown(robot.file), *words])
     for library in found.libraries:
         yield f"  {shown(library)}: makes no link itself, and no file includes it"
+    yield from _packages(os.path.join(path, "x"), resolver)
 
 
 def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
@@ -146,7 +147,7 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
 
 
 def _packages(path: str, resolver: Resolver) -> Iterator[str]:
-    """Where packages come from: the root of the search and what decided it, and other sources."""
+    """Where a file finds packages: the root of the search and what decided it, other sources."""
     packages = resolver.packages
     root = packages.root(path)
     known = packages.known(path)
