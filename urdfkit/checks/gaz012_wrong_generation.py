@@ -20,10 +20,11 @@ from urdfkit.editing.edits import all_or_none, replace_value
 from urdfkit.gazebo.plugins import Use, generations
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import GAZEBO, target_of_plugin
+from urdfkit.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
 
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
+    from urdfkit.targets import Targets
 
 TARGETS = ("gz-fortress",)
 BAD = """\
@@ -56,8 +57,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         present = [plugin for plugin in use.known if not plugin.removed]
         if not targets or not present or any(_runs(use, name) for name in targets):
             continue
-        if subject.targets.evidence and target_of_plugin(use.at.get("filename") or "", use.at):
-            continue  # the robot itself is of two generations: GAZ013
+        if subject.targets.evidence and _is_of_another_family(use, subject.targets):
+            continue  # the robot itself is for two simulators: GAZ013
         found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
         wanted = " or ".join(TITLES[target] for target in targets)
         yield Finding(
@@ -66,6 +67,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             _successor(use, targets[0]),
             _fix(use) if targets[0] == "gz-fortress" else None,
         )
+
+
+def _is_of_another_family(use: Use, targets: Targets) -> bool:
+    """True of a plugin of Gazebo Classic in a robot for gz-sim, and the other way round."""
+    target = target_of_plugin(use.at.get("filename") or "", use.at)
+    family = CLASSIC if target in CLASSIC else GZ
+    return target is not None and not targets.any_of(family)
 
 
 def _runs(use: Use, target: str) -> bool:
