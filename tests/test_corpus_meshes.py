@@ -1,8 +1,8 @@
 """The meshes of real robots resolve as independent tools found them to.
 
 The corpus states for every model which references lead to no file when its repository alone is
-at hand. Here the repositories lie side by side, as in a workspace, so that one may supply the
-package of another.
+at hand. Here the repositories lie side by side, which changes nothing: none supplies the package of
+another.
 """
 
 from __future__ import annotations
@@ -19,8 +19,6 @@ from urdfkit.source import Source
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
 
-#: Missing without their neighbour, found with it.
-FROM_NEIGHBOURS = {("urdf_sim_tutorial", "urdf_tutorial")}
 #: Its package.xml exports the folder to Gazebo's model path.
 ON_THE_MODEL_PATH = "model://mid360.stl"
 
@@ -65,14 +63,8 @@ def test_meshes_of_a_real_robot(entry: tuple[Path, dict[str, Any]]) -> None:
     path = repository / model["path"]
     found, count = missing(path, arguments_of(model))
     stated = set(facts["meshes_missing"]) | set(facts["meshes_absent_only_in_this_copy"])
-    supplied = {
-        reference
-        for reference in stated
-        if (repository.name, reference.split("/")[2]) in FROM_NEIGHBOURS
-        or reference == ON_THE_MODEL_PATH
-    }
     if len(facts["meshes_missing"]) < LISTED:
-        assert below_corpus(found) == stated - supplied
+        assert below_corpus(found) == stated - {ON_THE_MODEL_PATH}
     else:
         assert stated <= found
         assert {reference.split("/")[2] for reference in found} == {"nao_meshes"}
