@@ -224,8 +224,8 @@ class _Places(NamedTuple):
 
 
 def _downwards(tree: KinematicTree) -> list[Joint]:
-    """The joints, each after those above it."""
-    return [joint for link in tree.below(tree.roots[0].name) for joint in tree.children[link]]
+    """The joints depth first: Pinocchio takes the joints of a subtree for one run of numbers."""
+    return [tree.parents[link][0] for link in tree.below(tree.roots[0].name)[1:]]
 
 
 def _columns(joint: Joint) -> list[str]:
