@@ -164,7 +164,8 @@ def robots(draw: st.DrawFn, kinds: tuple[str, ...]) -> str:
         axis = (0, 0, 1) if kind == "planar" else draw(axes)  # Pinocchio takes no other
         mimic = ""
         if kind in HINGES:
-            if leaders and draw(st.booleans()):
+            follows = draw(st.booleans())
+            if leaders and follows:
                 leader = draw(st.sampled_from(leaders))
                 law = f'multiplier="{draw(lengths)}" offset="{draw(lengths)}"'
                 mimic = f'<mimic joint="j{leader}" {law}/>'
