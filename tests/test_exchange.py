@@ -10,7 +10,7 @@ import pytest
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import MODELS, manifest, model_id, needs_corpus
-from urdfkit import Subject, frames, read, to_yourdfpy
+from urdfkit import Subject, frames, load, read, to_yourdfpy
 from urdfkit.errors import MissingLibrary, UnreadableRobot
 from urdfkit.mechanics.kinematics import SLIDING, TURNING, laws
 
@@ -108,3 +108,28 @@ def test_what_yourdfpy_makes_of_a_defect_is_one_clear_error(tmp_path: Path) -> N
     )
     with pytest.raises(UnreadableRobot, match=r"yourdfpy cannot read .*robot\.urdf: could not"):
         to_yourdfpy(read(file))
+
+
+def test_a_path_and_a_model_are_robots_too() -> None:
+    path = MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+    expected = to_yourdfpy(read(path), load_meshes=False)
+    for robot in (path, str(path), load(path)):
+        found = to_yourdfpy(robot, load_meshes=False)
+        assert found.link_map.keys() == expected.link_map.keys()
+        for link in expected.link_map:
+            assert np.array_equal(found.get_transform(link), expected.get_transform(link))
+
+
+def test_a_model_finds_its_meshes() -> None:
+    pytest.importorskip("trimesh")
+    arm = load(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    assert to_yourdfpy(arm).scene.geometry
+
+
+def test_the_arguments_of_a_model_hold(tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="p" default=""/>'
+    )
+    (tmp_path / "r.xacro").write_text(text + '<link name="$(arg p)a&amp;b"/></robot>')
+    robot = to_yourdfpy(load(tmp_path / "r.xacro", arguments={"p": "left_"}))
+    assert list(robot.link_map) == ["left_a&b"]

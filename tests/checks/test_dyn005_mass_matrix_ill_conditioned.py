@@ -40,3 +40,12 @@ def test_what_is_light_and_harmless() -> None:
 def test_a_negative_mass_makes_it_indefinite() -> None:
     (message,) = messages("DYN005", tower(-1, -0.05))
     assert "the mass matrix is singular" in message
+
+
+def test_one_of_two_branches() -> None:
+    """Joints in the wrong order had no couplings, and no ill-conditioned matrix, on branches."""
+    other = link("fore", inertial(1, (0.1,) * 3)) + link("back", inertial(1, (0.1,) * 3))
+    other += turning("fore", "base") + turning("back", "fore")
+    (message,) = messages("DYN005", other + tower(1e-9, 1e-11))
+    assert "'middle_joint'" in message
+    assert messages("DYN005", other + tower(1, 0.1)) == []

@@ -62,6 +62,26 @@ def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
     text = (
         f'<link name="{name}_link"/><link name="{name}_optical"/>'
         f'<joint name="j" type="fixed"><parent link="{name}_link"/><child link="{name}_optical"/>'
-        f'<origin rpy="{rpy}"/></joint>'
+        f'<origin rpy="{rpy}"/></joint><link name="thruster_1"/>'
+        f'<joint name="t" type="fixed"><parent link="{name}_link"/>'
+        '<child link="thruster_1"/></joint>'
     )
     assert len(told("JNT030", text)) == count
+
+
+def test_the_commonest_mistake_of_signs_turns_the_image_over() -> None:
+    (message,) = messages("JNT030", robot("1.5707963 0 1.5707963"))
+    assert message == (
+        "joint 'j': 'camera_optical_frame' looks forwards, but upside down, from 'camera_link'; an "
+        "optical frame looks forwards, its x to the right"
+    )
+    assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot("1.5707963 0 1.5707963"))
+
+
+@pytest.mark.parametrize(("roll", "count"), [("3.1415927", 0), ("0.3", 1)])
+def test_a_camera_mounted_head_down_has_its_image_upright(roll: str, count: int) -> None:
+    mount = (
+        '<link name="base"/><joint name="mount" type="fixed"><parent link="base"/>'
+        f'<child link="camera_link"/><origin rpy="{roll} 0 0"/></joint>'
+    )
+    assert len(messages("JNT030", mount + robot("1.5707963 0 1.5707963"))) == count

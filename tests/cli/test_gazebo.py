@@ -55,7 +55,8 @@ def test_names_are_aligned_and_do_not_steer_the_terminal(
     (tmp_path / "r.urdf").write_text(f'<robot name="r">{links}</robot>', encoding="utf-8")
     assert main(["gazebo", str(tmp_path / "r.urdf")]) == 0
     rows = capsys.readouterr().out.splitlines()
-    assert rows[2:5] == [
+    start = next(at for at, row in enumerate(rows) if row.startswith("link "))
+    assert rows[start : start + 3] == [
         "link      mass / kg  in Gazebo",
         "底盘              1  stays",
         "a\\u202eb          1  stays",

@@ -16,6 +16,7 @@ from urdfkit import rules
 from urdfkit.comparison import KINDS
 from urdfkit.diagnostic import Confidence
 from urdfkit.errors import UrdfkitError
+from urdfkit.mechanics.stability import VERDICTS
 from urdfkit.page import engine, html, scene
 from urdfkit.page.words import Words
 from urdfkit.page.writing import report
@@ -218,7 +219,7 @@ def test_what_is_translated_is_somewhere_used() -> None:
     sources += [package / "differences.py"]
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
-    text += " ".join(Confidence)
+    text += " ".join((*Confidence, *VERDICTS.values()))
     known = Words("zh").known.keys() - set(rules.FAMILIES.values())
     assert {word for word in known if word not in text} == set()
 

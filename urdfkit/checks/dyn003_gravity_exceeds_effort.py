@@ -4,8 +4,9 @@ In some pose within the limits the joint must hold more than the `effort` of its
 whatever the controller does, the robot sags or falls there. The poses are all joints at zero and
 at their limits, some hundred drawn with a fixed seed, and a search for the worst; the root is
 held. Raise the effort, take a larger motor, move masses inwards or narrow the limits. Springs and
-counterweights are not part of URDF: where the real robot has them, ignore this. `urdfkit statics`
-has the numbers for all joints, and takes payloads.
+counterweights are not part of URDF: where the real robot has them, ignore this. Links whose gravity
+is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual way to stand for counterweights, do
+not count. `urdfkit statics` has the numbers for all joints, and takes payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -16,8 +17,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.gazebo.values import is_true, text_of
 from urdfkit.mechanics.joints import effort_unit
 from urdfkit.mechanics.loads import overloadable
+from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
@@ -59,12 +62,28 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not doubtful or subject.is_part or subject.masses.wrong_as_a_whole:  # INE010
         return
     robot = subject.dynamics  # before the module, which needs the same libraries
+    from urdfkit.dynamics.robot import Dynamics
     from urdfkit.dynamics.statics import statics
 
+    if weightless := _weightless(subject):
+        robot = Dynamics(subject.tree, weightless=weightless)
     found = statics(robot, samples=_SAMPLES, joints=[joint.name for joint in doubtful])
     for load in found.loads:
         if load.is_exceeded:
             yield _finding(subject.model.joints_by_name[load.joint], load)
+
+
+def _weightless(subject: Subject) -> set[str]:
+    """Names of the links without gravity; the flag of one holds for all that are merged with it."""
+    flagged = {
+        block.get("reference")
+        for block in subject.model.gazebo
+        for tag in block.children
+        if (tag.tag == "turnGravityOff" and is_true(tag))
+        or (tag.tag == "gravity" and text_of(tag).lower() in ("false", "0"))
+    }
+    bodies = [[link.name for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    return {name for names in bodies if not flagged.isdisjoint(names) for name in names}
 
 
 def _finding(joint: Joint, load: Load) -> Finding:

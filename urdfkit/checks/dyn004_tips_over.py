@@ -16,15 +16,12 @@ from collections.abc import Iterator
 
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.mechanics.extent import WITHOUT_MESHES
-from urdfkit.mechanics.joints import BOUNDED
-from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.mechanics.stability import Stability, stand
+from urdfkit.mechanics.stability import Stability, is_freestanding, stand
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
-    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.model import RobotModel, Shape
     from urdfkit.subject import Subject
 
@@ -100,31 +97,17 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _falls(subject: Subject, standing: Stability | None) -> bool:
     """True if it falls, off several links of which a joint moves one; not what is bolted down."""
-    if standing is None or standing.margin > -_TOLERANCE or len(standing.links) < 2:
-        return False
-    root = rigid_bodies(subject.tree)[0]
-    fixed = {link.name for link, _ in root.links}
     return (
-        not root.is_ground
-        and not fixed.issuperset(standing.links)
-        and not any(_is_leg(subject.tree, name) for name in standing.links)
+        standing is not None
+        and standing.margin <= -_TOLERANCE
+        and len(standing.links) > 1
+        and is_freestanding(subject.tree, standing.links)
     )
 
 
-def _is_leg(tree: KinematicTree, link: str) -> bool:
-    """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
-    bends = 0
-    above = tree.parents[link]
-    while above:
-        bends += above[0].kind in BOUNDED
-        assert above[0].parent is not None
-        above = tree.parents[above[0].parent.value]
-    return bends > 2
-
-
 def _meshes(model: RobotModel) -> Iterator[Shape]:
-    """The meshes that may touch the ground."""
+    """The meshes that may touch the ground; a visual does not."""
     for link in model.links:
-        for body in link.collisions or link.visuals:
+        for body in link.collisions:
             if body.shape and body.shape.filename:
                 yield body.shape

@@ -1,9 +1,9 @@
-"""A link is seen but cannot be touched.
+"""A link has a visual and no collision.
 
-It has a `<visual>` and no `<collision>`. In Gazebo it passes through the floor and other objects,
-and a lidar that is simulated on the processor looks through it; MoveIt plans right through it. For
-a label, a marker or the glass of a lens that is right. Otherwise add a `<collision>` with a simple
-shape.
+In Gazebo it passes through the floor and other objects, and a lidar that is simulated on the
+processor looks through it; MoveIt plans right through it. For a label, a marker or the glass of a
+lens that is right. Otherwise add a `<collision>` with a simple shape. It is a warning for a caster
+or wheel without which a robot on wheels does not stand: in a simulation the robot tips over.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -15,10 +15,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Severity
+from urdfkit.mechanics.stability import is_freestanding, stand
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.stability import Stability
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -63,10 +65,48 @@ def check(subject: Subject) -> Iterator[Finding]:
         message = f"none of the {len(links)} links with a visual has a collision"
         yield Finding(subject.model.root, message)
         return
-    for link in links:
-        if not link.collisions:
-            yield Finding(
-                link.visuals[0].at,
-                f"link '{link.name}' has a visual and no collision",
-                alike="no collision",
-            )
+    bare = [link for link in links if not link.collisions]
+    needed = _needed(subject) if bare else ()
+    for link in bare:
+        supports = link.name in needed
+        yield Finding(
+            link.visuals[0].at,
+            f"link '{link.name}' has a visual and no collision"
+            + ("; without it the robot does not stand" if supports else ""),
+            help="add a <collision> with the shape that touches the ground" if supports else "",
+            alike="no support" if supports else "no collision",
+            severity=Severity.WARNING if supports else None,
+        )
+
+
+def _needed(subject: Subject) -> tuple[str, ...]:
+    """The links that a robot on wheels stands on, as it looks, if those with collision do not do.
+
+    Nothing is known where its meshes cannot be read.
+    """
+    wheeled = any(joint.kind == "continuous" for joint in subject.model.joints)
+    if not wheeled or subject.is_part or not subject.tree.is_sound:
+        return ()
+    links = subject.model.links_by_name
+    try:
+        looks = stand(subject, visuals=True)
+        if looks is None or looks.tips or not is_freestanding(subject.tree, looks.links):
+            return ()
+        touching = [name for name in looks.links if links[name].collisions]
+        found = stand(subject, contacts=touching)
+        return () if _holds(found) or _lacks_meshes(subject) else looks.links
+    except ImportError:
+        return ()
+
+
+def _holds(found: Stability | None) -> bool:
+    return found is not None and not found.tips
+
+
+def _lacks_meshes(subject: Subject) -> bool:
+    """True if a collision may reach the ground in a mesh that cannot be read."""
+    return any(
+        body.shape and body.shape.filename and subject.meshes.mesh(body.shape) is None
+        for link in subject.model.links
+        for body in link.collisions
+    )

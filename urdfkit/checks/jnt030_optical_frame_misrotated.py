@@ -2,7 +2,9 @@
 
 The frame of a camera has x forwards, y to the left and z up; its optical frame has z forwards, x to
 the right and y down. The way from the one to the other is rpy="-pi/2 0 -pi/2". With another one
-pictures, point clouds and detections appear beside, above or behind the robot.
+images, point clouds and detections appear beside, above or behind the robot; with rpy="pi/2 0 pi/2"
+they are upside down. That one is right where z of the camera's frame points down: a camera mounted
+head down, and a vehicle under water.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
@@ -34,10 +36,12 @@ FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963
 
 #: From the frame of a camera to its optical frame; its columns are the optical axes.
 _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
-#: The same where z points down, as vehicles under water have it; or a camera that hangs head down.
+#: The same where z points down, as vehicles under water have it, or a camera mounted head down.
 _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 #: Words in the names of cameras that do not look forwards, whatever their frame does.
 _ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
+#: Words in the names of links of vehicles under water, some of which have z down everywhere.
+_UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov")
 #: People write pi with four digits.
 _TOLERANCE = 0.01
 
@@ -52,12 +56,16 @@ def check(subject: Subject) -> Iterator[Finding]:
         if "optical" not in below or "optical" in above or not _is_of_one_camera(above, below):
             continue
         rotation = joint.origin.rotation
-        is_meant = _is_near(rotation, _OPTICAL) or _is_near(rotation, _OPTICAL_DOWN)
+        is_turned_over = _is_near(rotation, _OPTICAL_DOWN)
+        is_meant = _is_near(rotation, _OPTICAL) or (
+            is_turned_over and _is_z_down(subject, joint.parent.value)
+        )
         if _is_square(rotation) and not is_meant and not _looks_elsewhere(below):
             origin = joint.at.child("origin")
+            way = "forwards, but upside down," if is_turned_over else _way(rotation)
             yield Finding(
                 origin or joint.at,
-                f"joint '{joint.name}': '{joint.child.value}' looks {_way(rotation)} from "
+                f"joint '{joint.name}': '{joint.child.value}' looks {way} from "
                 f"'{joint.parent.value}'; an optical frame looks forwards, its x to the right",
                 'write rpy="-1.5707963 0 -1.5707963"',
                 None if _sees_along(joint.child.value, subject) else _fix(joint),
@@ -67,6 +75,15 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _looks_elsewhere(name: str) -> bool:
     return any(word.startswith(_ELSEWHERE) for word in name.split("_"))
+
+
+def _is_z_down(subject: Subject, camera: str) -> bool:
+    """True if z of a camera's frame points down: it hangs so, or all frames of the robot may."""
+    frame = subject.tree.frames.get(camera)
+    if frame is not None and frame.rotation[2][2] < 0:
+        return True
+    words = {word for name in subject.model.links_by_name for word in name.lower().split("_")}
+    return any(word.rstrip("0123456789") in _UNDER_WATER for word in words)
 
 
 def _sees_along(link: str, subject: Subject) -> bool:

@@ -2,7 +2,8 @@
 
 Left and right are mirror images: their origins on the body differ in the sign of one coordinate.
 Two twins at one place, or one that is also forward or higher than the other, are a sign that was
-forgotten or copied too often: the robot stands on three wheels, and drives in circles. Seen from
+forgotten or copied too often: the robot stands on three wheels, and drives in circles. Which of the
+two is misplaced is told by the other joints on that link, and else by left being +y. Seen from
 the root, in the zero pose, a twin that is only further forward or higher than the other is told,
 too, and one of many pairs that alone is no mirror image.
 
@@ -51,7 +52,10 @@ _OFF, _OTHERS = 0.004, 2
 
 
 class _Pair(Record):
-    """Twins that move, and how far their places are from mirror images, in the root's frame."""
+    """Twins that move, and how far the second is from the first's mirror image, seen from the root.
+
+    The second one is the right one, unless the left one is misplaced.
+    """
 
     left: Joint
     right: Joint
@@ -71,10 +75,16 @@ class _Pair(Record):
 def check(subject: Subject) -> Iterator[Finding]:
     told = set()
     for one, other, reason in _of_one_link(subject.model):
-        told.add(other.name)
+        told |= {one.name, other.name}
         yield _finding(one, other, f"{_at(other)} {reason} its twin '{one.name}' {_at(one)}")
     for pair in _out_of_line(list(_pairs(subject))):
-        if pair.right.name not in told:
+        if pair.right.name in told:
+            continue
+        if _is_odd(subject.model, pair.left, pair.right):
+            x, y, z = pair.off
+            swapped = _Pair(pair.right, pair.left, (-x, y, -z))
+            yield _finding(pair.right, pair.left, _shift(swapped))
+        else:
             yield _finding(pair.left, pair.right, _shift(pair))
 
 
@@ -95,7 +105,40 @@ def _of_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
         if one.parent is None or other.parent is None or one.parent.value != other.parent.value:
             continue
         if one.kind == other.kind and (reason := _reason(one, other)):
-            yield one, other, reason
+            yield (other, one, reason) if _is_odd(model, one, other) else (one, other, reason)
+
+
+def _is_odd(model: RobotModel, left: Joint, right: Joint) -> bool:
+    """True if of two twins the left one is misplaced, as the other joints on their link show."""
+    assert left.parent is not None
+    others = [
+        joint
+        for joint in model.joints
+        if joint.kind == left.kind
+        and joint.parent
+        and joint.parent.value == left.parent.value
+        and joint.name not in (left.name, right.name)
+    ]
+    first, second = left.origin.position, right.origin.position
+    places = [joint.origin.position for joint in others]
+    if alike := _in_row(second, places) - _in_row(first, places):
+        return alike > 0
+    if not _is_equal(first, second):
+        return any(_is_equal(first, place) for place in places)
+    joints = {joint.name: joint.origin.position for joint in others if joint.name}
+    sides = [joints[a][1] for a, b in pairs(joints) if joints[a][1] * joints[b][1] < 0]
+    is_left_positive = sum(1 if y > 0 else -1 for y in sides) >= 0
+    return (first[1] > 0) != is_left_positive
+
+
+def _in_row(place: Vector, places: list[Vector]) -> int:
+    """How many places are as far from the middle in x and as high."""
+    x, _, z = place
+    return sum(abs(abs(a) - abs(x)) < _NEAR and abs(c - z) < _NEAR for a, _, c in places)
+
+
+def _is_equal(one: Vector, other: Vector) -> bool:
+    return all(abs(a - b) < _NEAR for a, b in zip(one, other, strict=True))
 
 
 def _pairs(subject: Subject) -> Iterator[_Pair]:

@@ -1,8 +1,8 @@
 """A link hangs far away in the air from the link that holds it.
 
-Between their shapes there is more room than either of the two, or anything that hangs below, is
-long. Usually a decimal point has slipped, 2.45 for 0.245, or the origin is measured from the root
-of the robot instead of the parent link.
+Between their shapes there is more room than either of the two is long, and no link that fixed
+joints merge with one of them is in between. Usually a decimal point has slipped, 2.45 for 0.245, or
+the origin is measured from the root of the robot instead of the parent link.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -13,13 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.mechanics.shapes import Box, Solid, solid
 from urdfkit.rules import Finding, rule
 from urdfkit.spatial import Frame
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, Link
+    from urdfkit.model import Link
     from urdfkit.subject import Subject
 
 _LINK = """\
@@ -62,7 +63,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         parent, child = (links.get(end.value) if end else None for end in ends)
         if parent is None or child is None:
             continue
-        if found := _gap(subject, joint, parent, child):
+        found = _gap(subject, parent, child, joint.origin)
+        if found and not _is_bridged(subject, parent, child):
             gap, longest = found
             yield Finding(
                 joint.at.child("origin") or joint.at,
@@ -72,15 +74,45 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _gap(subject: Subject, joint: Joint, parent: Link, child: Link) -> tuple[float, float] | None:
-    """The gap between two links and the length of the longer one, in m; None if there is none."""
-    here, there = (_solid(subject, link) for link in (parent, child))
-    if here is None or there is None:
+def _gap(subject: Subject, here: Link, there: Link, frame: Frame) -> tuple[float, float] | None:
+    """The gap between two links and the length of the longer one, in m; None if there is none.
+
+    Args:
+        subject: the robot.
+        here: one link.
+        there: the other one.
+        frame: of the other one in that of the first.
+    """
+    first, second = (_solid(subject, link) for link in (here, there))
+    if first is None or second is None:
         return None
-    one, other = here.bounds, _moved(there.bounds, joint.origin)
+    one, other = first.bounds, _moved(second.bounds, frame)
     gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
     longest = max(*one.edges, *other.edges)
     return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
+
+
+def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
+    """True if a link that is merged with one of two links is near the other, or may be."""
+    frames = subject.tree.frames
+    if not {parent.name, child.name} <= frames.keys():
+        return False
+    below = set(subject.tree.below(child.name))
+    bodies = [[link for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    for end, other in ((parent, child), (child, parent)):
+        body = next(links for links in bodies if any(link.name == end.name for link in links))
+        for link in body:
+            is_on_this_side = (link.name in below) == (end is child)
+            if (
+                link.name == end.name
+                or not is_on_this_side
+                or not (link.visuals or link.collisions)
+            ):
+                continue
+            frame = frames[link.name].inverse @ frames[other.name]
+            if _gap(subject, link, other, frame) is None:
+                return True
+    return False
 
 
 def _solid(subject: Subject, link: Link) -> Solid | None:

@@ -1,8 +1,9 @@
-"""A parameter of an interface is misspelt, or its value is not a number.
+"""A parameter of an interface is misspelt, or a value in `<ros2_control>` is not a number.
 
 `min`, `max` and `initial_value` are read by name. One with a slip in its name does nothing, and the
 joint starts at 0 or is commanded without bounds; text that is not a number makes the hardware throw
-when it is loaded.
+when it is loaded. So do the attributes `rw_rate`, which is 0 or more, and `size` of an interface,
+which is 1 or more.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -57,11 +58,24 @@ _SLIP = 0.85
 @rule("RCT023", "control-parameter-refused", Severity.WARNING, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
     for component in components(subject.model):
+        yield from _integer(component.at, "rw_rate", 0, f"<ros2_control> '{component.name}'")
         for part in component.parts:
             for interface in part.interfaces:
                 who = f"{part.kind} '{part.name}', {interface.name}"
+                yield from _integer(interface.at, "size", 1, who)
                 for element in interface.at.all("param"):
                     yield from _judged(who, element)
+
+
+def _integer(element: Element, name: str, least: int, who: str) -> Iterator[Finding]:
+    """An attribute that is read as an integer."""
+    attribute = element.attributes.get(name)
+    text = attribute.value.strip() if attribute else ""
+    if attribute is None or is_expression(text):
+        return
+    if not (text.isascii() and text.isdecimal() and int(text) >= least):
+        message = f"{who}: {name} is '{text}', and must be an integer of {least} or more"
+        yield Finding(attribute, message, f"write an integer of {least} or more")
 
 
 def _judged(who: str, element: Element) -> Iterator[Finding]:

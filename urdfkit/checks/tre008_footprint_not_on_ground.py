@@ -3,7 +3,8 @@
 By convention (REP 120) it is the place of the robot on the floor, below `base_link`: navigation
 takes it for the position of the robot, and simulators spawn the robot by it. If the robot reaches
 below it, the robot starts stuck in the floor and is thrown out; if it ends above, it drops. Give
-the joint between the two the height of the lowest wheel or foot.
+the joint between the two the height of the lowest wheel or foot. Where a caster reaches lower than
+the wheels, it is the caster that is wrong: on it the wheels hang in the air.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -17,10 +18,11 @@ from math import hypot
 
 from urdfkit.diagnostic import Edit, Fix, Severity
 from urdfkit.editing.edits import insert_before, replace_value
+from urdfkit.mechanics.kinematics import direction
 from urdfkit.model import number
 from urdfkit.rules import Finding, rule
 from urdfkit.source import Span
-from urdfkit.spatial import dot
+from urdfkit.spatial import dot, rotate
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -47,6 +49,12 @@ FIXED = GOOD
 #: A body may stand this far above or below the ground, in m: tyres and rubber feet give way.
 TOLERANCE = 0.005
 
+#: Cosine of the angle to the vertical under which an axis is level.
+_LEVEL = 0.1
+
+#: What reaches so many m deeper than the wheels is no caster: the robot has no wheels to stand on.
+_CASTER = 0.1
+
 #: Robots of one model that are looked at.
 MAX_FOOTPRINTS = 10
 
@@ -70,13 +78,16 @@ def check(subject: Subject) -> Iterator[Finding]:
         if joints and (lowest := _lowest(tree, name, robot)):
             height, link, is_known = lowest
             side = "below" if height < 0 else "above"
+            hanging = _hanging(tree, name, robot, link, height)
+            is_lift = is_known and not hanging and tree.children[name] == joints[:1]
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
-                f"'{name}', which by convention lies on the ground",
-                fix=_lifted(joints[0], -height)
-                if is_known and tree.children[name] == joints[:1]
-                else None,
+                f"'{name}', which by convention lies on the ground{hanging}",
+                f"raise '{link}', or make it smaller, until the wheels touch the ground"
+                if hanging
+                else "",
+                fix=_lifted(joints[0], -height) if is_lift else None,
             )
 
 
@@ -127,6 +138,42 @@ def _lowest(
         return None
     floats = lowest[0] > TOLERANCE and not unknown
     return (*lowest, not unknown) if floats or lowest[0] < -TOLERANCE else None
+
+
+def _hanging(
+    tree: KinematicTree, footprint: str, robot: list[str], lowest: str, height: float
+) -> str:
+    """That wheels hang in the air over what reaches lower; empty if none do.
+
+    Wheels turn without end about a level axis, and there are two or more at one height.
+
+    Args:
+        tree: of the robot.
+        footprint: the link on the ground.
+        robot: names of the links that count.
+        lowest: the link that reaches lowest.
+        height: of its lowest point over the footprint, in m.
+    """
+    ground = tree.frames[footprint]
+    up = _column(ground.rotation, 2)
+    gaps: dict[str, float] = {}
+    for name in robot:
+        above = tree.parents[name]
+        if not above or above[0].kind != "continuous":
+            continue
+        frame = tree.frames[name]
+        if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _LEVEL:
+            continue
+        for body in tree.model.links_by_name[name].collisions:
+            bottom = _bottom(body, frame, up)
+            if bottom is not None:
+                gap = bottom - dot(up, ground.position) - height
+                gaps[name] = min(gap, gaps.get(name, gap))
+    least = min(gaps.values(), default=0.0)
+    wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
+    if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
+        return ""
+    return f"; on it {', '.join(wheels)} hang {least:.3g} m in the air"
 
 
 def _limbs(tree: KinematicTree) -> set[str]:

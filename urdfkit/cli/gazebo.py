@@ -10,9 +10,14 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.diagnostic import Diagnostic
+from urdfkit.document import Element
 from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
+from urdfkit.gazebo.rejection import CODES, rejecting
 from urdfkit.jsontext import dumped
-from urdfkit.screen import printable
+from urdfkit.judge import judge
+from urdfkit.screen import printable, wrap
+from urdfkit.source import shown
 
 VERSION = 1
 
@@ -33,33 +38,63 @@ def command(
 
     Gazebo merges links that fixed joints hold together, drops links without mass together with
     what hangs on them, and names collisions and visuals itself. Plugins and sensors see the
-    result.
+    result. Where libsdformat rejects the robot, it says so first.
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    conversion = Conversion(robot(words, package, trust).tree, OLD if old else NEW)
+    subject = robot(words, package, trust)
+    conversion = Conversion(subject.tree, OLD if old else NEW)
+    rejected = rejecting(judge(subject, sorted(CODES)).diagnostics)
     if form == "json":
-        output.write(dumped(as_json(conversion)))
+        output.write(dumped(as_json(conversion, rejected)))
     else:
-        output.page(render(conversion))
+        output.page((*_rejection(rejected), *render(conversion)))
     return 0
+
+
+def _rejection(rejected: list[tuple[str, Diagnostic]]) -> Iterator[str]:
+    """Why there will be no robot, and that what follows is what there would be."""
+    for reader in dict.fromkeys(reader for reader, _ in rejected):
+        yield f"{reader} rejects this robot:"
+        for one in (one for name, one in rejected if name == reader):
+            place = f"{shown(one.span.source.path)}:{one.span.line}"
+            yield from wrap(
+                f"  {place}: {one.message} ({one.code})", output.width(), indent=4
+            ).split("\n")
+        yield ""
+    if rejected:
+        yield "Without these defects:"
 
 
 def render(conversion: Conversion) -> Iterator[str]:
     """The lines of the report: a table of links before and after, then joints and shapes."""
     model = conversion.model
-    yield f"{len(model.links)} links become {len(conversion.links)}, by {conversion.converter.name}"
+    links = len(conversion.links) + len(conversion.added_links)
+    yield f"{len(model.links)} links become {links}, by {conversion.converter.name}"
     yield ""
     rows = [("link", f"{'mass / kg':>10}  in Gazebo")]
     rows += ((printable(link.name), _row(conversion, link.name, link.mass)) for link in model.links)
+    rows += (
+        (printable(link.get("name") or ""), f"{_mass(link) or '-':>10}  added as SDF by <gazebo>")
+        for link in conversion.added_links
+    )
     yield from output.beside(rows)
     yield ""
     for link in conversion.links:
         yield from _link(link)
-    lost = len(model.joints) - len(conversion.joints)
-    yield f"{len(model.joints)} joints become {len(conversion.joints)}" + (
-        f"; {lost} are merged or dropped" if lost else ""
+    lost, added = len(model.joints) - len(conversion.joints), len(conversion.added_joints)
+    yield (
+        f"{len(model.joints)} joints become {len(conversion.joints) + added}"
+        + (f"; {lost} are merged or dropped" if lost else "")
+        + (f"; {added} are added as SDF by <gazebo>" if added else "")
     )
+
+
+def _mass(link: Element) -> str:
+    """The mass of a link of SDF, as it is written."""
+    inertial = link.child("inertial")
+    mass = inertial.child("mass") if inertial else None
+    return mass.text.strip() if mass else ""
 
 
 def _row(conversion: Conversion, name: str, mass: float) -> str:
@@ -85,11 +120,21 @@ def _link(link: SimulatedLink) -> Iterator[str]:
         yield f"  collision {name}"
 
 
-def as_json(conversion: Conversion) -> dict[str, Any]:
+def as_json(conversion: Conversion, rejected: list[tuple[str, Diagnostic]]) -> dict[str, Any]:
     """The same for programs."""
     return {
         "version": VERSION,
         "converter": conversion.converter.name,
+        "rejected": [
+            {
+                "by": reader,
+                "code": one.code,
+                "message": one.message,
+                "file": shown(one.span.source.path),
+                "line": one.span.line,
+            }
+            for reader, one in rejected
+        ],
         "links": [
             {
                 "name": link.name,
@@ -112,6 +157,10 @@ def as_json(conversion: Conversion) -> dict[str, Any]:
             }
             for joint in conversion.joints
         ],
+        "added": {
+            "links": [link.get("name") for link in conversion.added_links],
+            "joints": [joint.get("name") for joint in conversion.added_joints],
+        },
         "merged": conversion.merged,
         "dropped": conversion.dropped,
     }

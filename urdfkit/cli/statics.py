@@ -16,8 +16,7 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.joints import effort_unit
-from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.mechanics.stability import Stability, stand
+from urdfkit.mechanics.stability import VERDICTS, Stability, Standing, standing
 from urdfkit.model import RobotModel, number
 from urdfkit.nearest import did_you_mean
 from urdfkit.screen import wrap
@@ -50,6 +49,7 @@ MAX_SAMPLES = 1_000_000
 @click.option(
     "--contact", multiple=True, metavar="LINK", help="It stands on this. [default: the lowest]"
 )
+@click.option("--visuals", is_flag=True, help="A link without collision stands on its visual.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
     words: tuple[str, ...],
@@ -59,6 +59,7 @@ def command(
     samples: int,
     seed: int,
     contact: tuple[str, ...],
+    visuals: bool,
     form: str,
     package: tuple[str, ...],
     trust: bool,
@@ -75,15 +76,13 @@ def command(
     given = positions(subject, joint, pose)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)
-    base = rigid_bodies(subject.tree)[0]
-    stands = None if base.is_ground else _stability(subject, given, contact, carried)
+    contacts = [_known(subject, link) for link in contact] or None
+    stands = standing(subject, given, contacts, payload=carried, visuals=visuals)
     if form == "json":
         output.write(dumped(as_json(loads, stands)))
     else:
-        roots = {root.name for root in subject.tree.roots}
         lines = render(loads, subject.model, posed=bool(given))
-        ground = ["fixed to the world: it cannot tip over"] if base.is_ground else None
-        output.page((*lines, "", *_wrapped(ground or standing(stands, roots))))
+        output.page((*lines, "", *_wrapped(describe(stands))))
     return 0
 
 
@@ -124,19 +123,6 @@ def _statics(
         return statics(loaded, given, samples=samples, seed=seed, progress=bar)
 
 
-def _stability(
-    subject: Subject,
-    given: dict[str, float],
-    contact: tuple[str, ...],
-    payload: dict[str, float],
-) -> Stability | None:
-    contacts = [_known(subject, link) for link in contact] or None
-    try:
-        return stand(subject, given, contacts, payload=payload)
-    except ImportError:
-        return stand(subject, given, contacts, payload=payload, meshes=False)
-
-
 def render(found: Statics, model: RobotModel, *, posed: bool = False) -> Iterator[str]:
     """A table of the joints, the weakest first, and what is to be said of it."""
     carried = "".join(f" with {mass:g} kg at {link}" for link, mass in found.payload.items())
@@ -170,24 +156,32 @@ def _wrapped(lines: Iterable[str]) -> Iterator[str]:
         yield from wrap(line, output.width(), indent=2).split("\n")
 
 
-def standing(found: Stability | None, roots: set[str]) -> Iterator[str]:
+def describe(stands: Standing) -> Iterator[str]:
     """What it stands on, and how safely."""
+    found = stands.stability
+    if stands.links:
+        yield f"stands on {', '.join(stands.links)}"
     if found is None:
-        yield "stands on no area: nothing to tip over"
-        return
-    x, y, z = (0.0 if abs(value) < NOISE else value for value in found.center)
-    yield f"stands on {', '.join(found.links)}"
-    yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
+        yield VERDICTS[stands.verdict]
+    else:
+        x, y, z = (0.0 if abs(value) < NOISE else value for value in found.center)
+        yield f"centre of mass at {x:.4g} {y:.4g} m, {z - found.ground:.4g} m above the ground"
+        yield _safety(found, stands.verdict)
+    if stands.visual_only:
+        counted = "counted" if stands.visuals else "not counted (--visuals counts it)"
+        yield f"visual without collision, {counted}: {', '.join(stands.visual_only)}"
+
+
+def _safety(found: Stability, verdict: str) -> str:
     if found.tips:
-        bolted = ", unless it is bolted down" if roots.issuperset(found.links) else ""
         out = f"{-found.margin:.4g} m outside of its contacts"
-        yield f"tips over {found.way}{bolted}: the centre is {out}"
-        return
+        unless = VERDICTS[verdict].removeprefix(VERDICTS["tips"])
+        return f"tips over {found.way}{unless}: the centre is {out}"
     slope = f"{degrees(found.angle):.3g} deg"
-    yield f"margin {found.margin:.4g} m; tips over {found.way} on a slope of {slope}"
+    return f"margin {found.margin:.4g} m; tips over {found.way} on a slope of {slope}"
 
 
-def as_json(found: Statics, stands: Stability | None) -> dict[str, Any]:
+def as_json(found: Statics, stands: Standing) -> dict[str, Any]:
     """The same for programs; N m or N, m, rad."""
     weakest = found.weakest
     return {
@@ -200,5 +194,5 @@ def as_json(found: Statics, stands: Stability | None) -> dict[str, Any]:
             for load in found.loads
         ],
         "weakest": weakest.joint if weakest else None,
-        "stability": {**stands._asdict(), "tips": stands.tips} if stands else None,
+        "stability": stands.facts(),
     }

@@ -10,7 +10,7 @@ Lengths in m, angles in rad, masses in kg, forces in N; gravity is 9.81 m/s^2 al
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -52,11 +52,19 @@ class Dynamics:
             about it, of a floating one the linear and then the angular velocity of its child.
         payload: masses in kg that links carry at their origin, besides their own.
 
+    Args:
+        weightless: names of links whose mass and inertia are left out.
+
     Raises:
         Unsuitable: it is no single tree, has too many joints, or numbers that no robot has.
     """
 
-    def __init__(self, tree: KinematicTree, payload: Mapping[str, float] | None = None) -> None:
+    def __init__(
+        self,
+        tree: KinematicTree,
+        payload: Mapping[str, float] | None = None,
+        weightless: Collection[str] = (),
+    ) -> None:
         if not tree.is_sound:
             raise Unsuitable("links and joints do not form one tree; urdfkit check tells why")
         self.tree = tree
@@ -69,7 +77,7 @@ class Dynamics:
             self._known(link)
             if not abs(mass) < LARGEST:
                 raise Unsuitable(f"no robot carries {mass:g} kg")
-        self.model, self._numbers, self._frames = _build(tree, self.payload)
+        self.model, self._numbers, self._frames = _build(tree, self.payload, weightless)
         self._laws = laws(tree.model.joints_by_name)
         self.columns = tuple(
             name for joint in self._joints if not joint.mimic for name in _columns(joint)
@@ -224,8 +232,8 @@ class _Places(NamedTuple):
 
 
 def _downwards(tree: KinematicTree) -> list[Joint]:
-    """The joints, each after those above it."""
-    return [joint for link in tree.below(tree.roots[0].name) for joint in tree.children[link]]
+    """The joints depth first: Pinocchio takes the joints of a subtree for one run of numbers."""
+    return [tree.parents[link][0] for link in tree.below(tree.roots[0].name)[1:]]
 
 
 def _columns(joint: Joint) -> list[str]:
@@ -276,7 +284,7 @@ def _with_z(axis: Vector) -> Rotation:
 
 
 def _build(
-    tree: KinematicTree, payload: Mapping[str, float]
+    tree: KinematicTree, payload: Mapping[str, float], weightless: Collection[str]
 ) -> tuple[pin.Model, dict[str, int], dict[str, int]]:
     """Pinocchio's model, and its numbers of our joints and links.
 
@@ -300,7 +308,8 @@ def _build(
         at[joint.child.value] = above, frame
     links: dict[str, int] = {}
     for name, (number, frame) in at.items():
-        inertia = _inertia(tree.model.links_by_name[name])
+        is_light = name in weightless
+        inertia = pin.Inertia.Zero() if is_light else _inertia(tree.model.links_by_name[name])
         body = pin.Frame(name, number, _se3(frame), pin.FrameType.BODY, inertia)
         links[name] = model.addFrame(body)
         if name in payload:

@@ -13,7 +13,9 @@ import sys
 import warnings
 from _thread import allocate_lock
 from collections.abc import Callable
+from contextlib import redirect_stderr
 from functools import lru_cache
+from io import StringIO
 from keyword import iskeyword
 from types import ModuleType
 from xml.dom import minidom
@@ -237,8 +239,13 @@ class Engine:
         def message(*words: Any, **_: Any) -> None:
             self._run.say("", _joined(words))
 
+        locate = xacro.print_location
+
         def print_location() -> None:
-            """The places of messages are noted otherwise."""
+            text = StringIO()
+            with redirect_stderr(text):
+                locate()
+            self._run.say("", text.getvalue().rstrip("\n"))
 
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)

@@ -120,7 +120,7 @@ class Conversion:
         dropped: reasons by the name of a link that Gazebo does not have, merged ones aside.
         massless: the bodies that are dropped for their own lack of mass, not with another one.
         stranded: the bodies that are dropped with a link without mass that is merged.
-        added: names of links and joints that ``<gazebo>`` tags bring in as SDF.
+        added_links, added_joints: SDF elements that ``<gazebo>`` tags bring in.
     """
 
     def __init__(self, tree: KinematicTree, converter: Converter = NEW) -> None:
@@ -136,7 +136,13 @@ class Conversion:
         survivors = [body for body in self._bodies if self._survives(body)]
         self.links = tuple(SimulatedLink(body, tree) for body in survivors)
         self.joints = tuple(self._joints(survivors))
-        self.added = frozenset(_added(model))
+        self.added_links = tuple(_added(model, "link"))
+        self.added_joints = tuple(_added(model, "joint"))
+
+    @property
+    def added(self) -> frozenset[str]:
+        """Names of the links and joints that ``<gazebo>`` tags bring in as SDF."""
+        return frozenset(one.get("name") or "" for one in self.added_links + self.added_joints)
 
     @cached_property
     def survivor(self) -> dict[str, str]:
@@ -230,13 +236,11 @@ def _preserved(model: RobotModel) -> Iterator[str]:
             yield reference
 
 
-def _added(model: RobotModel) -> Iterator[str]:
+def _added(model: RobotModel, kind: str) -> Iterator[Element]:
     """What is written as SDF in ``<gazebo>`` tags without a reference is copied as it stands."""
     for gazebo in model.gazebo:
         if not gazebo.get("reference"):
-            for child in gazebo.children:
-                if child.tag in ("link", "joint") and child.get("name"):
-                    yield child.get("name") or ""
+            yield from (child for child in gazebo.all(kind) if child.get("name"))
 
 
 def _named(order: list[Link], kind: str) -> Iterator[tuple[str, Element]]:

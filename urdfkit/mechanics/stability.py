@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from math import atan2, cos, hypot, pi, sin
 
+from urdfkit.mechanics.joints import BOUNDED
 from urdfkit.mechanics.kinematics import frames
+from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.mechanics.shapes import Primitive, primitive
 from urdfkit.model import Body
 from urdfkit.record import Record
@@ -16,6 +18,7 @@ from urdfkit.spatial import Frame, Vector
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.mechanics.tree import KinematicTree
     from urdfkit.subject import Subject
 
 Point = tuple[float, float]
@@ -26,6 +29,17 @@ TOLERANCE, LEAST = 0.02, 0.003
 
 #: Corners that stand for a circle.
 _CORNERS = 32
+
+#: What can be said of a robot on the ground, by the word for programs.
+VERDICTS = {
+    "fixed": "fixed to the world: it cannot tip over",
+    "stands": "stands",
+    "tips": "tips over",
+    "tips-unless-bolted": "tips over unless it is bolted down",
+    "no-area": "the contacts with the ground span no area: it balances or falls",
+    "no-contact": "no collision geometry to stand on",
+    "no-mass": "no mass that could tip over",
+}
 
 
 class Stability(Record):
@@ -65,6 +79,80 @@ class Stability(Record):
         return "to its left (+y)" if y > 0 else "to its right (-y)"
 
 
+class Standing(Record):
+    """Whether a robot stands on the ground: what ``urdfkit statics`` and the report print.
+
+    Attributes:
+        verdict: one of ``VERDICTS``.
+        links: that touch the ground, in the order of the model.
+        stability: how safely; None unless it stands or tips over.
+        visual_only: links that reach the ground with a visual, and have no collision.
+        visuals: True if these count as contacts.
+    """
+
+    verdict: str
+    links: tuple[str, ...] = ()
+    stability: Stability | None = None
+    visual_only: tuple[str, ...] = ()
+    visuals: bool = False
+
+    def facts(self) -> dict[str, object]:
+        """For JSON; lengths in m, angles in rad, None for what the verdict leaves open."""
+        numbers = dict.fromkeys(Stability._fields) if self.stability is None else {}
+        return {
+            "verdict": self.verdict,
+            "tips": self.verdict.startswith("tips"),
+            **numbers,
+            **(self.stability._asdict() if self.stability else {}),
+            "links": self.links,
+            "visual_only": self.visual_only,
+            "visuals": self.visuals,
+        }
+
+
+def standing(
+    subject: Subject,
+    pose: Mapping[str, float] | None = None,
+    contacts: Collection[str] | None = None,
+    *,
+    payload: Mapping[str, float] | None = None,
+    visuals: bool = False,
+) -> Standing:
+    """The verdict on a robot at a pose; without the readers of meshes, by its primitives alone.
+
+    Args:
+        subject: the robot.
+        pose: positions of joints in rad or m; the others are at 0.
+        contacts: names of the links it stands on; those that reach the lowest point if None.
+        payload: masses in kg that links carry at their origin.
+        visuals: a link without collision stands on its visual.
+    """
+    tree = subject.tree
+    root = rigid_bodies(tree)[0]
+    if root.is_ground:
+        return Standing("fixed")
+    placed = frames(tree, pose or {})
+    meshes = True
+    try:
+        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=True))
+    except ImportError:
+        meshes = False
+        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=False))
+    by_name = tree.model.links_by_name
+    links = tuple(_touching(_reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)))
+    visual_only = tuple(name for name in seen if not by_name[name].collisions)
+    found = stand(subject, pose, contacts, payload=payload, meshes=meshes, visuals=visuals)
+    if found is not None:
+        bolted = "-unless-bolted" if {link.name for link, _ in root.links} >= set(links) else ""
+        verdict = f"tips{bolted}" if found.tips else "stands"
+    elif not links:
+        verdict = "no-contact"
+    else:
+        has_mass = sum(link.mass for link in tree.model.links) + sum((payload or {}).values()) > 0
+        verdict = "no-area" if has_mass else "no-mass"
+    return Standing(verdict, links, found, visual_only, visuals)
+
+
 def stand(
     subject: Subject,
     pose: Mapping[str, float] | None = None,
@@ -72,6 +160,7 @@ def stand(
     *,
     payload: Mapping[str, float] | None = None,
     meshes: bool = True,
+    visuals: bool = False,
 ) -> Stability | None:
     """How a robot stands at a pose.
 
@@ -81,6 +170,7 @@ def stand(
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
         meshes: take meshes into account, which needs numpy and the readers of meshes.
+        visuals: a link without collision stands on its visual.
 
     Returns:
         None without a mass, and where the contacts make no area: a robot that balances.
@@ -95,22 +185,44 @@ def stand(
         if inertial := links[name].inertial:
             loads.append((links[name].mass, frame.apply(inertial.origin.position)))
     mass = sum(load for load, _ in loads)
-    points = {name: _points(subject, name, placed[name], meshes) for name in placed}
-    if contacts is not None:
-        points = {name: found for name, found in points.items() if name in contacts}
-    heights = [z for found in points.values() for _, _, z in found]
-    if mass <= 0 or not heights:
+    reaching = _reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)
+    if mass <= 0 or not reaching:
         return None
-    ground = min(heights)
-    near = ground + max(LEAST, TOLERANCE * (max(heights) - ground))
-    standing = {name: [p for p in found if p[2] <= near] for name, found in points.items()}
-    polygon = hull((x, y) for found in standing.values() for x, y, _ in found)
+    touching = _touching(reaching)
+    polygon = hull((x, y) for found in touching.values() for x, y, _ in found)
     if len(polygon) < 3:
         return None
+    ground = min(z for found in touching.values() for _, _, z in found)
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
     margin, angle, direction = _edges(polygon, (x, y), z - ground)
-    touching = tuple(name for name in links if standing.get(name))
-    return Stability(touching, polygon, (x, y, z), ground, margin, angle, direction)
+    return Stability(tuple(touching), polygon, (x, y, z), ground, margin, angle, direction)
+
+
+def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
+    """True for what stands by itself: not on its base alone, which is bolted down, nor on legs.
+
+    Args:
+        tree: of the robot.
+        links: that touch the ground.
+    """
+    root = rigid_bodies(tree)[0]
+    fixed = {link.name for link, _ in root.links}
+    return (
+        not root.is_ground
+        and not fixed.issuperset(links)
+        and not any(_is_leg(tree, name) for name in links)
+    )
+
+
+def _is_leg(tree: KinematicTree, link: str) -> bool:
+    """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
+    bends = 0
+    above = tree.parents[link]
+    while above:
+        bends += above[0].kind in BOUNDED
+        assert above[0].parent is not None
+        above = tree.parents[above[0].parent.value]
+    return bends > 2
 
 
 def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:
@@ -153,20 +265,52 @@ def _turn(a: Point, b: Point, c: Point) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _points(subject: Subject, name: str, frame: Frame, meshes: bool) -> list[Vector]:
-    """What may touch the ground of a link: of its collisions, else of its visuals."""
-    link = subject.model.links_by_name[name]
-    found: list[Vector] = []
-    for body in link.collisions or link.visuals:
-        if body.shape is None:
-            continue
-        if body.shape.filename is None:
-            part = primitive(body)
-            found += [frame.apply(point) for point in _of(part)] if part else []
-            found += _lowest(part, frame) if part else []
-        elif meshes:
-            found += _of_mesh(subject, body, frame)
+def _reaching(
+    subject: Subject,
+    placed: Mapping[str, Frame],
+    contacts: Collection[str] | None,
+    *,
+    visuals: bool,
+    meshes: bool,
+) -> dict[str, list[Vector]]:
+    """Points of each link that may touch the ground, in the frame of the root."""
+    found: dict[str, list[Vector]] = {}
+    for name, link in subject.model.links_by_name.items():
+        bodies = link.collisions or (link.visuals if visuals else ())
+        if name in placed and (contacts is None or name in contacts):
+            points = [
+                point for body in bodies for point in _points(subject, body, placed[name], meshes)
+            ]
+            if points:
+                found[name] = points
     return found
+
+
+def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
+    """Those of them that touch it, in the order of the model."""
+    heights = [z for found in reaching.values() for _, _, z in found]
+    if not heights:
+        return {}
+    near = min(heights) + max(LEAST, TOLERANCE * (max(heights) - min(heights)))
+    touching = {name: [p for p in found if p[2] <= near] for name, found in reaching.items()}
+    return {name: found for name, found in touching.items() if found}
+
+
+def _points(subject: Subject, body: Body, frame: Frame, meshes: bool) -> list[Vector]:
+    """What of a shape may touch the ground.
+
+    Args:
+        subject: the robot.
+        body: a collision or visual.
+        frame: of its link.
+        meshes: take meshes into account.
+    """
+    if body.shape is None:
+        return []
+    if body.shape.filename is not None:
+        return _of_mesh(subject, body, frame) if meshes else []
+    part = primitive(body)
+    return [*map(frame.apply, _of(part)), *_lowest(part, frame)] if part else []
 
 
 def _of(part: Primitive) -> list[Vector]:

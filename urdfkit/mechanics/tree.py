@@ -63,16 +63,15 @@ class KinematicTree:
         return tuple(links[name] for name, joints in self.parents.items() if not joints)
 
     def below(self, name: str) -> list[str]:
-        """A link and everything that hangs on it, parents before children."""
-        found = {name: None}
-        queue = [name]
-        while queue:
-            for joint in self.children[queue.pop()]:
-                assert joint.child is not None
-                child = joint.child.value
-                if child not in found:
-                    found[child] = None
-                    queue.append(child)
+        """A link and everything below it, depth first: every subtree is one run of the list."""
+        found: dict[str, None] = {}
+        stack = [name]
+        while stack:
+            link = stack.pop()
+            if link not in found:
+                found[link] = None
+                below = [joint.child.value for joint in self.children[link] if joint.child]
+                stack.extend(reversed(below))
         return list(found)
 
     @cached_property

@@ -18,6 +18,7 @@ from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.formats import json as as_json
 from urdfkit.gathering import gathered
+from urdfkit.gazebo.rejection import rejecting
 from urdfkit.jsontext import finite
 from urdfkit.loading import described
 from urdfkit.page import physics, tables
@@ -143,6 +144,11 @@ def _computed(
 
 def _document(subject: Subject, report: Report) -> Document:
     parts, missing = _computed(subject, _PARTS)
+    if parts["gazebo"]:
+        parts["gazebo"]["rejected"] = [
+            {"by": reader, "code": one.code, "message": one.message}
+            for reader, one in rejecting(report.diagnostics)
+        ]
     is_read = subject.reading.document is not None
     places = Places(subject.model if is_read else None)
     written = json.loads(as_json.render(report))

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
+from urdfkit.mechanics.stability import VERDICTS
 from urdfkit.page.document import Document
 from urdfkit.page.words import Words
 from urdfkit.screen import printable
@@ -119,6 +120,7 @@ def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> d
         "groups": _groups(found[:MAX_FINDINGS]),
         "more": max(0, len(found) - MAX_FINDINGS),
         "rows": MAX_ROWS,
+        "verdicts": VERDICTS,
         "matrix": _matrix(document["collisions"]),
         "colliding": _colliding(document["collisions"]),
         "sections": [

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from urdfkit.errors import MissingLibrary, UrdfkitError
+from urdfkit.errors import UrdfkitError
 from urdfkit.mechanics.joints import effort_unit
-from urdfkit.mechanics.stability import stand
+from urdfkit.mechanics.stability import standing as standing_of
 from urdfkit.page.tables import Row
 from urdfkit.subject import Unavailable
 
@@ -56,21 +56,15 @@ def _round(torque: float) -> float:
     return 0.0 if abs(torque) < NOISE else torque
 
 
-def standing(subject: Subject) -> Row | None:
-    """Whether the robot stands, all joints at zero; None if it stands on no area."""
-    try:
-        found = stand(subject)
-    except (ImportError, MissingLibrary):
-        found = stand(subject, meshes=False)
-    return found and {
-        "links": list(found.links),
-        "polygon": [list(point) for point in found.polygon],
-        "center": list(found.center),
-        "ground": found.ground,
-        "margin": found.margin,
-        "angle": found.angle,
-        "tips": found.tips,
-    }
+def standing(subject: Subject) -> Row:
+    """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
+
+    Raises:
+        Unavailable: links and joints do not form one tree.
+    """
+    if not subject.tree.is_sound:
+        raise Unavailable("links and joints do not form one tree; urdfkit check tells why")
+    return standing_of(subject).facts()
 
 
 def collisions(subject: Subject, progress: Progress | None = None) -> Row:

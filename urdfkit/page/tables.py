@@ -119,7 +119,8 @@ def gazebo(subject: Subject) -> Row:
             }
             for link in conversion.links
         ],
-        "joints": len(conversion.joints),
+        "joints": len(conversion.joints) + len(conversion.added_joints),
+        "added": [link.get("name") for link in conversion.added_links],
     }
 
 

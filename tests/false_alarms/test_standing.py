@@ -1,0 +1,104 @@
+"""A robot stands on what collides; a visual holds nothing, and all commands say the same."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.massive import inertial, joint, link, shape
+from tests.test_overview import of
+from tests.told import messages, told
+from urdfkit.cli import main
+from urdfkit.diagnostic import Severity
+from urdfkit.examples import whole_robot
+from urdfkit.mechanics.stability import standing
+from urdfkit.page.document import describe
+
+BALL = '<sphere radius="0.05"/>'
+BOTH = shape("visual", BALL) + shape("collision", BALL)
+
+
+def on_wheels(caster: str = shape("visual", BALL), wheel: str = BOTH, base: str = "") -> str:
+    """Two wheels and a caster behind them, with the centre of mass between."""
+    text = link("base", inertial(3, (1, 1, 1), xyz="-0.05 0 0.1"), base)
+    for name, y in (("left", 0.1), ("right", -0.1)):
+        text += link(name, wheel) + joint("base", name, "continuous", f"0 {y} 0")
+    return text + link("caster", caster) + joint("base", "caster", xyz="-0.15 0 0")
+
+
+def test_a_caster_without_collision_holds_nothing() -> None:
+    robot = of(on_wheels())
+    found = standing(robot)
+    assert (found.verdict, found.links, found.visual_only) == (
+        "no-area",
+        ("left", "right"),
+        ("caster",),
+    )
+    counted = standing(robot, visuals=True)
+    assert (counted.verdict, counted.visual_only) == ("stands", ("caster",))
+    assert standing(of(on_wheels(BOTH))).verdict == "stands"
+
+
+def test_a_caster_without_collision_is_a_warning() -> None:
+    (found,) = told("GEO002", on_wheels())
+    assert found.severity is Severity.WARNING
+    assert found.message == (
+        "link 'caster' has a visual and no collision; without it the robot does not stand"
+    )
+
+
+def test_so_are_the_wheels_under_a_base_with_collision() -> None:
+    box = '<box size="0.3 0.2 0.02"/>'
+    base = shape("visual", box) + shape("collision", box)
+    found = told("GEO002", on_wheels(BOTH, wheel=shape("visual", BALL), base=base))
+    assert [one.severity for one in found] == [Severity.WARNING] * 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        on_wheels(BOTH, base=shape("visual", BALL)),  # which is not needed
+        on_wheels().replace('"continuous"', '"fixed"'),  # bolted down
+        link("world") + joint("world", "base") + on_wheels(),
+    ],
+)
+def test_what_holds_nothing_up_is_an_info(text: str) -> None:
+    (found,) = told("GEO002", text)
+    assert found.severity is Severity.INFO
+
+
+def test_nothing_is_said_of_a_robot_that_stands_on_visuals_alone() -> None:
+    """DYN004 let it fall off shapes that touch nothing."""
+    assert messages("DYN004", on_wheels(wheel=shape("visual", BALL)).replace("-0.05", "0.5")) == []
+
+
+@pytest.mark.parametrize("verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass"])
+def test_the_report_and_the_command_say_the_same(
+    verdict: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("pinocchio")
+    tray = shape("collision", '<box size="0.2 0.2 0.1"/>')
+    text = {
+        "fixed": link("world") + joint("world", "base") + on_wheels(),
+        "no-area": on_wheels(),
+        "tips-unless-bolted": link("base", tray, inertial(1, (1, 1, 1), xyz="1 0 0")),
+        "stands": on_wheels(BOTH),
+        "no-mass": link("base", tray),
+    }[verdict]
+    path = tmp_path / "robot.urdf"
+    path.write_text(whole_robot(text), encoding="utf-8")
+    assert main(["statics", "--format", "json", str(path)]) == 0
+    stability = json.loads(capsys.readouterr().out)["stability"]
+    page = json.loads(json.dumps(describe(str(path))[0]["standing"]))
+    assert page == stability
+    assert page["verdict"] == verdict
+
+
+def test_an_arm_on_the_world_is_fixed_in_its_report(tmp_path: Path) -> None:
+    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+    path = tmp_path / "arm.urdf"
+    path.write_text(arm.read_text(encoding="utf-8").replace('"mount"', '"world"'))
+    assert describe(str(path))[0]["standing"]["verdict"] == "fixed"
