@@ -244,3 +244,14 @@ def places_of(tag: str) -> list[str]:
                 found.append(parent)
             stack.append((child, inner))
     return found
+
+
+def numeric_attributes() -> frozenset[str]:
+    """The attributes that hold numbers, in whichever element."""
+    found: set[str] = set()
+    stack = [ROBOT]
+    while stack:
+        grammar = stack.pop()
+        found.update(name for name, rule in grammar.attributes.items() if rule.type in LENGTHS)
+        stack += grammar.children.values()
+    return frozenset(found)

@@ -9,9 +9,10 @@ from urdfkit.diagnostic import Severity
 @pytest.mark.parametrize(
     ("targets", "severities"),
     [
-        (("gz-harmonic",), [Severity.WARNING]),
+        (("ros2", "gz-harmonic"), [Severity.WARNING]),
+        (("gz-harmonic",), [Severity.INFO]),  # without ROS there is no TF
         (("classic-ros1",), []),
-        (("classic-ros1", "gz-jetty"), [Severity.WARNING]),
+        (("ros1", "classic-ros1", "gz-jetty"), [Severity.WARNING]),
     ],
 )
 def test_it_matters_in_gz_sim_only(targets, severities):

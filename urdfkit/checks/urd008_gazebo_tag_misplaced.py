@@ -50,6 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             _help(element),
             fixes.get(element),
             alike=f"{element.tag} in {element.parent.tag}",
+            severity=Severity.INFO if _is_zero_pose(element) else None,
         )
 
 
@@ -96,6 +97,12 @@ def _help(element: Element) -> str:
     owner = _owner(element)
     name = owner.get("name") if owner else None
     return "move it into " + (f'<gazebo reference="{name}">' if name else "a <gazebo> block")
+
+
+def _is_zero_pose(element: Element) -> bool:
+    """True for a ``<pose>`` that would move nothing."""
+    words = element.text.split()
+    return element.tag == "pose" and all(word.strip("+-0.") == "" for word in words)
 
 
 def _owner(element: Element) -> Element | None:

@@ -79,7 +79,10 @@ def _finding(
     if others:
         message += f" (and {len(others)} more like it)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
-    return Finding(element, message, f"move it into {places}", fix, related)
+    # Nobody looks at a collision.
+    is_idle = element.tag == "material" and parent.tag == "collision"
+    severity = Severity.INFO if is_idle else None
+    return Finding(element, message, f"move it into {places}", fix, related, severity=severity)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:
