@@ -22,6 +22,7 @@ ROBOT = """\
   </xacro:macro>
   <xacro:arm_link name="link1"/>
   <xacro:arm_link name="link2"/>
+  <xacro:arm_link name="link3"/>
   <joint name="joint1" type="revolute">
     <parent link="link1"/>
     <child link="link2"/>
@@ -36,11 +37,14 @@ link1:
   mass: 4.9
   inertia: {xx: 0.7, yy: 0.7, zz: 9.0}
 link2:
-  mass: -0.6
+  mass: 0.6
   inertia:
     xx: 0.1
     yy: 0.1
     zz: 5.0
+link3:
+  mass: -1
+  inertia: {xx: 0.1, yy: 0.1, zz: 0.1}
 """
 LIMITS = "joint1: {lower: 1.0, upper: -1.0}\n"
 
@@ -71,7 +75,7 @@ def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
 
 
 def test_one_attribute(tmp_path: Path) -> None:
-    assert notes(tmp_path, "INE001") == [("inertials.yaml", 5, 9, "value is given here")]
+    assert notes(tmp_path, "INE001") == [("inertials.yaml", 10, 9, "value is given here")]
 
 
 def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:
