@@ -75,7 +75,7 @@ def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
 
 
 def test_one_attribute(tmp_path: Path) -> None:
-    assert notes(tmp_path, "INE001") == [("inertials.yaml", 10, 9, "value is given here")]
+    assert notes(tmp_path, "INE001") == [("inertials.yaml", 11, 9, "value is given here")]
 
 
 def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:
