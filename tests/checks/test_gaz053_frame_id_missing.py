@@ -48,9 +48,7 @@ def test_one_of_several_targets_may_suffer():
 def test_a_model_is_told_once():
     beside = '<sensor name="first" type="imu"/>'
     (found,) = findings("GAZ053", "imu", beside=beside, targets=("gz-harmonic",))
-    assert found.message == (
-        "sensor 'first' names no frame for its measurements (and 1 more likewise)"
-    )
+    assert found.message == ("sensor 'first' has no <gz_frame_id> (and 1 more like this)")
 
 
 def test_a_contact_sensor_needs_no_frame():

@@ -55,11 +55,11 @@ def check(subject: Subject) -> Iterator[Finding]:
     # One slip, made once by whoever wrote or generated the model: told where it begins.
     if without:
         first = without[0]
-        more = f" (and {len(without) - 1} more likewise)" if len(without) > 1 else ""
+        more = f" (and {len(without) - 1} more like this)" if len(without) > 1 else ""
         tags = _given(first)
-        named = f"its frame by <{tags[0]}> only" if tags else "no frame for its measurements"
+        lack = f"names its frame by <{tags[0]}> only" if tags else "has no <gz_frame_id>"
         severity = None if _is_for_ros(subject) else Severity.INFO
-        yield Finding(first.at, f"{first.who} names {named}{more}", severity=severity)
+        yield Finding(first.at, f"{first.who} {lack}{more}", severity=severity)
 
 
 def _is_for_ros(subject: Subject) -> bool:

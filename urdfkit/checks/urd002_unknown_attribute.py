@@ -66,7 +66,7 @@ def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
     edits = rename_attribute(attribute, meant)
     return Finding(
         attribute,
-        f"{owner(element)}: <{element.tag}> has no attribute '{attribute.name}'; "
+        f"{owner(element)}: unknown attribute '{attribute.name}' in <{element.tag}> (ignored); "
         f"did you mean '{meant}'?",
         f"rename it to {meant}",
         Fix.of(f"rename {attribute.name} to {meant}", edits),
@@ -92,9 +92,9 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     listed = f"attribute {names[0]}"
     if len(names) > 1:
         listed = f"attributes {', '.join(names[:-1])} and {names[-1]}"
-    message = f"{owner(element)}: <{element.tag}> has no {listed}"
+    message = f"{owner(element)}: unknown {listed} in <{element.tag}> (ignored)"
     others = {one.element: one for one in attributes if one.element is not element}
     if others:
-        message += f" (and {len(others)} more that have {'it' if len(names) == 1 else 'them'})"
+        message += f" (and {len(others)} more like this)"
     related = tuple(Related(one.span, owner(one.element)) for one in list(others.values())[:_SHOWN])
     return Finding(first, message, related=related)

@@ -45,8 +45,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert element.parent is not None
         yield Finding(
             element,
-            f"{owner(element.parent)}: Gazebo never sees the <{element.tag}> in "
-            f"<{element.parent.tag}>, which URDF readers pass over",
+            f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",
             _help(element),
             fixes.get(element),
             alike=f"{element.tag} in {element.parent.tag}",
@@ -93,7 +92,7 @@ def _moved(subject: Subject, owner: Element, elements: list[Element]) -> Fix | N
 
 def _help(element: Element) -> str:
     if element.tag == "pose":  # SDF's word for what URDF has, too
-        return "place the link by the <origin> of its joint, and a shape by one of its own"
+        return "use the <origin> of the joint, or that of the shape"
     owner = _owner(element)
     name = owner.get("name") if owner else None
     return "move it into " + (f'<gazebo reference="{name}">' if name else "a <gazebo> block")
