@@ -187,7 +187,7 @@ class Subject:
         element = at if isinstance(at, Element) else at.element
         if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
             return ()
-        attributes = element.attributes.values() if at is element else (at,)
+        attributes = at.attributes.values() if isinstance(at, Element) else (at,)
         if not any("$" in attribute.span.text for attribute in attributes):
             return ()
         return self._traced.data_places(at)

@@ -79,5 +79,5 @@ def _difference(weighed: Weighed, expected: Tensor) -> str:
 
 
 def _differs(key: str, weighed: Weighed, expected: Tensor) -> bool:
-    apart = abs(getattr(weighed.tensor, key) - getattr(expected, key))
+    apart: float = abs(getattr(weighed.tensor, key) - getattr(expected, key))
     return apart > (_SAME - 1) * weighed.moments[2]

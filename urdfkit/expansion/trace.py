@@ -113,10 +113,10 @@ def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
         dom: the expanded DOM of a traced run.
         at: of the Document made from it, or from another expansion of the same.
     """
-    element = at if isinstance(at, Element) else at.element
+    attributes = at.attributes.values() if isinstance(at, Element) else (at,)
     found: dict[Source, list[tuple[Span, str]]] = {}
-    for attribute in element.attributes.values() if at is element else (at,):
-        for span in _in_yaml(inputs_of(dom, element, attribute.name)):
+    for attribute in attributes:
+        for span in _in_yaml(inputs_of(dom, attribute.element, attribute.name)):
             found.setdefault(span.source, []).append((span, attribute.name))
     return tuple(Related(*_first(places)) for places in found.values())
 
