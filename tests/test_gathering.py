@@ -25,17 +25,20 @@ def test_a_few_that_are_alike_are_told_one_by_one() -> None:
 
 def test_many_that_are_alike_are_told_as_the_first() -> None:
     (finding,) = shown("URD001", links(MAX_SINGLE + 1))
-    assert finding.message == "link 'l0': <link> has no element <tint> (and 2 more likewise)"
+    assert (
+        finding.message
+        == "link 'l0': unknown element <tint> in <link> (ignored) (and 2 more like this)"
+    )
     assert (finding.span.line, finding.span.text) == (3, "<tint/>")
     assert [(note.span.line, note.message) for note in finding.related] == [
-        (3 + 3 * i, f"link 'l{i}': <link> has no element <tint>") for i in range(1, 3)
+        (3 + 3 * i, f"link 'l{i}': unknown element <tint> in <link> (ignored)") for i in range(1, 3)
     ]
 
 
 def test_the_fixes_of_all_are_one_fix() -> None:
     (finding,) = shown("URD001", links(9))
     assert finding.fix is not None
-    assert finding.fix.title == "remove the <tint> (and 8 more likewise)"
+    assert finding.fix.title == "remove the <tint> (and 8 more like this)"
     assert fixed("URD001", links(9)).count("tint") == 0
 
 
@@ -55,7 +58,7 @@ def test_tags_of_one_link_are_moved_once() -> None:
 
 def test_the_places_that_are_told_are_bounded() -> None:
     (finding,) = shown("URD001", links(60))
-    assert "and 59 more likewise" in finding.message
+    assert "and 59 more like this" in finding.message
     assert len(finding.related) == MAX_NOTES
 
 
@@ -70,7 +73,7 @@ def test_what_a_comment_accepts_is_not_among_them() -> None:
         '<link name="l1">', '<!-- urdfkit: ignore[URD001] our own reader --><link name="l1">'
     )
     (finding,) = shown("URD001", robot)
-    assert "likewise" in finding.message
+    assert "more like this" in finding.message
     assert [note.message.split("'")[1] for note in finding.related] == ["l2", "l3", "l4", "l5"]
 
 
@@ -137,7 +140,7 @@ def test_joints_that_a_whole_block_lacks_are_one_finding() -> None:
     )
     (finding,) = shown("RCT001", robot)
     assert finding.message.endswith(
-        "names joint 'shoulder', which is not in the model (and 2 more likewise)"
+        "names joint 'shoulder', which is not in the model (and 2 more like this)"
     )
 
 
@@ -171,4 +174,4 @@ def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path)
     found = check(tmp_path / "all.launch", select=["LAU007"]).diagnostics
     assert len(found) == 3
     (seen,) = gathered(found)
-    assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more likewise)"
+    assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more like this)"

@@ -200,6 +200,21 @@ def test_the_worst_severity_of_a_target_wins(judged, targets, severity, sufferin
     assert verdict.targets == Targets(targets)
 
 
+def test_a_finding_may_have_a_severity_of_its_own(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        for link in one.model.links:
+            mild = Severity.INFO if link.name in ("base", "rear_left") else None
+            yield Finding(link.at, link.name, weight=float(mild is not None), severity=mild)
+
+    weighed = rule(find, by_target={"mujoco": Severity.ERROR})
+    base, wheel = judged(weighed, one=subject(targets=Targets(("mujoco",)))).diagnostics
+    assert (base.severity, base.targets) == (Severity.INFO, ())
+    # The calls of one macro are one finding, as bad as the worst of them.
+    assert (wheel.severity, wheel.targets) == (Severity.ERROR, ("mujoco",))
+    assert wheel.message == "front_left"
+    assert wheel.calls[-1].message == "rear_left"
+
+
 def test_targets_are_inferred_only_where_they_matter(judged) -> None:
     silent = rule(lambda _: iter(()), by_target={"kdl": Severity.ERROR})
     indifferent = rule(of_links(lambda name, at: Finding(at, name)))

@@ -77,7 +77,7 @@ class TestText:
             ("&#xD800;", "&#xD800;", "'&#xD800;' is no character"),
             ("]]>", "]]>", "']]>' in a text must be written ']]&gt;'"),
             ("\x01", "\x01", "the control character U+0001 is not allowed in XML"),
-            ("\0", "\0", "the control character U+0000 is not allowed in XML"),
+            ("\0", "\0", "a NUL byte is not allowed in XML"),
             ("a </1 b", "</", "'</' begins no end tag: a name must follow"),
             ("< link/>", "< link", "no blank may stand between '<' and 'link'"),
         ],
@@ -99,7 +99,7 @@ class TestComments:
         assert one(inside("<!-- a -- b -->")) == ("--", "'--' is not allowed inside a comment")
 
     def test_a_third_dash_at_the_end(self) -> None:
-        assert slips(inside("<!-- a --->")) == [(1, 24, "'--' is not allowed inside a comment")]
+        assert slips(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
 
     def test_a_row_of_dashes_is_one_slip(self) -> None:
         assert one(inside("<!---------->"))[1] == "'--' is not allowed inside a comment"

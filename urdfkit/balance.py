@@ -20,6 +20,7 @@ class Slip(Record):
         notes: other places that explain it, as (start, end, message).
         trailing: True for what follows the end of the root element.
         help: what to do; empty where the message says it.
+        remedy: texts that put it right, as (start, end, text); empty where they are not known.
     """
 
     start: int
@@ -28,6 +29,7 @@ class Slip(Record):
     notes: tuple[tuple[int, int, str], ...] = ()
     trailing: bool = False
     help: str = ""
+    remedy: tuple[tuple[int, int, str], ...] = ()
 
 
 class Tag(Record):

@@ -190,7 +190,7 @@ def _robots(reader: _Reader, folder: str) -> list[Robot]:
     """The variants of one entry point; every one with the common arguments too."""
     file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
     if not os.path.isfile(file):
-        raise reader.error(f"there is no file '{file}'")
+        raise reader.error(f"file not found: '{file}'")
     common = reader.arguments("arguments")
     variants = reader.take("variants", dict, {})
     reader.finish()

@@ -20,7 +20,7 @@ def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Findings, with those of a file that are alike in the place of the first of them."""
     groups: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):
-        key = (one.code, one.alike, one.span.source.path) if one.alike else number
+        key = (one.code, one.severity, one.alike, one.span.source.path) if one.alike else number
         groups.setdefault(key, []).append(one)
     found: list[Diagnostic] = []
     for group in groups.values():
@@ -31,7 +31,7 @@ def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
 def _as_one(group: list[Diagnostic]) -> Diagnostic:
     first, *others = group
     return first._replace(
-        message=f"{first.message} (and {len(others)} more likewise)",
+        message=f"{first.message} (and {len(others)} more like this)",
         related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
         fix=_together([one.fix for one in group]),
     )
@@ -49,5 +49,5 @@ def _together(fixes: list[Fix | None]) -> Fix | None:
     if not known or len(known) < len(fixes):
         return None
     edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
-    title = f"{known[0].title} (and {len(known) - 1} more likewise)"
+    title = f"{known[0].title} (and {len(known) - 1} more like this)"
     return Fix(title, tuple(edits), all(fix.safe for fix in known))

@@ -11,6 +11,7 @@ from collections.abc import Collection
 from math import inf, isfinite
 
 from urdfkit import schema
+from urdfkit.catalog.urdf_extensions import has_attribute, has_element
 from urdfkit.document import Attribute, Document, Element
 from urdfkit.nearest import nearest
 from urdfkit.record import Record
@@ -190,6 +191,8 @@ class _Walk:
         for name, attribute in element.attributes.items():
             if name in grammar.attributes or name == "xmlns" or ":" in name:
                 continue
+            if has_attribute(element.tag, name):
+                continue
             self._unknown += 1
             if self._unknown > MAX_UNKNOWN:
                 break
@@ -232,7 +235,7 @@ class _Walk:
             tag = child.tag
             known = grammar.children.get(tag)
             if known is None:
-                if ":" not in tag:
+                if ":" not in tag and not has_element(element.tag, tag):
                     unknown.append(child)
                 continue
             if not known.open:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from urdfkit import glance, libraries, rules
-from urdfkit.diagnostic import Call, Crashed, Diagnostic, Skipped
+from urdfkit.diagnostic import Call, Crashed, Diagnostic, Related, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -40,6 +40,8 @@ _OF_PACKAGES = frozenset(("PKG005", "PKG006"))
 MAX_FINDINGS = 1000
 #: Characters of a message: names in it may be as long as a file.
 MAX_MESSAGE = 2000
+#: Places in data files that a finding lists.
+MAX_DATA = 10
 
 
 class Verdict(Record):
@@ -106,7 +108,7 @@ class _Run:
         findings: list[Finding] = []
         try:
             for finding in rule.check(self.subject):
-                findings.append(_bounded(finding))
+                findings.append(self._with_data(_bounded(finding)))
                 if len(findings) >= MAX_FINDINGS:
                     break
             self.ran.add(rule.code)
@@ -115,6 +117,15 @@ class _Run:
         except Exception as error:  # a bug in a rule must not hide the other rules
             self.crashed.append(_crash(rule, path, error))
         return self._undisputed(findings)
+
+    def _with_data(self, finding: Finding) -> Finding:
+        """A finding with the places of its numbers in data files."""
+        at = finding.at
+        if isinstance(at, Written) or is_launch(self.subject.source.path):
+            return finding
+        at = at if isinstance(at, (Element, Attribute)) else at.at
+        places = self.subject.data_places(at)
+        return finding._replace(data=places) if places else finding
 
     def _undisputed(self, findings: list[Finding]) -> list[Finding]:
         """Findings with the fixes on which all uses of a macro agree."""
@@ -427,12 +438,17 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         worst.message,
         place(worst)[0],
         calls,
-        worst.related,
+        (*worst.related, *_in_data_files(group)),
         worst.help or rule.help,
         worst.fix,
         suffering,
         worst.alike,
     )
+
+
+def _in_data_files(group: list[Finding]) -> list[Related]:
+    """Where the numbers stand of what one macro body caused several times."""
+    return list(dict.fromkeys(one for finding in group for one in finding.data))[:MAX_DATA]
 
 
 def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:

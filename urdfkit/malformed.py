@@ -31,7 +31,9 @@ _JUNK = re.compile(
     rb"""[\w.:-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*')|["']|[^\s/>"'<A-Za-z_:\x80-\xff]+|/"""
 )
 _REFERENCE = re.compile(rb"&(?:#([0-9]+);|#x([0-9A-Fa-f]+);|(%s);)?" % _NAME)
-_CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f]|\xef\xbf[\xbe\xbf]")
+_CONTROLS = re.compile(rb"\x00+|[\x01-\x08\x0b\x0c\x0e-\x1f]|\xef\xbf[\xbe\xbf]")
+#: What XML forbids between ``<!--`` and ``-->``: two hyphens, or one before the end.
+_HYPHENS = re.compile(rb"--+|-\Z")
 _DECLARATION = re.compile(
     rb"""<\?xml\s+version\s*=\s*(?:"[\w.:-]+"|'[\w.:-]+')"""
     rb"""(?:\s+encoding\s*=\s*(?:"[\w.-]+"|'[\w.-]+'))?"""
@@ -53,8 +55,9 @@ def syntax_slips(data: bytes) -> list[Slip]:
         message, help = other
         return [Slip(0, 0, message, help=help)]
     controls = _controls(data)
-    if len(controls) > MAX_CONTROLS:
-        message = f"the file is no text: it holds {len(controls)} control characters"
+    count = sum(end - start for start, end in controls)
+    if count > MAX_CONTROLS:
+        message = f"the file is no text: it holds {count} control characters"
         return [Slip(*controls[0], message, help=_NAME_ANOTHER)]
     scanner = _Scanner(data)
     scanner.run()
@@ -90,8 +93,7 @@ class _Scanner:
 
     def run(self) -> None:
         for start, end in _controls(self.data):
-            code = ord(self.data[start:end].decode())
-            self._add(start, end, f"the control character U+{code:04X} is not allowed in XML")
+            self.slips.append(_control(self.data, start, end))
         position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
         position = self._declaration(position)
         size = len(self.data)
@@ -196,9 +198,8 @@ class _Scanner:
 
     def _comment(self, start: int) -> int:
         end = self._until(start, 4, b"-->", "comment")
-        dashes = -1 if self._cut_off else self.data.find(b"--", start + 4, end - 2)
-        if dashes >= 0:
-            self._add(dashes, dashes + 2, "'--' is not allowed inside a comment")
+        if not self._cut_off and (slip := _hyphens(self.data, start + 4, end - 3)):
+            self.slips.append(slip)
         return end
 
     def _doctype(self, start: int) -> int:
@@ -348,7 +349,37 @@ class _Scanner:
 
 def _controls(data: bytes) -> list[tuple[int, int]]:
     """The characters that XML forbids."""
-    return [found.span() for found in _CONTROL.finditer(data)]
+    return [found.span() for found in _CONTROLS.finditer(data)]
+
+
+def _control(data: bytes, start: int, end: int) -> Slip:
+    """A control character, or NUL bytes in a row."""
+    code, count = ord(data[start:end].decode()[0]), end - start
+    if code:
+        message = f"the control character U+{code:04X} is not allowed in XML"
+    elif count == 1:
+        message = "a NUL byte is not allowed in XML"
+    else:
+        message = f"{count} NUL bytes are not allowed in XML"
+    return Slip(start, end, message, help="remove " + ("it" if count == 1 or code else "them"))
+
+
+def _hyphens(data: bytes, start: int, end: int) -> Slip | None:
+    """The hyphens that XML forbids in a comment, whose text is between two offsets."""
+    remedy: list[tuple[int, int, str]] = []
+    for found in _HYPHENS.finditer(data[start:end]):
+        at, count = start + found.start(), len(found[0])
+        is_word = count == 2 and found.end() < end - start  # such as an option of a command
+        text = "- -" if is_word else "=" * count
+        remedy.append((at, at + count, text if count > 1 else ""))
+    if not remedy:
+        return None
+    first, last, _ = remedy[0]
+    if last - first == 1:
+        message, help = "'--->' does not end a comment", "write '-->'"
+    else:
+        message, help = "'--' is not allowed inside a comment", "write '- -' or '=='"
+    return Slip(first, last, message, help=help, remedy=tuple(remedy))
 
 
 def _is_character(code: int) -> bool:

@@ -15,6 +15,10 @@ from urdfkit.diagnostic import Edit, Fix, Related
 from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.record import Record
 from urdfkit.source import Source, Span
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.balance import Slip
 
 #: Elements of one document; the largest real robot has 40 000.
 MAX_ELEMENTS = 1_000_000
@@ -372,10 +376,17 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
             slip.message,
             slip.help,
             related=tuple(Related(Span(source, *place), text) for *place, text in slip.notes),
+            fix=_remedy(source, slip),
         )
         for slip in syntax_slips(data)
     ]
     return problems or [_expat_problem(source, data)]
+
+
+def _remedy(source: Source, slip: Slip) -> Fix | None:
+    """What puts a slip right; it is known for comments, which no reader of robots heeds."""
+    edits = tuple(Edit(Span(source, *place), text) for *place, text in slip.remedy)
+    return Fix(slip.help, edits, safe=True) if edits else None
 
 
 def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:

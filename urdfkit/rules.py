@@ -118,6 +118,7 @@ class Finding(Record):
         alike: the same for findings that many robots have in numbers, and that one slip made:
             more than a few of them are told as one.
         severity: where it is not that of the rule, whatever the targets.
+        data: where the numbers stand that expressions took out of data files; the judge finds it.
     """
 
     at: Element | Attribute | Placed[object] | Written
@@ -129,6 +130,7 @@ class Finding(Record):
     weight: float = 0.0
     alike: str = ""
     severity: Severity | None = None
+    data: tuple[Related, ...] = ()
 
 
 def told(subject: Subject, code: str) -> Iterator[Finding]:

@@ -3,8 +3,8 @@
 Sources: the URDF specification of the ROS wiki (http://wiki.ros.org/urdf/XML), urdfdom's
 ``xsd/urdf.xsd`` and README, and what its ``check_urdf`` 3.0.1 and 6.0.0 accept when they are tried.
 Only ``<link>``, ``<joint>`` and ``<material>`` subtrees have a grammar here; ``<gazebo>``,
-``<transmission>`` and ``<ros2_control>`` have their own families of rules. What another mainstream
-reader adds to URDF without a prefix (PyBullet, MuJoCo, Drake) is known here, but not looked into.
+``<transmission>`` and ``<ros2_control>`` have their own families of rules. What another program
+adds to URDF without a prefix (Bullet, MuJoCo, Drake) is in ``catalog/urdf_extensions.json``.
 """
 
 from __future__ import annotations
@@ -106,9 +106,8 @@ VISUAL = Grammar(
 )
 
 COLLISION = Grammar(
-    # PyBullet: collision filter, and a mesh that is not made convex.
-    {"name": _LEAF_NAME, **dict.fromkeys(("group", "mask", "concave"), AttributeRule(TEXT))},
-    {"origin": ORIGIN, "geometry": GEOMETRY, "verbose": ANYTHING},
+    {"name": _LEAF_NAME},
+    {"origin": ORIGIN, "geometry": GEOMETRY},
     required=("geometry",),
 )
 
@@ -128,14 +127,11 @@ LINK_GRAMMAR = Grammar(
     {
         "name": AttributeRule(NAME, required=True),
         "type": AttributeRule(TEXT),
-        "drake_ignore": AttributeRule(TEXT),
     },
     {
         "inertial": INERTIAL,
         "visual": VISUAL,
         "collision": COLLISION,
-        "contact": ANYTHING,  # PyBullet: friction, restitution and stiffness
-        "audio_source": ANYTHING,  # PyBullet
     },
     many=("visual", "collision"),
 )
@@ -146,8 +142,6 @@ JOINT_GRAMMAR = Grammar(
     {
         "name": AttributeRule(NAME, required=True),
         "type": AttributeRule(TEXT, required=True),
-        "drake_ignore": AttributeRule(TEXT),
-        "dont_collapse": AttributeRule(TEXT),  # Isaac Gym: keep the link of a fixed joint
     },
     {
         "origin": ORIGIN,
@@ -206,13 +200,6 @@ ROBOT = Grammar(
         "transmission": ANYTHING,
         "ros2_control": ANYTHING,
         "sensor": ANYTHING,
-        "mujoco": ANYTHING,
-        "webots": ANYTHING,
-        "frame": ANYTHING,  # Drake
-        "loop_joint": ANYTHING,  # Drake, Isaac Sim
-        "collision_filter_group": ANYTHING,  # Drake
-        "deformable": ANYTHING,  # PyBullet
-        "reduced_deformable": ANYTHING,  # PyBullet
     },
     many=("link", "joint", "material"),
 )
@@ -257,3 +244,14 @@ def places_of(tag: str) -> list[str]:
                 found.append(parent)
             stack.append((child, inner))
     return found
+
+
+def numeric_attributes() -> frozenset[str]:
+    """The attributes that hold numbers, in whichever element."""
+    found: set[str] = set()
+    stack = [ROBOT]
+    while stack:
+        grammar = stack.pop()
+        found.update(name for name, rule in grammar.attributes.items() if rule.type in LENGTHS)
+        stack += grammar.children.values()
+    return frozenset(found)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import cached_property
 
 from urdfkit import libraries
-from urdfkit.document import Document, Frame, Tag
+from urdfkit.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.reading import Problem, is_launch, is_xacro, read_xml
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from urdfkit.assets.measured import Measured
     from urdfkit.assets.triangles import Meshes
     from urdfkit.collision.robot import Collisions
-    from urdfkit.diagnostic import Diagnostic
+    from urdfkit.diagnostic import Diagnostic, Related
     from urdfkit.dynamics.opinion import Opinion
     from urdfkit.dynamics.robot import Dynamics
     from urdfkit.expansion import Xacro
@@ -170,6 +170,33 @@ class Subject:
         if self.reading.xacro is None:
             return self.source.data
         return self.xacro.text().encode("utf-8", "replace")
+
+    @cached_property
+    def _traced(self) -> Xacro:
+        """The expansion once more, with notes of where every value comes from."""
+        from urdfkit.expansion import expand
+
+        return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
+
+    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+        """Where in YAML files the values stand that expressions wrote at a place of the document.
+
+        Expands a second time, if the first one read YAML files and there is an expression.
+        """
+        reading = self.reading
+        element = at if isinstance(at, Element) else at.element
+        if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
+            return ()
+        attributes = at.attributes.values() if isinstance(at, Element) else (at,)
+        if not any("$" in attribute.span.text for attribute in attributes):
+            return ()
+        return self._traced.data_places(at)
+
+    def _has(self, element: Element) -> bool:
+        """True for an element of the document, not of an SRDF or a manifest beside it."""
+        while element.parent is not None:
+            element = element.parent
+        return self.reading.document is not None and element is self.reading.document.root
 
     @cached_property
     def uses(self) -> Mapping[Tag, int]:

@@ -19,7 +19,10 @@ def test_the_torque_and_the_pose() -> None:
     """2 kg at 0.7 m, level at a right angle."""
     (message,) = messages("DYN003", pendulum("13.7"))
     assert message in {
-        f"joint 'bob_joint': gravity asks 13.73 N m at bob_joint {sign}1.57; its effort is 13.7 N m"
+        (
+            f"joint 'bob_joint' needs 13.73 N m to hold against gravity at bob_joint {sign}1.57; "
+            "its effort limit is 13.7 N m"
+        )
         for sign in ("", "-")
     }
     assert places("DYN003", pendulum("13.7"))[0][1] == "13.7"

@@ -8,7 +8,8 @@ from tests.sensing import findings
 def test_the_nearest_name_is_told():
     (finding,) = findings("GAZ042", "imu", "<updaterate>1</updaterate>")
     assert finding.message == (
-        "sensor 's': a sensor has no <updaterate>; did you mean 'update_rate'?"
+        "sensor 's': unknown element <updaterate> in <sensor> (ignored); "
+        "did you mean 'update_rate'?"
     )
     assert finding.span.line == 10
 
@@ -21,7 +22,10 @@ def test_what_sensors_have_is_calm(tag):
 def test_a_slip_deep_in_the_settings_is_told_where_it_is():
     inner = "<camera><image>\n<widht>640</widht></image></camera>"
     (finding,) = findings("GAZ042", "camera", inner)
-    assert finding.message == "sensor 's': <image> has no <widht>; did you mean 'width'?"
+    assert (
+        finding.message
+        == "sensor 's': unknown element <widht> in <image> (ignored); did you mean 'width'?"
+    )
     assert (finding.span.line, finding.span.text) == (11, "<widht>")
     assert finding.fix
 
@@ -49,5 +53,5 @@ def test_what_sdf_knows_is_calm(inner):
 @pytest.mark.parametrize(("tag", "instead"), [("origin", "<pose>"), ("noise", "<ray>")])
 def test_what_belongs_elsewhere_is_told_so(tag, instead):
     (finding,) = findings("GAZ042", "ray", f"<{tag}/>")
-    assert finding.message == f"sensor 's': a sensor has no <{tag}>"
+    assert finding.message == f"sensor 's': unknown element <{tag}> in <sensor> (ignored)"
     assert instead in finding.help

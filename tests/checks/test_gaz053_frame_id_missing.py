@@ -9,9 +9,10 @@ from urdfkit.diagnostic import Severity
 @pytest.mark.parametrize(
     ("targets", "severities"),
     [
-        (("gz-harmonic",), [Severity.WARNING]),
+        (("ros2", "gz-harmonic"), [Severity.WARNING]),
+        (("gz-harmonic",), [Severity.INFO]),  # without ROS there is no TF
         (("classic-ros1",), []),
-        (("classic-ros1", "gz-jetty"), [Severity.WARNING]),
+        (("ros1", "classic-ros1", "gz-jetty"), [Severity.WARNING]),
     ],
 )
 def test_it_matters_in_gz_sim_only(targets, severities):
@@ -47,9 +48,7 @@ def test_one_of_several_targets_may_suffer():
 def test_a_model_is_told_once():
     beside = '<sensor name="first" type="imu"/>'
     (found,) = findings("GAZ053", "imu", beside=beside, targets=("gz-harmonic",))
-    assert found.message == (
-        "sensor 'first' names no frame for its measurements (and 1 more likewise)"
-    )
+    assert found.message == ("sensor 'first' has no <gz_frame_id> (and 1 more like this)")
 
 
 def test_a_contact_sensor_needs_no_frame():

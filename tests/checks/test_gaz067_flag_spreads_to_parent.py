@@ -21,7 +21,7 @@ OFF = "<turnGravityOff>true</turnGravityOff>"
 )
 def test_a_switch_of_a_merged_link(tag: str, does: str) -> None:
     (message,) = messages("GAZ067", BASE + CAMERA + block(tag, "camera"))
-    assert message.endswith(f"holds for all of 'base', which it is merged into and which {does}")
+    assert message.endswith(f"also applies to 'base', the link it is merged into, which {does}")
 
 
 @pytest.mark.parametrize(

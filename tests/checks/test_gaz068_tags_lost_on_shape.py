@@ -26,7 +26,7 @@ def test_a_shape_whose_name_is_its_own(kind: str, tags: str, listed: str) -> Non
     robot = BASE + wheel(kind, "tyre") + block(tags, "wheel")
     (message,) = messages("GAZ068", robot)
     lost = f"link 'wheel': {listed} of its <gazebo> block does not reach <{kind}> 'tyre'"
-    assert message == f"{lost}, for what it is called"
+    assert message == f"{lost}, because of its name"
     assert [text for _, text in places("GAZ068", robot)] == ["tyre"]
     assert f'<{kind} name="wheel_tyre">' in fixed("GAZ068", robot)
 

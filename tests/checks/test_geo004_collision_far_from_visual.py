@@ -14,7 +14,7 @@ from urdfkit.diagnostic import Severity
 
 CUBE = '<box size="1 1 1"/>'
 HEAD = "the bounding boxes of collision and visual have only"
-TAIL = " of their volume in common, less than 33%"
+TAIL = " of their volume in common, less than 34%"
 
 
 def pair(seen: str, touched: str, xyz: str = "0 0 0", rpy: str = "0 0 0") -> str:

@@ -9,8 +9,8 @@ from tests.told import messages, told
 def test_moments_of_a_diagonal_tensor() -> None:
     assert messages("INE003", link("arm", inertial(2, (0.01, 0.03, 0.01)))) == [
         (
-            "link 'arm': of the moments of inertia, 0.03 kg m^2 is more than the sum of the "
-            "others, 0.01 + 0.01"
+            "link 'arm': the moments of inertia violate the triangle inequality: "
+            "0.03 > 0.01 + 0.01 kg m^2"
         )
     ]
 
@@ -22,8 +22,8 @@ def test_principal_moments_and_not_the_diagonal() -> None:
     robot = link("arm", inertial(2, (0.03, 0.02, 0, 0.03, 0, 0.03)))
     assert messages("INE003", robot) == [
         (
-            "link 'arm': of the principal moments of inertia, 0.05 kg m^2 is more than the sum of "
-            "the others, 0.01 + 0.03"
+            "link 'arm': the principal moments of inertia violate the triangle inequality: "
+            "0.05 > 0.01 + 0.03 kg m^2"
         )
     ]
 
@@ -35,7 +35,7 @@ def test_rounding_is_no_defect(high: float, found: int) -> None:
 
 def test_a_moment_that_stands_alone() -> None:
     (found,) = told("INE003", part("base", 12, (0, 0, 0.9), BOX))
-    assert found.message.endswith("0.9 kg m^2 is more than the sum of the others, 0 + 0")
+    assert found.message.endswith("0.9 > 0 + 0 kg m^2")
     assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
 
 

@@ -16,11 +16,11 @@ def pair(leading: tuple[str, str], own: tuple[str, str], rest: str, kind: str = 
 @pytest.mark.parametrize(
     ("leading", "own", "rest", "taken"),
     [
-        (("0", "0.8"), ("0", "0.8757"), 'multiplier="-1"', "-0.8 to 0"),
-        (("-0.1", "0.6"), ("0", "0.8"), 'multiplier="1.6"', "-0.16 to 0.96"),
-        (("0", "1"), ("0", "1"), 'offset="0.5"', "0.5 to 1.5"),
-        (("-1", "1"), ("-1", "1"), 'multiplier="-1.05"', "-1.05 to 1.05"),
-        (("1", "1"), ("2", "3"), "", "1 to 1"),
+        (("0", "0.8"), ("0", "0.8757"), 'multiplier="-1"', "-0.8, 0"),
+        (("-0.1", "0.6"), ("0", "0.8"), 'multiplier="1.6"', "-0.16, 0.96"),
+        (("0", "1"), ("0", "1"), 'offset="0.5"', "0.5, 1.5"),
+        (("-1", "1"), ("-1", "1"), 'multiplier="-1.05"', "-1.05, 1.05"),
+        (("1", "1"), ("2", "3"), "", "1, 1"),
     ],
 )
 def test_a_follower_beyond_its_limits(
@@ -28,14 +28,19 @@ def test_a_follower_beyond_its_limits(
 ) -> None:
     text = pair(leading, own, rest)
     assert messages("JNT016", text) == [
-        f"joint 'b' is taken from {taken} rad by 'a', beyond its limits {own[0]} to {own[1]} rad"
+        (
+            f"joint 'b': the mimic of 'a' drives it through [{taken}] rad, beyond its limits "
+            f"[{own[0]}, {own[1]}]"
+        )
     ]
     assert places("JNT016", text) == [(6, f'<mimic joint="a" {rest}/>')]
 
 
 def test_the_unit_of_a_prismatic_joint() -> None:
     (message,) = messages("JNT016", pair(("0", "0.1"), ("0", "0.05"), "", "prismatic"))
-    assert message == "joint 'b' is taken from 0 to 0.1 m by 'a', beyond its limits 0 to 0.05 m"
+    assert message == (
+        "joint 'b': the mimic of 'a' drives it through [0, 0.1] m, beyond its limits [0, 0.05]"
+    )
 
 
 def test_a_sign_that_would_do_is_told() -> None:

@@ -23,7 +23,7 @@ def test_neither_folders_nor_other_kinds_of_files_are_offered(tmp_path):
     (tmp_path / "robot.launch").write_text("<launch/>")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'
     (finding,) = check(Source(str(tmp_path / "a.launch"), text)).diagnostics
-    assert finding.help == "make the file, or mend its name"
+    assert finding.help == "create the file, or fix its name"
 
 
 def test_a_file_that_is_there_is_calm(tmp_path):

@@ -120,7 +120,8 @@ def test_what_one_lost_folder_takes_along_is_one_finding_for_people(robot: str) 
     assert len(found) == 3
     (seen,) = gathered(found)
     assert seen.message == (
-        f"link 'arm': the visual mesh '{home}/ur/visual/a.dae' does not exist (and 2 more likewise)"
+        f"link 'arm': the visual mesh '{home}/ur/visual/a.dae' does not exist "
+        "(and 2 more like this)"
     )
 
 

@@ -18,15 +18,15 @@ MANY = stl(1667 * CUBE)
 def test_20_004_triangles(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH019", link(mesh("a.stl")), {"a.stl": MANY}) == [
         (
-            "link 'arm': the collision mesh 'a.stl' has 20004 triangles; over 20000 collision "
-            "checks are slow"
+            "link 'arm': the collision mesh 'a.stl' has 20,004 triangles; more than 20,000 make "
+            "collision checking slow"
         )
     ]
 
 
 def test_mujoco_refuses_it(tmp_path: Path) -> None:
     (found,) = messages(tmp_path, "MSH019", link(mesh("a.stl")), {"a.stl": stl(16_667 * CUBE)})
-    assert found.endswith("are slow, and MuJoCo refuses over 200000")
+    assert found.endswith("slow, and MuJoCo rejects more than 200,000")
 
 
 def test_fewer_or_only_seen(tmp_path: Path) -> None:

@@ -22,8 +22,8 @@ def test_5000_to_20_000_triangles(tmp_path: Path, cubes: int, is_told: bool) -> 
     robot = link(mesh("a.stl", "visual"), mesh("a.stl"))
     found = messages(tmp_path, "MSH031", robot, {"a.stl": stl(cubes * CUBE)})
     message = (
-        "link 'arm': the collision mesh 'a.stl' is that of the visual, too, and has "
-        f"{12 * cubes} triangles; over 5000 a simpler one is worth it"
+        f"link 'arm': the collision mesh 'a.stl' is the visual mesh ({12 * cubes:,} triangles, "
+        "more than 5,000); consider a simpler one"
     )
     assert found == [message] * is_told
 

@@ -6,7 +6,7 @@ from urdfkit.diagnostic import Severity
 ROBOT = """\
 <link name="a"/>
 <link name="b"/>
-<joint name="{}" type="fixed">
+<joint name="{}" type="continuous">
   <parent link="a"/>
   <child link="b"/>
 </joint>"""

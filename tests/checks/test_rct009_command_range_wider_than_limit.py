@@ -19,15 +19,24 @@ def commanded(name: str, interface: str, least: str, greatest: str) -> str:
     [
         (
             commanded("slide", "position", "0", "0.6"),
-            "joint 'slide': position is commanded from 0 to 0.6 m, its limit is 0 to 0.5 m",
+            (
+                "joint 'slide': the range of command_interface 'position', [0, 0.6] m, exceeds the "
+                "joint limit [0, 0.5] m"
+            ),
         ),
         (
             commanded("swing", "velocity", "-3", "3"),
-            "joint 'swing': velocity is commanded from -3 to 3 rad/s, its limit is -2 to 2 rad/s",
+            (
+                "joint 'swing': the range of command_interface 'velocity', [-3, 3] rad/s, "
+                "exceeds the joint limit [-2, 2] rad/s"
+            ),
         ),
         (
             commanded("slide", "effort", "-200", "x"),
-            "joint 'slide': effort is commanded from -200 to ... N, its limit is -100 to 100 N",
+            (
+                "joint 'slide': the range of command_interface 'effort', [-200, ...] N, "
+                "exceeds the joint limit [-100, 100] N"
+            ),
         ),
     ],
 )

@@ -12,7 +12,7 @@ from tests.told import messages, places
         (
             '<joint name="swing"><comand_interface name="position"/></joint>',
             (
-                "joint 'swing' in <ros2_control> has no <comand_interface>; did you mean "
+                "joint 'swing' in <ros2_control>: unknown element <comand_interface>; did you mean "
                 "'command_interface'?"
             ),
         ),
@@ -21,12 +21,15 @@ from tests.told import messages, places
                 '<joint name="swing"><state_interface name="position"><parm name="min">0</parm>'
                 "</state_interface></joint>"
             ),
-            "state_interface 'position' in <ros2_control> has no <parm>; did you mean 'param'?",
+            (
+                "state_interface 'position' in <ros2_control>: unknown element <parm>; "
+                "did you mean 'param'?"
+            ),
         ),
         (
             '<sensor name="imu"><command_interface name="x"/></sensor>',
             (
-                "sensor 'imu' in <ros2_control> has no <command_interface>; did you mean "
+                "sensor 'imu' in <ros2_control>: unknown element <command_interface>; did you mean "
                 "'state_interface'?"
             ),
         ),

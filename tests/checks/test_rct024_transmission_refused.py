@@ -19,13 +19,17 @@ SOUND = ROBOT + transmission("swing")
                 "'transmission_interface/SimpleTransmission'"
             ),
         ),
-        (">1<", ">0<", "transmission 't': the ratio is 0, and must be a number other than 0"),
-        (">1<", ">1:50<", "transmission 't': the ratio is 1:50, and must be a number other than 0"),
+        (">1<", ">0<", "transmission 't': mechanicalReduction is 0, not a number other than 0"),
+        (
+            ">1<",
+            ">1:50<",
+            "transmission 't': mechanicalReduction is 1:50, not a number other than 0",
+        ),
         (
             "mechanicalReduction",
             "mechanicalReducton",
             (
-                "transmission 't': <actuator> has no <mechanicalReducton>; did you mean "
+                "transmission 't': unknown element <mechanicalReducton>; did you mean "
                 "'mechanicalReduction'?"
             ),
         ),

@@ -13,17 +13,17 @@ from tests.srdfs import findings
         (
             '<group_sate name="s" group="g"/>',
             "group_sate",
-            "<robot> has no element <group_sate>; did you mean 'group_state'?",
+            "unknown element <group_sate> in <robot> (ignored); did you mean 'group_state'?",
         ),
         (
             '<group name="g"><chian base_link="base" tip_link="arm"/></group>',
             "chian",
-            "<group> has no element <chian>; did you mean 'chain'?",
+            "unknown element <chian> in <group> (ignored); did you mean 'chain'?",
         ),
         (
             '<disable_collisions link1="base" link_2="arm"/>',
             "link_2",
-            "<disable_collisions> has no attribute 'link_2'; did you mean 'link2'?",
+            "unknown attribute 'link_2' in <disable_collisions> (ignored); did you mean 'link2'?",
         ),
     ],
 )

@@ -16,7 +16,7 @@ JOINT = """\
 
 def test_an_unknown_element_is_named_with_its_owner() -> None:
     robot = JOINT.format('<anchor xyz="0 0 0"/>')
-    assert messages("URD001", robot) == ["joint 'j': <joint> has no element <anchor>"]
+    assert messages("URD001", robot) == ["joint 'j': unknown element <anchor> in <joint> (ignored)"]
     assert places("URD001", robot) == [(7, '<anchor xyz="0 0 0"/>')]
     without = robot.replace('  <anchor xyz="0 0 0"/>\n', "")
     assert fixed("URD001", robot) == f'<robot name="example">\n{without}\n</robot>\n'
@@ -44,7 +44,7 @@ def test_only_what_holds_nothing_is_removed(inside: str) -> None:
 
 def test_what_is_there_already_is_not_meant_again() -> None:
     robot = JOINT.format('<origin xyz="0 0 1"/><orign xyz="0 0 1"/>')
-    assert messages("URD001", robot) == ["joint 'j': <joint> has no element <orign>"]
+    assert messages("URD001", robot) == ["joint 'j': unknown element <orign> in <joint> (ignored)"]
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ LIMIT = """\
 def test_the_nearest_attribute_is_offered() -> None:
     robot = LIMIT.format('velocty="2"')
     assert messages("URD002", robot) == [
-        "joint 'j': <limit> has no attribute 'velocty'; did you mean 'velocity'?"
+        "joint 'j': unknown attribute 'velocty' in <limit> (ignored); did you mean 'velocity'?"
     ]
     assert places("URD002", robot) == [(7, "2")]
     assert 'effort="5" velocity="2"/>' in fixed("URD002", robot)
@@ -35,7 +35,9 @@ def test_the_name_alone_is_changed(written: str, meant: str) -> None:
 
 def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
     robot = LIMIT.format('velocity="2" colour="red"')
-    assert messages("URD002", robot) == ["joint 'j': <limit> has no attribute 'colour'"]
+    assert messages("URD002", robot) == [
+        "joint 'j': unknown attribute 'colour' in <limit> (ignored)"
+    ]
     assert told("URD002", robot)[0].fix is None
 
 
@@ -72,7 +74,7 @@ def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> 
     )
     (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
     assert finding.message == (
-        "joint 'j0': <dynamics> has no attribute 'stiff' (and 7 more that have it)"
+        "joint 'j0': unknown attribute 'stiff' in <dynamics> (ignored) (and 7 more like this)"
     )
     assert [related.message for related in finding.related] == [
         f"joint 'j{i}'" for i in range(1, 6)
@@ -87,7 +89,8 @@ def test_all_foreign_attributes_of_a_tag_are_one_finding() -> None:
     )
     (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
     assert finding.message == (
-        "joint 'j0': <dynamics> has no attributes 'K', 'D' and 'mu' (and 1 more that have them)"
+        "joint 'j0': unknown attributes 'K', 'D' and 'mu' in <dynamics> (ignored) "
+        "(and 1 more like this)"
     )
 
 
@@ -95,5 +98,5 @@ def test_a_long_list_of_attributes_is_cut() -> None:
     foreign = " ".join(f'{letter}="1"' for letter in "ABCDEFGH")
     (finding,) = told("URD002", f'<link name="a" {foreign}/>')
     assert finding.message == (
-        "link 'a': <link> has no attributes 'A', 'B', 'C', 'D', 'E' and 3 more"
+        "link 'a': unknown attributes 'A', 'B', 'C', 'D', 'E' and 3 more in <link> (ignored)"
     )

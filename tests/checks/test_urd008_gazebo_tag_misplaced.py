@@ -64,5 +64,5 @@ def test_every_tag_that_the_converter_handles_is_known() -> None:
 
 def test_the_pose_of_sdf_has_its_words_in_urdf() -> None:
     (found,) = told("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
-    assert "by the <origin> of its joint" in found.help
+    assert "the <origin> of the joint" in found.help
     assert found.fix is None

@@ -11,21 +11,21 @@ from tests.told import fixed, messages, told
         (
             '<link name="a"><origin xyz="0 0 1"/></link>',
             (
-                "link 'a': readers pass over the <origin> in <link>; it belongs in <collision> or "
-                "<inertial> or <joint> or <visual>"
+                "link 'a': URDF parsers ignore <origin> inside <link>; it belongs in "
+                "<collision> or <inertial> or <joint> or <visual>"
             ),
         ),
         (
             '<link name="a"><mass value="1"/></link>',
-            "link 'a': readers pass over the <mass> in <link>; it belongs in <inertial>",
+            "link 'a': URDF parsers ignore <mass> inside <link>; it belongs in <inertial>",
         ),
         (
             '<link name="a"/><inertial/>',
-            "robot 'example': readers pass over the <inertial> in <robot>; it belongs in <link>",
+            "robot 'example': URDF parsers ignore <inertial> inside <robot>; it belongs in <link>",
         ),
         (
             '<link name="a"><gazebo><plugin/></gazebo></link>',
-            "link 'a': readers pass over the <gazebo> in <link>; it belongs in <robot>",
+            "link 'a': URDF parsers ignore <gazebo> inside <link>; it belongs in <robot>",
         ),
     ],
 )
@@ -77,7 +77,7 @@ def test_elements_of_one_tag_in_the_same_wrong_place_are_one_finding() -> None:
     robot = "".join(f'<link name="{name}">{body}</link>' for name in "abcdefg")
     (found,) = told("URD012", robot)
     assert found.message == (
-        "link 'a': readers pass over the <material> in <collision>; it belongs in <robot> or "
-        "<visual> (and 6 more like it)"
+        "link 'a': URDF parsers ignore <material> inside <collision>; it belongs in <robot> or "
+        "<visual> (and 6 more like this)"
     )
     assert [related.message for related in found.related] == [f"link '{name}'" for name in "bcdef"]

@@ -20,7 +20,7 @@ LINK = '<link name="arm">{}</link>'
 )
 def test_text_where_urdf_has_none(inside: str, text: str, where: str) -> None:
     assert messages("URD017", LINK.format(inside)) == [
-        f"link 'arm': readers pass over the text '{text}' in <{where}>"
+        f"link 'arm': URDF parsers ignore the text '{text}' in <{where}>"
     ]
     ((_, shown),) = places("URD017", LINK.format(inside))
     assert shown == text

@@ -177,7 +177,7 @@ class TestMissingFiles:
         write(tmp_path, robot='<xacro:include filename="arms.xacro"/><link name="a"/>', arm="")
         (found,) = told_of("XAC001", tmp_path / "robot.xacro")
         assert found.span.text == "arms.xacro"
-        assert found.message == f"there is no file {tmp_path}/arms.xacro"
+        assert found.message == f"file not found: {tmp_path}/arms.xacro"
         assert found.help == "did you mean 'arm.xacro'?"
 
     def test_a_folder_that_is_missing_is_named(self, tmp_path: Path) -> None:

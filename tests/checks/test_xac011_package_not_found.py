@@ -52,5 +52,5 @@ def test_found_by_name_and_beside(tmp_path: Path) -> None:
 def test_a_package_that_is_used_often_is_shown_once() -> None:
     uses = "\n".join(f'<link name="$(find arm)/{i}"/>' for i in range(7))
     (found,) = gathered(told("XAC011", uses))
-    assert found.message.endswith("(and 6 more likewise)")
+    assert found.message.endswith("(and 6 more like this)")
     assert len(found.related) == 6

@@ -43,7 +43,7 @@ def test_a_link_that_leads_outside(tmp_path: Path) -> None:
 def test_a_file_that_does_not_exist_is_missing_wherever_it_is() -> None:
     assert told("XAC012", '<xacro:include filename="/home/bob/ws/arm.xacro"/>') == []
     (found,) = told("XAC001", '<xacro:include filename="/home/bob/ws/arm.xacro"/>')
-    assert found.message == "there is no file /home/bob/ws/arm.xacro"
+    assert found.message == "file not found: /home/bob/ws/arm.xacro"
 
 
 def test_trusted(tmp_path: Path) -> None:

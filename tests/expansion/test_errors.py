@@ -47,7 +47,7 @@ def test_all_errors_of_a_file(tmp_path: Path) -> None:
     assert messages[8] == "block 'q' is not defined"
     assert messages[9] == "the condition is 'maybe', neither true nor false"
     assert messages[10] == "'${u' is never closed"
-    assert messages[11] == f"there is no file {tmp_path}/none.xacro"
+    assert messages[11] == f"file not found: {tmp_path}/none.xacro"
 
 
 def test_a_property_that_fails_is_told_once_with_its_uses(tmp_path: Path) -> None:

@@ -94,7 +94,7 @@ def test_a_crash_is_told_as_a_bug_of_urdfkit() -> None:
 def test_several_calls_are_counted() -> None:
     calls = (Call("a", (), "x"), Call("b", (), "y"), Call("c", (), "z"))
     ((_, _, what),) = rows(report(diagnostic(span(PLAIN, "arm"), calls=calls)))
-    assert what.endswith("(3 calls lead here)")
+    assert what.endswith("(expanded from 3 places)")
 
 
 @pytest.mark.parametrize(

@@ -137,7 +137,7 @@ def test_several_calls_have_their_own_messages_and_places() -> None:
     )
     found = diagnostic(INERTIA, message="link 'a': 9 kg", calls=calls)
     assert body(render(report(found))).splitlines()[3:] == [
-        "  2 calls lead here:",
+        "  expanded from 2 places:",
         "    line 6:3: link/a",
         "    line 3:29, from line 4:3: link 'b': 5 kg",
     ]
@@ -151,7 +151,7 @@ def test_what_all_calls_share_is_said_once() -> None:
     found = diagnostic(INERTIA, message="link '0': 5 kg", calls=calls)
     assert body(render(report(found))).splitlines()[3:] == [
         "  called by <xacro:inertial> at robot.xacro:3:29",
-        "  2 calls lead here:",
+        "  expanded from 2 places:",
         "    line 4:3: link/0",
         "    line 5:3: link '1': 5 kg",
         "  included at top.xacro:2:1",
@@ -176,7 +176,7 @@ def test_at_most_eight_calls_are_listed() -> None:
         for n in range(100)
     )
     lines = body(render(report(diagnostic(INERTIA, message="link 0", calls=calls)))).splitlines()
-    assert lines[3] == "  100 calls lead here:"
+    assert lines[3] == "  expanded from 100 places:"
     assert lines[4] == "    many.xacro:1:1: e0"
     assert lines[11:] == ["    many.xacro:8:1: link 7", "    and 92 more"]
 

@@ -37,7 +37,7 @@ def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
         (part("ball", 1, (0.004, 0.004, 0.0082), BALL), {"INE003": ["ball"]}),
         (part("ball", 1, (0.004, 0.005, 0, 0.004, 0, 0.004), BALL), {"INE002": ["ball"]}),
         (ball(0.06, 0.00024), {"INE010": ["ball"]}),  # 14 kg/m^3
-        (ball(60, 0.24), {"INE010": ["ball"]}),  # 14 000 kg/m^3
+        (ball(70, 0.28), {"INE010": ["ball"]}),  # 16 700 kg/m^3
         (part("box", 12, (0.05, 0.1, 0.13), BOX), {"INE015": ["box"]}),
     ],
 )
@@ -97,9 +97,10 @@ def test_what_is_lost_in_a_larger_body_is_a_hint_at_most() -> None:
     [
         (6, BOX, None),
         (0.13, BOX, None),
-        (0.11, BOX, 0.11 / 0.006),
-        (71, BOX, None),
-        (73, BOX, 73 / 0.006),
+        (0.11, BOX, None),
+        (0.09, BOX, 0.09 / 0.006),
+        (86, BOX, None),
+        (87, BOX, 87 / 0.006),
         (1, '<box size="0.004 0.004 0.004"/>', None),
     ],
 )

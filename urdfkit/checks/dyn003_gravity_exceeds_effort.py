@@ -95,8 +95,8 @@ def _finding(joint: Joint, load: Load) -> Finding:
     unit = effort_unit(joint)
     return Finding(
         joint.limit.effort,
-        f"joint '{joint.name}': gravity asks {load.worst:.4g} {unit} at {pose or 'zero'}; its "
-        f"effort is {load.effort:.4g} {unit}",
+        f"joint '{joint.name}' needs {load.worst:.4g} {unit} to hold against gravity at "
+        f"{pose or 'zero'}; its effort limit is {load.effort:.4g} {unit}",
         weight=load.used or 0.0,
         alike="effort",
     )

@@ -41,7 +41,7 @@ FIXED = GOOD
 #: What is meant by a child that belongs elsewhere.
 _INSTEAD = {
     "origin": "place it by <pose>x y z roll pitch yaw</pose>",
-    "noise": "let it stand in the settings of the sensor, such as <ray> or <camera>",
+    "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
 }
 
 #: How like a tag a word must be to be taken for a slip of it.
@@ -52,7 +52,7 @@ _SLIP = 0.8
     "GAZ042",
     "sensor-child-unknown",
     Severity.WARNING,
-    help="mend the name of the tag",
+    help="fix the name of the element",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -60,14 +60,14 @@ def check(subject: Subject) -> Iterator[Finding]:
     for sensor in sensors(subject.model):
         for child in sensor.at.children:
             if child.tag not in known and ":" not in child.tag:
-                yield _finding(child, f"{sensor.who}: a sensor", known)
+                yield _finding(child, sensor.who, "sensor", known)
         for inner in written(sensor):
             if inner.setting is None and ":" not in inner.at.tag:
-                yield _finding(inner.at, f"{sensor.who}: <{inner.parent}>", inner.siblings)
+                yield _finding(inner.at, sensor.who, inner.parent, inner.siblings)
 
 
-def _finding(child: Element, who: str, known: Iterable[str]) -> Finding:
-    message = f"{who} has no <{child.tag}>"
+def _finding(child: Element, who: str, parent: str, known: Iterable[str]) -> Finding:
+    message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
     if instead := _INSTEAD.get(child.tag):
         return Finding(child, message, instead, alike=child.tag)
     hint = did_you_mean(child.tag, known)

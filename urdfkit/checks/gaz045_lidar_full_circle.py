@@ -32,7 +32,7 @@ FIXED = BAD.replace(">3.1415926<", ">3.12414<")
 @rule(
     "GAZ045",
     "lidar-full-circle",
-    Severity.WARNING,
+    Severity.INFO,
     help="end one step before the full circle",
     fixable=True,
 )

@@ -3,7 +3,7 @@
 Its messages are then stamped with a name of Gazebo's own, such as `robot/base_link/lidar`, which TF
 does not know: RViz shows "frame does not exist". Name the link's frame with `<gz_frame_id>`, which
 all of them read. Fortress alone reads `<ignition_frame_id>`, too, and only Gazebo from Ionic on
-(Jetty) reads `<frame_id>`.
+(Jetty) reads `<frame_id>`. Without ROS there is no TF, and the finding is an info.
 
 Sources:
     gz-sensors, Sensor.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Sensor.cc
@@ -55,10 +55,16 @@ def check(subject: Subject) -> Iterator[Finding]:
     # One slip, made once by whoever wrote or generated the model: told where it begins.
     if without:
         first = without[0]
-        more = f" (and {len(without) - 1} more likewise)" if len(without) > 1 else ""
+        more = f" (and {len(without) - 1} more like this)" if len(without) > 1 else ""
         tags = _given(first)
-        named = f"its frame by <{tags[0]}> only" if tags else "no frame for its measurements"
-        yield Finding(first.at, f"{first.who} names {named}{more}")
+        lack = f"names its frame by <{tags[0]}> only" if tags else "has no <gz_frame_id>"
+        severity = None if _is_for_ros(subject) else Severity.INFO
+        yield Finding(first.at, f"{first.who} {lack}{more}", severity=severity)
+
+
+def _is_for_ros(subject: Subject) -> bool:
+    targets = (subject.targets, subject.inferred_targets)
+    return any(one.any_of(("ros1", "ros2")) for one in targets)
 
 
 def _is_nameless(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:

@@ -62,7 +62,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             # The sensor looks along x of its own link; another link may be turned as it should.
             if name == sensor.reference and "optical" not in name:
                 message = (
-                    f"{sensor.who}: its pictures are stamped with '{name}', which looks along x"
+                    f"{sensor.who}: images are published with frame_id '{name}', which is x-forward"
                 )
                 yield Finding(frame, message, alike="not optical")
 

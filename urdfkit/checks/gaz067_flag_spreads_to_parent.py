@@ -79,7 +79,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if into and (into, tag.tag) not in names:
             yield Finding(
                 tag,
-                f"<{tag.tag}> of '{name}' holds for all of '{into}', which it is merged into and "
+                f"<{tag.tag}> of '{name}' also applies to '{into}', the link it is merged into, "
                 f"which {_DOES[tag.tag]}",
                 alike=f"{tag.tag} of {into}",
             )

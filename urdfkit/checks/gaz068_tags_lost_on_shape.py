@@ -96,5 +96,5 @@ def _finding(shape: Element, link: str, top: str, tags: list[Element]) -> Findin
         return Finding(tags[0], message, "give the link a name that begins otherwise")
     edits = replace_value(name, f"{link}_{name.value}") if link == top else None
     fix = Fix.of(f"rename it to '{link}_{name.value}'", edits)
-    message = f"{lost} does not reach <{shape.tag}> '{name.value}', for what it is called"
+    message = f"{lost} does not reach <{shape.tag}> '{name.value}', because of its name"
     return Finding(name, message, fix=fix, related=related, alike="named")

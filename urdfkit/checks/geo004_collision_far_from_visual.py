@@ -1,10 +1,11 @@
 """A link is touched elsewhere than it is seen.
 
-The bounding boxes of its collisions and of its visuals have less than a third of their volume in
-common. Wheels sink into the floor or hover, grippers close on nothing, and MoveIt avoids a place
-that is free while it drives into what is there. Usually the `<origin>` was written for the visual
-and forgotten for the collision; the two do not share it. A collision that is deliberately larger or
-smaller about the same place is not meant, nor is a primitive that stands for a part of a mesh.
+The bounding boxes of its collisions and of its visuals have no more than a third of their volume in
+common, as where the `<origin>` of half the height stands in the visual alone. Wheels sink into the
+floor or hover, grippers close on nothing, and MoveIt avoids a place that is free while it drives
+into what is there. Usually the `<origin>` was written for the visual and forgotten for the
+collision; the two do not share it. A collision that is deliberately larger or smaller about the
+same place is not meant, nor is a primitive that stands for a part of a mesh.
 Where a quarter turn explains it, or a unit, GEO017 and GEO016 say so.
 
 Sources:

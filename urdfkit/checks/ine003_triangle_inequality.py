@@ -56,8 +56,8 @@ def _finding(weighed: Weighed, masses: Masses) -> Finding:
     diagnosis = of_impossible(weighed, masses)
     return Finding(
         weighed.at,
-        f"link '{weighed.link.name}': of the {which} of inertia, {high:.3g} kg m^2 is more than "
-        f"the sum of the others, {low:.3g} + {middle:.3g}",
+        f"link '{weighed.link.name}': the {which} of inertia violate the triangle inequality: "
+        f"{high:.3g} > {low:.3g} + {middle:.3g} kg m^2",
         str(diagnosis),
         replacement(weighed, diagnosis.tensor),
         weight=(high - low - middle) / high,

@@ -54,8 +54,8 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _finding(weighed: Weighed) -> Finding:
     return Finding(
         weighed.at,
-        f"link '{weighed.link.name}' of {weighed.mass:g} kg has the stand-in "
-        f"{values(weighed.diagonal)}, as if all of it were {weighed.radius_of_gyration:.3g} m away",
+        f"link '{weighed.link.name}' of {weighed.mass:g} kg: placeholder inertia "
+        f"{values(weighed.diagonal)} (radius of gyration {weighed.radius_of_gyration:.3g} m)",
         confidence=Confidence.INFERRED,
         weight=weighed.radius_of_gyration,
     )

@@ -22,6 +22,8 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
+    from urdfkit.model import Tensor
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -37,6 +39,9 @@ BAD = """\
 </link>"""
 FIXED = GOOD = BAD.replace('iyy="0.00158"', 'iyy="0.003"').replace('izz="0.003"', 'izz="0.00158"')
 
+#: Moments within this factor are those of the shape.
+_SAME = 1.2
+
 
 @rule(
     "INE015",
@@ -51,9 +56,28 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert expected is not None
         yield Finding(
             weighed.at,
-            f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
-            f" about x, y and z; {as_solid(weighed)} as it lies",
+            f"link '{weighed.link.name}' has {_difference(weighed, expected)} as it lies",
             "" if from_macro(weighed.at) else f"write {written(expected)}, or turn the <inertial>",
             replacement(weighed, expected),
             confidence=Confidence.INFERRED,
         )
+
+
+def _difference(weighed: Weighed, expected: Tensor) -> str:
+    """What is not that of the shape: the moments, or else the products of inertia."""
+    if not weighed.fits(expected, _SAME):
+        return (
+            f"moments of inertia of {values(weighed.diagonal)} about x, y and z; "
+            f"{as_solid(weighed)}"
+        )
+    keys = [key for key in ("ixy", "ixz", "iyz") if _differs(key, weighed, expected)]
+    there, right = (
+        ", ".join(f"{key} = {getattr(tensor, key):.3g}" for key in keys)
+        for tensor in (weighed.tensor, expected)
+    )
+    return f"{there} kg m^2; the solid {weighed.solid} has {right}"
+
+
+def _differs(key: str, weighed: Weighed, expected: Tensor) -> bool:
+    apart: float = abs(getattr(weighed.tensor, key) - getattr(expected, key))
+    return apart > (_SAME - 1) * weighed.moments[2]

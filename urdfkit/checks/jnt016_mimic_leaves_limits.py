@@ -61,8 +61,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert leader.limit is not None
         yield Finding(
             mimic.at,
-            f"joint '{joint.name}' is taken from {taken[0]:g} to {taken[1]:g} {unit(joint)} by "
-            f"'{leader.name}', beyond its limits {own[0]:g} to {own[1]:g} {unit(joint)}",
+            f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
+            f"{taken[1]:g}] {unit(joint)}, beyond its limits [{own[0]:g}, {own[1]:g}]",
             _remedy(joint, leading, own),
             related=(Related(leader.limit.at.span, f"the limits of '{leader.name}'"),),
             alike="beyond",

@@ -39,6 +39,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 place,
                 f"package '{package.name}' is not found",
-                f"mend the name, or declare the package in package.xml; searched {searched}",
+                f"fix the name, or declare the package in package.xml; searched {searched}",
                 alike="lost",
             )

@@ -32,7 +32,7 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
     "file-not-found",
     Severity.WARNING,
     needs=(Need.LAUNCH,),
-    help="make the file, or mend its name",
+    help="create the file, or fix its name",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:

@@ -35,7 +35,7 @@ GOOD = BAD.replace("use_giu", "use_gui")
     "undeclared-argument",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
-    help="declare it, or mend the name",
+    help="declare it, or fix the name",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     yield from told(subject, "LAU006")

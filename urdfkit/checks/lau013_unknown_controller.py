@@ -57,7 +57,7 @@ _MAX_FILES, _MAX_FOLDERS = 200, 2000
     "unknown-controller",
     Severity.ERROR,
     needs=(Need.LAUNCH,),
-    help="mend the name, or define the controller in the YAML file",
+    help="fix the name, or define the controller in the YAML file",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     wanted = [(word, s.frame) for s in subject.launch.started for word in controllers(s)]

@@ -76,7 +76,7 @@ def _value(option: str, word: Word, place: Written) -> Iterator[Finding]:
         yield Finding(place, message, f"expand it for the topic {_TOPIC} and spawn that")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
         if not os.path.exists(text):
-            yield Finding(place, f"'{text}' does not exist", "make the file, or mend its name")
+            yield Finding(place, f"'{text}' does not exist", "create the file, or fix its name")
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3

@@ -48,11 +48,11 @@ def check(subject: Subject) -> Iterator[Finding]:
     uses = subject.measured.claims.get("MSH019", ())
     for use in sorted(uses, key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
-        refused = f", and MuJoCo refuses over {MUJOCO_MOST}" if number > MUJOCO_MOST else ""
+        refused = f", and MuJoCo rejects more than {MUJOCO_MOST:,}" if number > MUJOCO_MOST else ""
         yield Finding(
             use.at,
-            f"{use.who} has {number} triangles; over {DENSE_COLLISION} collision checks are slow"
-            f"{refused}",
+            f"{use.who} has {number:,} triangles; more than {DENSE_COLLISION:,} make collision "
+            f"checking slow{refused}",
             weight=number,
             alike="dense",
         )

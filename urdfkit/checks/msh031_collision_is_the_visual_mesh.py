@@ -51,8 +51,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.measured.claims.get("MSH031", ()):
         yield Finding(
             use.at,
-            f"{use.who} is that of the visual, too, and has {use.measures.triangles} triangles; "
-            f"over {DENSE_SHARED} a simpler one is worth it",
+            f"{use.who} is the visual mesh ({use.measures.triangles:,} triangles, more than "
+            f"{DENSE_SHARED:,}); consider a simpler one",
             weight=use.measures.triangles,
             alike="shared",
         )

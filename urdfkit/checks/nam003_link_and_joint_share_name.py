@@ -1,8 +1,11 @@
 """A joint has the name of a link.
 
 URDF keeps the two apart, SDF does not: Gazebo (gz sim) reports that the name is not unique and
-does not load the model, and a `<gazebo reference>` of that name goes to both. Add `_joint` to the
+does not load the model. A `<gazebo reference>` of that name goes to both. Add `_joint` to the
 joint.
+
+A fixed joint that Gazebo merges does not exist in SDF, nor does the link below it: then the shared
+name is an info.
 
 Sources:
     sdformat, FrameSemantics.cc: https://github.com/gazebosim/sdformat/blob/main/src/FrameSemantics.cc
@@ -19,12 +22,13 @@ from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.model import Joint
     from urdfkit.subject import Subject
 
 BAD = """\
 <link name="base"/>
 <link name="gripper"/>
-<joint name="gripper" type="fixed">
+<joint name="gripper" type="continuous">
   <parent link="base"/>
   <child link="gripper"/>
 </joint>"""
@@ -44,10 +48,21 @@ GOOD = BAD.replace('joint name="gripper"', 'joint name="gripper_joint"')
 def check(subject: Subject) -> Iterator[Finding]:
     links = subject.model.links_by_name
     for joint in subject.model.joints:
-        if joint.name in links:
-            yield Finding(
-                joint.at.attributes["name"],
-                f"joint '{joint.name}' has the name of a link, which Gazebo's SDF does not allow",
-                related=(Related(links[joint.name].at.span, "the link"),),
-                alike="shared",
-            )
+        if joint.name not in links:
+            continue
+        is_merged = _is_merged(joint, subject)
+        yield Finding(
+            joint.at.attributes["name"],
+            f"joint '{joint.name}' has the name of a link"
+            + ("" if is_merged else ", which Gazebo's SDF does not allow"),
+            related=(Related(links[joint.name].at.span, "the link"),),
+            alike="shared",
+            severity=Severity.INFO if is_merged else None,
+        )
+
+
+def _is_merged(joint: Joint, subject: Subject) -> bool:
+    """True if Gazebo merges the joint, or the link of its name, so that one of them is left."""
+    gazebo = subject.gazebo
+    merged = joint.kind == "fixed" and joint.name not in gazebo.kept
+    return merged or joint.name in gazebo.merged

@@ -37,9 +37,15 @@ def check(subject: Subject) -> Iterator[Finding]:
     for name in subject.model.names:
         if name.value.isidentifier() or not name.value or is_expression(name.value):
             continue
-        moves = name.element.tag == "joint" and name.element.get("type") != "fixed"
-        if reason := _reason(name.value, moves=moves):
-            yield Finding(name, f"{name.element.tag} '{name.value}': {reason}", alike=reason)
+        is_joint, is_fixed = name.element.tag == "joint", name.element.get("type") == "fixed"
+        if reason := _reason(name.value, moves=is_joint and not is_fixed):
+            yield Finding(
+                name,
+                f"{name.element.tag} '{name.value}': {reason}",
+                alike=reason,
+                # Nobody asks for such a joint by its name.
+                severity=Severity.INFO if is_joint and is_fixed else None,
+            )
 
 
 def _reason(name: str, *, moves: bool) -> str | None:

@@ -96,10 +96,10 @@ def _wider(joint: Joint, interface: Interface) -> tuple[Element, str] | None:
     at = interface.parameter(outside[0]) if outside else None
     if at is None:
         return None
-    range_ = " to ".join("..." if value is None else f"{value:g}" for value in bounds_of.values())
+    range_ = ", ".join("..." if value is None else f"{value:g}" for value in bounds_of.values())
     return at, (
-        f"joint '{joint.name}': {interface.name} is commanded from {range_} {of}, "
-        f"its limit is {lower:g} to {upper:g} {of}"
+        f"joint '{joint.name}': the range of command_interface '{interface.name}', [{range_}] "
+        f"{of}, exceeds the joint limit [{lower:g}, {upper:g}] {of}"
     )
 
 

@@ -51,7 +51,7 @@ _SLIP = 0.8
     "RCT022",
     "unknown-control-element",
     Severity.WARNING,
-    help="mend the name of the tag, or remove it",
+    help="fix the name of the tag, or remove it",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -72,7 +72,8 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _finding(element: Element, child: Element, known: Iterable[str]) -> Finding:
     name = element.get("name")
     who = f"{element.tag} '{name}'" if name else f"<{element.tag}>"
-    message = f"{who} in <ros2_control> has no <{child.tag}>{did_you_mean(child.tag, known)}"
+    hint = did_you_mean(child.tag, known)
+    message = f"{who} in <ros2_control>: unknown element <{child.tag}>{hint}"
     meant = nearest(child.tag, known, _SLIP)
     edits = rename_element(child, meant) if meant else None
     return Finding(child, message, fix=Fix.of(f"rename it to <{meant}>", edits))

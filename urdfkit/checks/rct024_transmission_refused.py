@@ -114,9 +114,9 @@ def _children(element: Element, who: str) -> Iterator[Finding]:
         if meant:
             edits = rename_element(child, meant)
             fix = Fix.of(f"rename it to <{meant}>", edits)
-            message = f"{who}: <{element.tag}> has no <{child.tag}>; did you mean '{meant}'?"
-            yield Finding(child, message, "mend the tag", fix)
+            message = f"{who}: unknown element <{child.tag}>; did you mean '{meant}'?"
+            yield Finding(child, message, "fix the name of the element", fix)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
             shown = child.text.strip() or "empty"
-            message = f"{who}: the ratio is {shown}, and must be a number other than 0"
+            message = f"{who}: {child.tag} is {shown}, not a number other than 0"
             yield Finding(child, message, "write the ratio of the gear, such as 50")

@@ -46,7 +46,9 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.links_by_name
-    speller = Speller(known)
+    children = {joint.child.value for joint in subject.model.joints if joint.child}
+    # A second parent would be another error.
+    spellers = {"parent": Speller(known), "child": Speller(known.keys() - children)}
     for joint in subject.model.joints:
         for role in ("parent", "child"):
             element = joint.at.child(role)
@@ -57,12 +59,20 @@ def check(subject: Subject) -> Iterator[Finding]:
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return
-            hint = speller.hint(link.value)
+            meant = spellers[role].meant(link.value)
+            if meant in _ends(joint):
+                meant = ""
+            hint = f"; did you mean '{meant}'?" if meant else ""
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
-                fix=_fix(joint, link, speller.meant(link.value)),
+                fix=_fix(joint, link, meant),
             )
+
+
+def _ends(joint: Joint) -> list[str]:
+    """The names of the links that a joint has as its ends."""
+    return [end.value for end in (joint.parent, joint.child) if end]
 
 
 def _fix(joint: Joint, link: Attribute, meant: str) -> Fix | None:

@@ -51,7 +51,7 @@ _LIKE = 0.66
     "unknown-name",
     Severity.ERROR,
     needs=(Need.MODEL, Need.SRDF),
-    help="mend the name, or make the SRDF anew for this robot",
+    help="fix the name, or make the SRDF anew for this robot",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -56,7 +56,7 @@ _LIKE = 0.66
     "unknown-link-in-matrix",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
-    help="compute the collision matrix anew, or mend the name",
+    help="compute the collision matrix anew, or fix the name",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:

@@ -50,7 +50,7 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
     "misspelt-name",
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF),
-    help="mend the name",
+    help="fix the name",
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             what, edits = f"element <{slip.name}>", rename_element(slip.at, slip.meant)
         else:
             what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
-        message = f"<{slip.parent.tag}> has no {what}; did you mean '{slip.meant}'?"
+        message = f"unknown {what} in <{slip.parent.tag}> (ignored); did you mean '{slip.meant}'?"
         fix = Fix.of(f"rename it to {slip.meant}", edits)
         at = Written(edits[0].span) if edits else slip.at
         yield Finding(at, message, fix=fix)

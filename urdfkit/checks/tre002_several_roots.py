@@ -1,4 +1,4 @@
-"""More than one link hangs on nothing.
+"""More than one link has no parent.
 
 A robot is one tree: of all links only the root is nobody's child. urdfdom (RViz, MoveIt, Gazebo,
 Pinocchio) refuses a robot with two roots; MuJoCo and Drake load the parts loose. Connect each of
@@ -61,9 +61,9 @@ def check(subject: Subject) -> Iterator[Finding]:
     more = f" and {len(roots) - SHOWN} more" if len(roots) > SHOWN else ""
     yield Finding(
         others[0].at,
-        f"{len(roots)} links hang on nothing: {names}{more}",
+        f"{len(roots)} root links: {names}{more}",
         related=tuple(
-            Related(root.at.span, f"'{root.name}' hangs on nothing")
+            Related(root.at.span, f"'{root.name}' has no parent")
             for root in (main, *others[1:SHOWN])
         ),
     )

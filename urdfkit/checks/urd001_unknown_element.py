@@ -44,7 +44,8 @@ FIXED = GOOD
 def check(subject: Subject) -> Iterator[Finding]:
     for element, _, _, meant in subject.deviations.get("URD001", ()):
         assert element.parent is not None
-        message = f"{owner(element.parent)}: <{element.parent.tag}> has no element <{element.tag}>"
+        who = owner(element.parent)
+        message = f"{who}: unknown element <{element.tag}> in <{element.parent.tag}> (ignored)"
         yield Finding(
             element,
             f"{message}; did you mean <{meant}>?" if meant else message,

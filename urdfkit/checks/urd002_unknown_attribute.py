@@ -3,6 +3,9 @@
 Every reader passes over it and takes the default of the attribute that was meant: a joint with
 `velocty="2"` has no velocity limit. Correct the name, or remove the attribute.
 
+An attribute that is like none of URDF and holds none of its numbers belongs to some other program,
+or is a note: that is an info.
+
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -12,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit import schema
 from urdfkit.diagnostic import Fix, Related, Severity
 from urdfkit.editing.edits import rename_attribute
 from urdfkit.grammar import owner
@@ -45,15 +49,16 @@ _SHOWN = 5
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    foreign: dict[str, list[Attribute]] = {}
+    foreign: dict[tuple[str, bool], list[Attribute]] = {}
     for element, attribute, _, meant in subject.deviations.get("URD002", ()):
         assert attribute is not None
         if meant:
             yield _slip(element, attribute, meant)
         else:
-            foreign.setdefault(element.tag, []).append(attribute)
-    for attributes in foreign.values():
-        yield _foreign(attributes)
+            foreign.setdefault((element.tag, _is_misplaced(attribute)), []).append(attribute)
+    for (_, is_misplaced), attributes in foreign.items():
+        finding = _foreign(attributes)
+        yield finding if is_misplaced else finding._replace(severity=Severity.INFO)
 
 
 def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
@@ -61,11 +66,20 @@ def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
     edits = rename_attribute(attribute, meant)
     return Finding(
         attribute,
-        f"{owner(element)}: <{element.tag}> has no attribute '{attribute.name}'; "
+        f"{owner(element)}: unknown attribute '{attribute.name}' in <{element.tag}> (ignored); "
         f"did you mean '{meant}'?",
         f"rename it to {meant}",
         Fix.of(f"rename {attribute.name} to {meant}", edits),
     )
+
+
+def _is_misplaced(attribute: Attribute) -> bool:
+    """True for numbers that URDF has in another element, and that say something.
+
+    All other attributes are of another program, or notes.
+    """
+    is_of_urdf = attribute.name in schema.numeric_attributes()
+    return is_of_urdf and any(word.strip("+-0.") for word in attribute.value.split())
 
 
 def _foreign(attributes: list[Attribute]) -> Finding:
@@ -78,9 +92,9 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     listed = f"attribute {names[0]}"
     if len(names) > 1:
         listed = f"attributes {', '.join(names[:-1])} and {names[-1]}"
-    message = f"{owner(element)}: <{element.tag}> has no {listed}"
+    message = f"{owner(element)}: unknown {listed} in <{element.tag}> (ignored)"
     others = {one.element: one for one in attributes if one.element is not element}
     if others:
-        message += f" (and {len(others)} more that have {'it' if len(names) == 1 else 'them'})"
+        message += f" (and {len(others)} more like this)"
     related = tuple(Related(one.span, owner(one.element)) for one in list(others.values())[:_SHOWN])
     return Finding(first, message, related=related)

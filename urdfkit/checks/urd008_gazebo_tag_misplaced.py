@@ -45,11 +45,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         assert element.parent is not None
         yield Finding(
             element,
-            f"{owner(element.parent)}: Gazebo never sees the <{element.tag}> in "
-            f"<{element.parent.tag}>, which URDF readers pass over",
+            f"{owner(element.parent)}: <{element.tag}> inside <{element.parent.tag}> is ignored",
             _help(element),
             fixes.get(element),
             alike=f"{element.tag} in {element.parent.tag}",
+            severity=Severity.INFO if _is_zero_pose(element) else None,
         )
 
 
@@ -92,10 +92,16 @@ def _moved(subject: Subject, owner: Element, elements: list[Element]) -> Fix | N
 
 def _help(element: Element) -> str:
     if element.tag == "pose":  # SDF's word for what URDF has, too
-        return "place the link by the <origin> of its joint, and a shape by one of its own"
+        return "use the <origin> of the joint, or that of the shape"
     owner = _owner(element)
     name = owner.get("name") if owner else None
     return "move it into " + (f'<gazebo reference="{name}">' if name else "a <gazebo> block")
+
+
+def _is_zero_pose(element: Element) -> bool:
+    """True for a ``<pose>`` that would move nothing."""
+    words = element.text.split()
+    return element.tag == "pose" and all(word.strip("+-0.") == "" for word in words)
 
 
 def _owner(element: Element) -> Element | None:

@@ -73,13 +73,16 @@ def _finding(
     """One finding for an element and others of its tag in the same wrong place."""
     places = " or ".join(f"<{place}>" for place in sorted(places_of(element.tag)))
     message = (
-        f"{owner(parent)}: readers pass over the <{element.tag}> in <{parent.tag}>; it belongs in "
-        f"{places}"
+        f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "
+        f"it belongs in {places}"
     )
     if others:
-        message += f" (and {len(others)} more like it)"
+        message += f" (and {len(others)} more like this)"
     related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
-    return Finding(element, message, f"move it into {places}", fix, related)
+    # Nobody looks at a collision.
+    is_idle = element.tag == "material" and parent.tag == "collision"
+    severity = Severity.INFO if is_idle else None
+    return Finding(element, message, f"move it into {places}", fix, related, severity=severity)
 
 
 def _moved(element: Element, parent: Element) -> Fix | None:

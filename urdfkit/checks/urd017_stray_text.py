@@ -48,7 +48,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()
         shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
-        message = f"{owner(element)}: readers pass over the text '{shown}' in <{element.tag}>"
+        message = f"{owner(element)}: URDF parsers ignore the text '{shown}' in <{element.tag}>"
         yield Finding(_place(element, text.encode(), subject.document.sources), message)
 
 

@@ -3,7 +3,7 @@
 Most readers refuse the whole file, xacro and Python's XML readers among them; urdfdom forgives a
 stray `&` or a missing blank, and then may read something else than was meant. All errors are
 listed, each where it has to be mended and not where a parser gave up: a tag that is not closed, a
-missing quote, a stray `<` or `&`, an attribute given twice.
+missing quote, a stray `<` or `&`, an attribute given twice, a NUL byte, `--` inside a comment.
 
 Sources:
     XML 1.0: https://www.w3.org/TR/REC-xml/
@@ -21,8 +21,12 @@ from urdfkit.static import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.subject import Subject
 
-BAD = '<robot name="r"><link name="a"></robot>'
-GOOD = '<robot name="r"><link name="a"/></robot>'
+BAD = """\
+<robot name="r">
+  <!-- ros2 launch r show.launch.py --debug -->
+  <link name="a"/>
+</robot>"""
+FIXED = GOOD = BAD.replace("--debug", "- -debug")
 
 
 @rule(
@@ -31,6 +35,7 @@ GOOD = '<robot name="r"><link name="a"/></robot>'
     Severity.ERROR,
     needs=(),
     help="close every tag and quote; write < as &lt; and & as &amp;",
+    fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
     return told(subject, "XML001")

@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
-from urdfkit.document import Attribute, Document, Frame
+from urdfkit.document import Attribute, Document, Element, Frame
 from urdfkit.expansion import dom
 from urdfkit.expansion.attempts import attempt
 from urdfkit.expansion.ledger import Message
@@ -20,6 +20,7 @@ from urdfkit.reading import encoding_problems
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.diagnostic import Related
     from urdfkit.expansion.trace import Origin
     from urdfkit.source import Source
     from urdfkit.workspace.resolve import Resolver
@@ -85,6 +86,12 @@ class Xacro:
 
         assert self._dom is not None
         return inputs_of(self._dom, attribute.element, attribute.name)
+
+    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+        """Where in YAML files the values of an attribute or element stand, if it was traced."""
+        from urdfkit.expansion.trace import data_places
+
+        return data_places(self._dom, at) if self._dom is not None else ()
 
     def comments(self) -> Iterator[str]:
         """The comments of the expanded document; xacro drops those above its own tags."""

@@ -6,17 +6,20 @@ looks up, and how each of them got its value.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from urdfkit.diagnostic import Related
+from urdfkit.document import Attribute, Element
 from urdfkit.expansion.dom import ELEMENT, Dom, Node
 from urdfkit.expansion.notes import notes_of
 from urdfkit.record import Record
 from urdfkit.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
     from urdfkit.expansion.run import Run
+    from urdfkit.source import Source
 
 
 class Origin(Record):
@@ -99,6 +102,39 @@ class Tracer:
         line = span.source.line(span.line).strip()
         key = line.partition(":")[0].strip("- ") or "value"
         self._collected[-1][str(span)] = Origin(key, str(value), "YAML", span, line, ())
+
+
+def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
+    """Where in YAML files the values of an attribute, or of those of an element, stand.
+
+    One place for each file, that of the first value.
+
+    Args:
+        dom: the expanded DOM of a traced run.
+        at: of the Document made from it, or from another expansion of the same.
+    """
+    attributes = at.attributes.values() if isinstance(at, Element) else (at,)
+    found: dict[Source, list[tuple[Span, str]]] = {}
+    for attribute in attributes:
+        for span in _in_yaml(inputs_of(dom, attribute.element, attribute.name)):
+            found.setdefault(span.source, []).append((span, attribute.name))
+    return tuple(Related(*_first(places)) for places in found.values())
+
+
+def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
+    """The places in YAML files at which the ways of values end."""
+    for origin in origins:
+        if origin.kind == "YAML" and origin.span is not None:
+            yield origin.span
+        yield from _in_yaml(origin.inputs)
+
+
+def _first(places: list[tuple[Span, str]]) -> tuple[Span, str]:
+    names = list(dict.fromkeys(name for _, name in places))
+    span = min((span for span, _ in places), key=lambda span: span.start)
+    if len(names) == 1:
+        return span, f"{names[0]} is given here"
+    return span, f"{', '.join(names[:-1])} and {names[-1]} are given here"
 
 
 def _definition(definer: Node, key: str) -> tuple[str, Span, str]:

@@ -56,7 +56,7 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
         path = os.fspath(cause.filename)
-        return Words(f"there is no file {shown(path)}", _nearest_file(path))
+        return Words(f"file not found: {shown(path)}", _nearest_file(path))
     if isinstance(cause, OSError) and cause.filename:
         return Words(f"{cause.filename}: {cause.strerror}")
     if isinstance(cause, SyntaxError):

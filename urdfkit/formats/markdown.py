@@ -54,7 +54,7 @@ def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
 def _what(diagnostic: Diagnostic) -> str:
     parts = [escape(diagnostic.message)]
     if len(diagnostic.calls) > 1:
-        parts[0] += f" ({len(diagnostic.calls)} calls lead here)"
+        parts[0] += f" (expanded from {len(diagnostic.calls)} places)"
     if diagnostic.help:
         parts.append(f"<sub>{escape(diagnostic.help)}</sub>")
     return "<br>".join(parts)

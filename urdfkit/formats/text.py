@@ -180,8 +180,8 @@ class _Page:
         outer = _shared([way[::-1] for way in own])
         yield from self._steps(ways[0][:inner])
         if len(ways) > 1:
-            what = "calls lead here" if any(own) else "findings here"
-            yield f"  {len(ways)} {what}:"
+            what = "expanded from {} places" if any(own) else "{} findings here"
+            yield f"  {what.format(len(ways))}:"
             for call, way in zip(diagnostic.calls[:MAX_CALLS], own, strict=False):
                 yield self._call(call, way[: len(way) - outer], diagnostic)
             if len(ways) > MAX_CALLS:

@@ -119,6 +119,7 @@ class Conversion:
         joints: that Gazebo has.
         dropped: reasons by the name of a link that Gazebo does not have, merged ones aside.
         massless: the bodies that are dropped for their own lack of mass, not with another one.
+        kept: names of the fixed joints that are not merged.
         stranded: the bodies that are dropped with a link without mass that is merged.
         added_links, added_joints: SDF elements that ``<gazebo>`` tags bring in.
     """
@@ -128,8 +129,8 @@ class Conversion:
         self.converter = converter
         self.tree = tree
         self.preserved = frozenset(_preserved(model))
-        kept = self.preserved | {joint.name for joint in tree.children.get(WORLD, ())}
-        self._bodies = rigid_bodies(tree, kept)
+        self.kept = self.preserved | {joint.name for joint in tree.children.get(WORLD, ())}
+        self._bodies = rigid_bodies(tree, self.kept)
         self.dropped: dict[str, str] = {}
         self.massless: list[RigidBody] = []
         self.stranded: list[RigidBody] = []

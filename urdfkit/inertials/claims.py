@@ -29,6 +29,9 @@ TOO_SMALL = 0.01
 #: Densities of robot parts in kg/m^3, from hollow plastic to lead.
 LIGHTEST, HEAVIEST = 20.0, 12000.0
 
+#: A density outside by less than this factor may be that of a shape drawn a little too small.
+NEAR = 1.2
+
 #: Densities of most of them; a slip of the unit must lead to one of these.
 USUAL = (100.0, 8000.0)
 
@@ -94,9 +97,9 @@ def implausible_density(weighed: Weighed) -> float | None:
     if weighed.densities is None or weighed.mass < SIGNIFICANT * weighed.body.mass:
         return None
     low, high = weighed.densities
-    if low > HEAVIEST:
+    if low > HEAVIEST * NEAR:
         return low
-    return high if high < LIGHTEST else None
+    return high if high < LIGHTEST / NEAR else None
 
 
 def unit_slip(weighed: Weighed) -> str:

@@ -6,7 +6,7 @@ of the link, or become possible at all. It says how sure it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from urdfkit.diagnostic import Confidence, Fix, Related
 from urdfkit.editing.edits import all_or_none, from_macro, replace_value
@@ -216,17 +216,21 @@ def values(numbers: Iterable[float]) -> str:
     return f"{texts[0]} kg m^2 each" if len({*texts}) == 1 else f"{', '.join(texts)} kg m^2"
 
 
-def together(findings: Iterable[tuple[Weighed, Finding]]) -> Iterator[Finding]:
+def together(
+    findings: Iterable[tuple[Weighed, Finding]],
+    by: Callable[[Weighed], object] = lambda weighed: weighed.tensor,
+) -> Iterator[Finding]:
     """Findings about copies of one tensor as one, the worst first.
 
+    ``by`` gives what the copies have in common, where that is less than the whole tensor.
     What a macro wrote stays apart: the engine makes one finding of it, with its calls.
     """
-    groups: dict[Tensor, list[tuple[Weighed, Finding]]] = {}
+    groups: dict[object, list[tuple[Weighed, Finding]]] = {}
     for weighed, finding in findings:
         if from_macro(weighed.at):
             yield finding
         else:
-            groups.setdefault(weighed.tensor, []).append((weighed, finding))
+            groups.setdefault(by(weighed), []).append((weighed, finding))
     for group in groups.values():
         group.sort(key=lambda pair: -pair[1].weight)
         (_, worst), *others = group

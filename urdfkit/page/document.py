@@ -203,4 +203,5 @@ def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
 def _severity(found: Diagnostic, target: str) -> Severity:
     """How bad a finding is for one program alone."""
     rule = rules.get(found.code)
-    return rule.weigh([target])[0] if target in rule.by_target else found.severity
+    is_by_target = found.targets and target in rule.by_target
+    return rule.weigh([target])[0] if is_by_target else found.severity

@@ -1,0 +1,83 @@
+"""Numbers that a xacro takes out of YAML files: findings say where they stand (Franka's robots)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from urdfkit import check
+
+ROBOT = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="inertials" value="${xacro.load_yaml('inertials.yaml')}"/>
+  <xacro:property name="limits" value="${xacro.load_yaml('limits.yaml')}"/>
+  <xacro:macro name="arm_link" params="name">
+    <xacro:property name="inertia" value="${inertials[name]['inertia']}"/>
+    <link name="${name}">
+      <inertial>
+        <mass value="${inertials[name].mass}"/>
+        <inertia ixx="${inertia.xx}" iyy="${inertia.yy}" izz="${inertia.zz}"
+                 ixy="0" ixz="0" iyz="0"/>
+      </inertial>
+    </link>
+  </xacro:macro>
+  <xacro:arm_link name="link1"/>
+  <xacro:arm_link name="link2"/>
+  <xacro:arm_link name="link3"/>
+  <joint name="joint1" type="revolute">
+    <parent link="link1"/>
+    <child link="link2"/>
+    <axis xyz="0 0 1"/>
+    <xacro:property name="limit" value="${limits.joint1}"/>
+    <limit lower="${limit.lower}" upper="${limit.upper}" effort="87" velocity="2"/>
+  </joint>
+</robot>
+"""
+INERTIALS = """\
+link1:
+  mass: 4.9
+  inertia: {xx: 0.7, yy: 0.7, zz: 9.0}
+link2:
+  mass: 0.6
+  inertia:
+    xx: 0.1
+    yy: 0.1
+    zz: 5.0
+link3:
+  mass: -1
+  inertia: {xx: 0.1, yy: 0.1, zz: 0.1}
+"""
+LIMITS = "joint1: {lower: 1.0, upper: -1.0}\n"
+
+
+def notes(tmp_path: Path, code: str, robot: str = ROBOT) -> list[tuple[str, int, int, str]]:
+    """File, line, column and text of the notes of the only finding of a rule."""
+    files = {"arm.urdf.xacro": robot, "inertials.yaml": INERTIALS, "limits.yaml": LIMITS}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    (found,) = check(tmp_path / "arm.urdf.xacro", select=[code]).diagnostics
+    return [
+        (Path(one.span.source.path).name, one.span.line, one.span.column, one.message)
+        for one in found.related
+    ]
+
+
+def test_an_element_and_the_first_of_its_values(tmp_path: Path) -> None:
+    assert notes(tmp_path, "JNT003") == [
+        ("limits.yaml", 1, 17, "lower and upper are given here"),
+    ]
+
+
+def test_every_call_of_a_macro_has_its_own(tmp_path: Path) -> None:
+    assert sorted(notes(tmp_path, "INE003")) == [
+        ("inertials.yaml", 3, 17, "ixx, iyy and izz are given here"),
+        ("inertials.yaml", 7, 9, "ixx, iyy and izz are given here"),
+    ]
+
+
+def test_one_attribute(tmp_path: Path) -> None:
+    assert notes(tmp_path, "INE001") == [("inertials.yaml", 11, 9, "value is given here")]
+
+
+def test_a_number_in_the_xacro_itself_has_no_note(tmp_path: Path) -> None:
+    robot = ROBOT.replace("${limit.lower}", "1").replace("${limit.upper}", "-1")
+    assert notes(tmp_path, "JNT003", robot) == []

@@ -1,0 +1,62 @@
+"""What URDF does not have, and what does no harm."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.told import told
+from urdfkit.diagnostic import Severity
+
+BOX = '<geometry><box size="1 1 1"/></geometry>'
+JOINT = (
+    '<link name="a"/><link name="b"/><joint name="j" type="fixed"{}><parent link="a"/>{}</joint>'
+)
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        '<link name="a"><collision_checking><capsule name="a_0"/></collision_checking></link>',
+        '<link name="a"><contact><inertia_scaling value="3"/></contact></link>',
+        '<link name="a"><audio_source><filename value="a.wav"/></audio_source></link>',
+        f'<link name="a"><collision concave="yes">{BOX}<verbose value="0"/></collision></link>',
+        '<link name="a"/><deformable name="d"><inertial><mass value="1"/></inertial></deformable>',
+        '<link name="a"/><mujoco><compiler fusestatic="false"/></mujoco>',
+        '<link name="a"/><klampt package_root="../.."/>',
+        '<link name="a"/><frame name="f" link="a" xyz="0 0 0" rpy="0 0 0"/>',
+        '<link name="a"/><webots><device reference="camera"/></webots>',
+        '<link name="a"/><drake:collision_filter_group name="g"/>',
+        '<material name="m"><color rgba="1 0 0 1"/><specular rgb="1 1 1"/></material>',
+        JOINT.format(' dont_collapse="true"', '<child link="b"/>'),
+        JOINT.format("", '<child link="b"/><safety_controller k_velocity="1"/>'),
+    ],
+)
+def test_what_a_known_program_reads_is_no_unknown_element(robot: str) -> None:
+    assert [found for code in ("URD001", "URD002", "URD009") for found in told(code, robot)] == []
+
+
+def test_the_same_words_elsewhere_are_unknown() -> None:
+    (found,) = told("URD001", '<link name="a"/><collision_checking/>')
+    assert found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    ("code", "robot", "severity"),
+    [
+        # Franka's panda: numbers of a controller beside those of URDF
+        ("URD002", JOINT.format("", '<child link="b"/><dynamics damping="1" D="1" K="7000"/>'), 0),
+        # the tutorials of ROS
+        ("URD002", JOINT.format("", '<child link="b"/><axis rpy="0 0 0" xyz="1 0 0"/>'), 0),
+        ("URD002", JOINT.format("", '<child link="b"/><axis rpy="0 0 1" xyz="1 0 0"/>'), 1),
+        ("URD002", '<link name="a"><inertial xyz="0 0 1"/></link>', 1),
+        ("URD012", f'<link name="a"><collision>{BOX}<material name="m"/></collision></link>', 0),
+        ("URD012", '<link name="a"><origin xyz="0 0 1"/></link>', 1),
+        ("URD008", '<link name="a"><pose>0 0 0 0 0 0</pose></link>', 0),
+        ("URD008", '<link name="a"><pose>0 0 0.1 0 0 0</pose></link>', 1),
+        ("NAM004", JOINT.format("", '<child link="b"/>').replace('"j"', '"to base"'), 0),
+        ("NAM004", '<link name="to base"/>', 1),
+    ],
+)
+def test_what_loses_nothing_is_an_info(code: str, robot: str, severity: int) -> None:
+    (found,) = told(code, robot)
+    assert found.severity is (Severity.INFO, Severity.WARNING)[severity]

@@ -1,0 +1,44 @@
+"""What is said of tensors that are wrong in one way, or on purpose."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import BALL, inertial, joint, link, part, shape
+from tests.told import messages, told
+
+#: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
+ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
+TENSOR = (0.0089583, -0.0126295, 0.0, 0.0235417, 0.0, 0.0308333)
+
+
+def test_the_sign_of_a_product_is_told_and_not_the_moments_that_agree() -> None:
+    flipped = (TENSOR[0], -TENSOR[1], *TENSOR[2:])
+    assert messages("INE015", link("rod", ROD, inertial(1, TENSOR))) == []
+    assert messages("INE015", link("rod", ROD, inertial(1, flipped))) == [
+        (
+            "link 'rod' has ixy = 0.0126 kg m^2; the solid box of 0.6 x 0.1 x 0.1 m has "
+            "ixy = -0.0126 as it lies"
+        )
+    ]
+
+
+def test_a_floor_under_the_moments_of_many_links_is_one_finding() -> None:
+    """The iCub: no moment below 0.001, of whatever link and beside whatever other entries."""
+    fingers = [
+        part(f"finger_{n}", 0.01, (0.001, 1e-5 * n, 1e-6, 0.001, 0, 0.0009), BALL)
+        + joint("palm", f"finger_{n}", "revolute")
+        for n in range(12)
+    ]
+    palm = part("palm", 1, (0.004, 0.004, 0.004), BALL)
+    (found,) = told("INE006", palm + "".join(fingers))
+    assert found.message.endswith(" and 9 more)")
+    assert len(found.related) == 11
+
+
+@pytest.mark.parametrize(("mass", "count"), [(59, 0), (63, 1)])
+def test_a_density_near_the_bound_is_no_finding(mass: float, count: int) -> None:
+    density = 14400 * 0.0041888  # a ball of 0.1 m is of 0.0041888 m^3
+    assert (mass > density) is bool(count)
+    moment = 0.4 * mass * 0.01
+    assert len(told("INE010", part("ball", mass, (moment,) * 3, BALL))) == count

@@ -1,0 +1,33 @@
+"""Collisions that are not where the visual is."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.massive import link, shape
+from tests.told import fixed, told
+
+BASE = '<box size="0.4 0.3 {}"/>'
+
+
+@pytest.mark.parametrize(
+    ("height", "half"), [("0.1", "0.05"), ("0.1", "0.0500"), ("0.0865", "0.043"), ("0.31", "0.155")]
+)
+def test_the_origin_of_half_the_height_in_the_visual_alone(height: str, half: str) -> None:
+    box = BASE.format(height)
+    robot = link(
+        "base",
+        shape("visual", box, f"0 0 {half}"),
+        "<collision>\n<geometry>\n" + box + "\n</geometry>\n</collision>",
+    )
+    (found,) = told("GEO004", robot)
+    assert "33%" in found.message or "34%" in found.message
+    assert f'xyz="0 0 {half}"' in fixed("GEO004", robot).split("<collision>")[1]
+
+
+def test_a_shift_that_may_be_meant() -> None:
+    box = BASE.format("0.1")
+    assert (
+        told("GEO004", link("base", shape("visual", box, "0 0 0.04"), shape("collision", box)))
+        == []
+    )

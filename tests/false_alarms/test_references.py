@@ -1,0 +1,29 @@
+"""Names of links that are not there, and the link that was meant."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.told import messages
+
+LINKS = '<link name="base_link"/><link name="arm_link"/>'
+ARM = '<joint name="a" type="fixed"><parent link="base_link"/><child link="arm_link"/></joint>'
+
+
+@pytest.mark.parametrize(
+    ("joint", "hint"),
+    [
+        # 'arm_link' has a parent: two would be another error
+        ('<parent link="base_link"/><child link="arm_lnk"/>', ""),
+        ('<parent link="arm_lnk"/><child link="base_link"/>', "; did you mean 'arm_link'?"),
+        # a joint from a link to itself would be, too
+        ('<parent link="base_link"/><child link="base_lnk"/>', ""),
+    ],
+)
+def test_the_link_that_is_suggested_is_free(joint: str, hint: str) -> None:
+    robot = f'{LINKS}{ARM}<joint name="b" type="fixed">{joint}</joint>'
+    (message,) = messages("REF001", robot)
+    assert message.endswith("is not in the model" + hint)
+    (message,) = messages("REF001", f'{LINKS}<joint name="b" type="fixed">{joint}</joint>')
+    is_free = "base_lnk" not in joint
+    assert message.endswith("did you mean 'arm_link'?") is is_free
