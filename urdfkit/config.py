@@ -68,6 +68,7 @@ class Config(Record):
         rules: codes of the rules of other packages that run, too.
         trust: True if models may run any expression and read any file.
         width: columns of a line that is laid out; 0 for the usual.
+        warnings: what is odd about the configuration, and does not change what is checked.
     """
 
     path: str = ""
@@ -84,6 +85,7 @@ class Config(Record):
     rules: tuple[str, ...] = ()
     trust: bool = False
     width: int = 0
+    warnings: tuple[str, ...] = ()
 
     @property
     def folder(self) -> str:
@@ -154,16 +156,17 @@ def _table(path: str) -> dict[str, Any] | None:
 
 def _read(reader: _Reader, *, trusted: bool) -> Config:
     foreign = reader.rules(trusted=trusted)  # before other settings name their codes
+    ignoring = reader.tables("per-file-ignores")
     config = Config(
         reader.path,
         select=reader.codes("select"),
-        ignore=reader.codes("ignore"),
+        ignore=reader.ignored("ignore"),
         fail_on=reader.severity("fail-on", Severity.WARNING),
         targets=reader.targets(),
         packages=reader.packages(),
         arguments=reader.arguments("arguments"),
         severities=reader.severities(),
-        file_ignores=tuple(_file_ignore(inner) for inner in reader.tables("per-file-ignores")),
+        file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
         robots=tuple(
             robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
         ),
@@ -173,15 +176,16 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
         width=reader.width(),
     )
     reader.finish()
-    return config
+    warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
+    return config._replace(warnings=tuple(warnings))
 
 
 def _file_ignore(reader: _Reader) -> FileIgnore:
     entry = FileIgnore(
-        reader.texts("files"), reader.codes("codes"), str(reader.take("reason", str, ""))
+        reader.texts("files"), reader.ignored("codes"), str(reader.take("reason", str, ""))
     )
     reader.finish()
-    if not entry.files or not entry.codes:
+    if not entry.files or not (entry.codes or reader.warnings):
         raise reader.error("it needs 'files' and 'codes'")
     return entry
 
@@ -220,6 +224,7 @@ class _Reader:
         self.path = path
         self.folder = os.path.dirname(os.path.abspath(path))
         self.where = where
+        self.warnings: list[str] = []
         self._left = dict(table)
         self._known: list[str] = []
 
@@ -272,6 +277,12 @@ class _Reader:
             return frozenset(code for word in self.texts(key) for code in rules.matching(word))
         except UnknownRule as error:
             raise self.error(f"'{key}': {error}") from error
+
+    def ignored(self, key: str) -> frozenset[str]:
+        """The codes of rules that are left out; a word that means none leaves out nothing."""
+        found, unknown = rules.ignored(self.texts(key))
+        self.warnings += (str(self.error(f"'{key}': {error}")) for error in unknown)
+        return frozenset(found)
 
     def severity(self, key: str, default: Severity) -> Severity:
         return self._as_severity(key, self.take(key, str, default.value))

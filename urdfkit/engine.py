@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
-from urdfkit.judge import Verdict, judge
+from urdfkit.errors import UrdfkitError
+from urdfkit.judge import Verdict, crash, judge
 from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -290,13 +291,22 @@ def _run(
             progress=progress,
         )
 
+    try:
+        return [
+            (launched, _verdict(launched, subject, settings))
+            for launched, subject in as_launched(job, read)
+        ]
+    except UrdfkitError:
+        raise
+    except Exception as error:  # a bug of urdfkit must not hide the findings of other robots
+        return [(job, Verdict((), (), (crash("", job.source.path, error),), frozenset(), None, 0))]
+
+
+def _verdict(job: Job, subject: Subject, settings: Settings) -> Verdict:
     chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
-    judged: list[Judged] = []
-    for launched, subject in as_launched(job, read):
-        verdict = _without_arguments(judge(subject, chosen, settings.config), launched, subject)
-        unknown = unknown_arguments(subject, settings.given) if settings.given else {}
-        judged.append((launched, verdict._replace(unknown_arguments=unknown)))
-    return judged
+    verdict = _without_arguments(judge(subject, chosen, settings.config), job, subject)
+    unknown = unknown_arguments(subject, settings.given) if settings.given else {}
+    return verdict._replace(unknown_arguments=unknown)
 
 
 def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:

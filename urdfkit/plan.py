@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 
 from urdfkit.diagnostic import Launched, Skipped
-from urdfkit.errors import UnreadableFile
+from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.nearest import nearest
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -160,7 +160,12 @@ class Plan:
         from urdfkit.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
-        launch = read_launch(source, self.resolver, self.arguments)
+        try:
+            launch = read_launch(source, self.resolver, self.arguments)
+        except UrdfkitError:
+            raise
+        except Exception:  # a bug of urdfkit, which the check of the launch file meets and tells
+            return
         # Of several robots nobody knows which one the controllers are for.
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
         for one in launch.descriptions:

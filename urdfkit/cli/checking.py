@@ -57,14 +57,15 @@ def run_check(values: Mapping[str, Any]) -> int:
 def choices(values: Mapping[str, Any]) -> Options:
     """What the options mean for ``urdfkit.check``."""
     files = options.files(values)
+    added = options.add_rules(values)  # before other options name their codes
     return {
         "arguments": options.arguments(values),
         "packages": options.packages(values),
         "select": options.words(values, "select"),
-        "ignore": options.words(values, "ignore"),
+        "ignore": options.ignored(values),
         "targets": options.words(values, "target"),
         "trust": values["trust"],
-        "rules": options.add_rules(values),
+        "rules": added,
         "config": options.config(values, files[0]),
         "changed": values["changed"],
         "jobs": options.jobs(values),

@@ -8,6 +8,7 @@ both give the same values. Commands that are typed by hand now and then use clic
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 
 from urdfkit import formats
@@ -150,7 +151,10 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
         return None
     from urdfkit.config import load
 
-    return load(path, trusted=bool(values["config"]) or values["trust"])
+    found = load(path, trusted=bool(values["config"]) or values["trust"])
+    for warning in found.warnings:
+        _warn(warning)
+    return found
 
 
 def add_rules(values: Mapping[str, Any]) -> list[str]:
@@ -191,6 +195,23 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
 def words(values: Mapping[str, Any], key: str) -> list[str]:
     """The words of an option that takes comma lists."""
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
+
+
+def ignored(values: Mapping[str, Any]) -> set[str]:
+    """The codes of the rules to leave out; a word that means none is warned of."""
+    from urdfkit import rules
+
+    found, unknown = rules.ignored(words(values, "ignore"))
+    for error in unknown:
+        _warn(f"--ignore: {error}")
+    return found
+
+
+def _warn(text: str) -> None:
+    from urdfkit.screen import printable
+
+    if sys.stderr is not None:
+        print(f"warning: {printable(text)}", file=sys.stderr)
 
 
 def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:

@@ -34,7 +34,9 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         )
     for crash in report.crashed:
         file = _file(root, files, crash.path)
-        _error(file, {"line": "1"}, "error", f"the rule crashed: {crash.error}", crash.code)
+        _error(
+            file, {"line": "1"}, "error", f"the rule crashed: {crash.error}", crash.code or "check"
+        )
     ElementTree.indent(root)
     text = ElementTree.tostring(root, encoding="unicode")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'

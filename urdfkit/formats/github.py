@@ -15,7 +15,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """A line for every finding, and for every rule that crashed."""
     lines = [_annotation(diagnostic) for diagnostic in report.diagnostics]
     lines += [
-        f"::error title=urdfkit {crash.code}::{_data(f'{crash.path}: {crash.error}')}"
+        f"::error title=urdfkit {crash.code or 'check'}::{_data(f'{crash.path}: {crash.error}')}"
         for crash in report.crashed
     ]
     return "".join(f"{line}\n" for line in lines)

@@ -41,7 +41,7 @@ def _suite(root: Element, path: str, report: Report) -> None:
             SubElement(case, "skipped", message=xml_text(skip.reason))
     for crash in report.crashed:
         if crash.path == path:
-            case = _new_case(suite, path, crash.code)
+            case = _new_case(suite, path, crash.code or "check")
             SubElement(case, "error", message=xml_text(crash.error)).text = xml_text(
                 crash.traceback
             )

@@ -24,7 +24,8 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     infos = [found for found in shown if found.severity is Severity.INFO]
     lines = [f"### urdfkit: {escape(counts)}", ""]
     for crash in report.crashed:
-        text = f"{crash.code} crashed on {crash.path}: {crash.error}. This is a bug of urdfkit."
+        what = crash.code or "the check"
+        text = f"{what} crashed on {crash.path}: {crash.error}. This is a bug of urdfkit."
         lines += [f"**{escape(text)}**", ""]
     if bad:
         lines += [*_table(bad), ""]

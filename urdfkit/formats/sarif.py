@@ -72,7 +72,10 @@ def _invocation(report: Report) -> dict[str, Any]:
         for skip in report.skipped
     ]
     notes += [
-        {"level": "error", "message": {"text": f"{crash.path}: {crash.code}: {crash.error}"}}
+        {
+            "level": "error",
+            "message": {"text": f"{crash.path}: {crash.code or 'check'}: {crash.error}"},
+        }
         for crash in report.crashed
     ]
     return {

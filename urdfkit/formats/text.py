@@ -16,6 +16,8 @@ from urdfkit.source import Span
 MAX_CALLS = 8
 #: Letters of arguments; they may be paths.
 MAX_VALUES = 160
+#: Rules that failed with one error that are named.
+MAX_CODES = 4
 #: Skipped files that are named.
 MAX_FILES = 3
 
@@ -28,7 +30,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings, then the crashed rules, then where to read more, then the summary."""
     page = _Page(color, width)
     blocks = [page.diagnostic(diagnostic) for diagnostic in gathered(report.diagnostics)]
-    blocks += [page.crash(crash) for crash in report.crashed]
+    blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += _mendable(report)
     for name, meant in report.unknown_arguments:
@@ -61,8 +63,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
     reasons = [*_launched(report)]
     reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
-    if report.crashed:
-        reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
+    if crashed := {crash.code for crash in report.crashed if crash.code}:
+        reasons.append(f"{_many(len(crashed), 'rule')} crashed")
     if report.suppressed:
         reasons.append(f"{_many(report.suppressed, 'finding')} suppressed")
     if report.tolerated:
@@ -75,6 +77,15 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
             words = _many(count, severity.value)
             text = text.replace(words, page.paint(words, _COLORS[severity]), 1)
     return text + "\n"
+
+
+def _crashed(report: Report) -> Iterator[tuple[Crashed, list[str]]]:
+    """The first crash of each error and file, with the codes of all rules that failed with it."""
+    alike: dict[tuple[str, str], list[Crashed]] = {}
+    for crash in report.crashed:
+        alike.setdefault((crash.path, crash.error), []).append(crash)
+    for crashes in alike.values():
+        yield crashes[0], [crash.code for crash in crashes]
 
 
 def _launched(report: Report) -> Iterator[str]:
@@ -135,10 +146,12 @@ class _Page:
             blocks.append(self._labelled("fix", title))
         return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
-    def crash(self, crash: Crashed) -> str:
+    def crash(self, crash: Crashed, codes: Sequence[str]) -> str:
         whose = "that rule" if crash.code in foreign() else "urdfkit"
+        more = f" and {len(codes) - MAX_CODES} more" if len(codes) > MAX_CODES else ""
+        what = ", ".join(codes[:MAX_CODES]) + more or "the check"
         text = (
-            f"{self.path(crash.path)}: {crash.code} failed with {crash.error}. This is a bug of "
+            f"{self.path(crash.path)}: {what} failed with {crash.error}. This is a bug of "
             f"{whose}, not of the robot: please report it, with the file."
         )
         return self.wrap(text, indent=4) + "\n"
