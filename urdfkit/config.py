@@ -92,6 +92,50 @@ class Config(Record):
         """The folder that its paths start from."""
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
 
+    def entries(
+        self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
+    ) -> tuple[Robot, ...]:
+        """The variants of a description, each with all arguments that it is read with.
+
+        Those that are given win over those of the variant, and these over those of every xacro.
+        With given arguments and no name it is one description, with what its variants share.
+
+        Args:
+            path: of the description.
+            given: arguments for xacro.
+            variant: the name of the only one that is meant; all if empty.
+
+        Raises:
+            ConfigError: there is no variant of this name.
+        """
+        real = os.path.realpath(path)
+        own = [robot for robot in self.robots if os.path.realpath(robot.file) == real]
+        if variant:
+            names = [robot.name for robot in own if robot.name]
+            own = [robot for robot in own if robot.name == variant]
+            if not own:
+                there = f"there are {', '.join(names)}" if names else "it has none"
+                raise ConfigError(f"{path}: there is no variant '{variant}'; {there}")
+        elif given and len(own) > 1:
+            shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
+            own = [Robot(path, "", dict(shared))]
+        return tuple(
+            Robot(path, robot.name, {**self.arguments, **robot.arguments, **(given or {})})
+            for robot in own or [Robot(path, "", {})]
+        )
+
+    def entry(self, path: str, given: Mapping[str, str] | None = None, variant: str = "") -> Robot:
+        """The same where one description is wanted.
+
+        Raises:
+            ConfigError: there are several, or none of this name.
+        """
+        found = self.entries(path, given, variant)
+        if len(found) > 1:
+            names = ", ".join(robot.name for robot in found)
+            raise ConfigError(f"{path} has several variants: name one with --variant ({names})")
+        return found[0]
+
     def relative(self, path: str) -> str:
         """A path as the patterns of the configuration see it."""
         return os.path.relpath(os.path.abspath(path), self.folder).replace(os.sep, "/")

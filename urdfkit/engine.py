@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         trust: bool
         rules: Iterable[str]
         config: Config | None
+        variant: str
         changed: bool
         jobs: int
         progress: Callable[[int, int], None] | None
@@ -72,6 +73,7 @@ def check(
     trust: bool = False,
     rules: Iterable[str] = (),
     config: Config | None = None,
+    variant: str = "",
     changed: bool = False,
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
@@ -100,6 +102,7 @@ def check(
         rules: packages of rules that run, too: names under which they are installed (entry
             points of the group ``urdfkit.rules``), or of modules, which are imported.
         config: settings of the project; the other arguments go before them.
+        variant: the name of the only one, of those in the configuration, that is checked.
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
         jobs: processes that check at the same time.
@@ -112,6 +115,7 @@ def check(
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
+        ConfigError: a robot has no variant of this name.
         UnknownRule: a word of ``select`` or ``ignore`` means no rule.
         UnknownTarget: a name is no target.
         RuleError: a package of rules is missing or cannot be used.
@@ -132,7 +136,7 @@ def check(
         resolver = Resolver(settings.packages, texts=settings.texts)
     else:
         resolver = resolver.with_texts(settings.texts)
-    plan = planned(files, resolver, config, arguments, changed=changed)
+    plan = planned(files, resolver, config, arguments, variant=variant, changed=changed)
     return _report(plan, _judged(plan.jobs, settings, resolver, jobs, progress))
 
 
@@ -142,6 +146,7 @@ def subjects(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     changed: bool = False,
     texts: Mapping[str, bytes] | None = None,
 ) -> Iterator[Subject | None]:
@@ -156,7 +161,9 @@ def subjects(
     def read(job: Job) -> Subject:
         return Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
 
-    for planned_job in planned(files, resolver, config, arguments, changed=changed).jobs:
+    for planned_job in planned(
+        files, resolver, config, arguments, variant=variant, changed=changed
+    ).jobs:
         for job, subject in as_launched(planned_job, read):
             is_robot = not is_launch(job.source.path) and subject.reading.document is not None
             yield subject if is_robot else None

@@ -67,6 +67,7 @@ def choices(values: Mapping[str, Any]) -> Options:
         "trust": values["trust"],
         "rules": added,
         "config": options.config(values, files[0]),
+        "variant": values["variant"] or "",
         "changed": values["changed"],
         "jobs": options.jobs(values),
         "cache": not values["no_cache"],

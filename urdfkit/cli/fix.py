@@ -18,7 +18,7 @@ from urdfkit.source import shown
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "
-    "no-cache config isolated"
+    "no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8

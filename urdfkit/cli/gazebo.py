@@ -26,9 +26,7 @@ VERSION = 1
 @one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")
-def command(
-    words: tuple[str, ...], form: str, old: bool, package: tuple[str, ...], trust: bool
-) -> int:
+def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """Tell what Gazebo makes of a robot.
 
     Gazebo merges links that fixed joints hold together, drops links without mass together with
@@ -37,7 +35,7 @@ def command(
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    conversion = Conversion(robot(words, package, trust).tree, OLD if old else NEW)
+    conversion = Conversion(robot(asked).tree, OLD if old else NEW)
     if form == "json":
         output.write(dumped(as_json(conversion)))
     else:

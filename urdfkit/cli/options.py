@@ -105,6 +105,7 @@ CHECK = (
     Option("--jobs", "Processes that check at the same time. [default: 1]", "N"),
     Option("--config", "The configuration. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Take no configuration."),
+    Option("--variant", "Of the variants in the configuration, this one. [default: all]", "NAME"),
     Option("--baseline", "Pass over the findings in FILE.", "FILE"),
     Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
     Option("--stdin-filename", "The name of what '-' reads.", "FILE"),

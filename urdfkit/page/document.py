@@ -10,10 +10,11 @@ import json
 import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit import __version__, rules
 from urdfkit.addresses import Places
+from urdfkit.config import Config
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.formats import json as as_json
@@ -28,9 +29,6 @@ from urdfkit.source import Source
 from urdfkit.subject import Subject, Unavailable
 from urdfkit.targets import TARGETS
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.config import Config
 
 #: Of the document; a change that could break a reader counts it up.
 VERSION = 1
@@ -71,6 +69,7 @@ def describe(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     quick: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Told:
@@ -85,16 +84,18 @@ def describe(
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the file.
         quick: leave out what takes a while, which is all of `LONG`.
         progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: a launch file describes none, or several.
+        ConfigError: the configuration has several variants of the file, or none of this name.
     """
     every = {**(config.packages if config else {}), **(packages or {})}
-    values = {**(config.arguments if config else {}), **(arguments or {})}
     source, resolver = Source.of(file), Resolver(every)
+    values = (config or Config()).entry(source.path, arguments, variant).arguments
     if is_launch(source.path):
         source, values = described(source, resolver, values)
     report = check(

@@ -33,6 +33,7 @@ class Wish(Record):
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the file.
     """
 
     file: str
@@ -41,6 +42,7 @@ class Wish(Record):
     targets: tuple[str, ...] = ()
     trust: bool = False
     config: Config | None = None
+    variant: str = ""
 
 
 class State(Record):
@@ -103,6 +105,7 @@ def read(wish: Wish, known: Iterable[str] = ()) -> State:
         targets=wish.targets,
         trust=wish.trust,
         config=wish.config,
+        variant=wish.variant,
         quick=True,
     )
     subject = told.subject
