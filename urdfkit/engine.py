@@ -328,20 +328,10 @@ def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
 
 def _report(plan: Plan, judged: list[Judged]) -> Report:
     verdicts = [verdict for _, verdict in judged]
-    once: dict[tuple[object, ...], Diagnostic] = {}
-    files_of: dict[str, str] = {}
-    for verdict in verdicts:
-        for diagnostic in verdict.diagnostics:
-            # Two robots of one run may include the same file, each in its own words; its defect
-            # is told once.
-            path = diagnostic.span.source.path
-            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
-            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
-            once.setdefault(key, diagnostic)
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted(once.values(), key=_reading_order)),
+        tuple(sorted(_distinct(judged), key=_reading_order)),
         (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
         tuple(crash for verdict in verdicts for crash in verdict.crashed),
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
@@ -366,6 +356,40 @@ def _report(plan: Plan, judged: list[Judged]) -> Report:
             if all(one[0] in verdict.unknown_arguments for verdict in verdicts)
         ),
     )
+
+
+def _distinct(judged: list[Judged]) -> Iterator[Diagnostic]:
+    """The findings, each once, with the variants of the robot that it is found in.
+
+    Two robots of one run may include the same file, each in its own words; its defect is told
+    once.
+    """
+    once: dict[tuple[object, ...], Diagnostic] = {}
+    found_in: dict[tuple[object, ...], list[Job]] = {}
+    files_of: dict[str, str] = {}
+    for job, verdict in judged:
+        for diagnostic in verdict.diagnostics:
+            path = diagnostic.span.source.path
+            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
+            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
+            once.setdefault(key, diagnostic)
+            found_in.setdefault(key, []).append(job)
+    variants: dict[str, set[str]] = {}
+    for job, _ in judged:
+        variants.setdefault(job.source.path, set()).add(job.name)
+    for key, diagnostic in once.items():
+        names = _partial(found_in[key], variants)
+        yield diagnostic._replace(variants=names) if names else diagnostic
+
+
+def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, ...]:
+    """The names of variants with a finding; none if it is in all those of some robot."""
+    names: dict[str, dict[str, None]] = {}
+    for job in found_in:
+        names.setdefault(job.source.path, {})[job.name] = None
+    if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
+        return ()
+    return tuple(dict.fromkeys(name for own in names.values() for name in own))
 
 
 def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:

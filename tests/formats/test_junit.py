@@ -47,6 +47,13 @@ def cases(text: str) -> list[tuple[str, str, str, str]]:
     return told
 
 
+def test_variants_are_a_property() -> None:
+    found = diagnostic(span(ONE, "arm"), variants=("left", "right"))
+    case = next(iter(next(iter(read(render(report(found, files=())))))))
+    assert [(one.name, one.value) for one in case.properties()] == [("variants", "left, right")]
+    assert case.result[0].text.endswith("over 1 m (variants: left, right)")
+
+
 def test_a_case_for_each_rule_of_each_file() -> None:
     text = render(
         report(

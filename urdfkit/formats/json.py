@@ -15,7 +15,7 @@ from urdfkit.source import Span
 from urdfkit.static import Any
 
 #: Of the document; a change that could break a reader counts it up.
-VERSION = 1
+VERSION = 2
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
@@ -48,6 +48,7 @@ def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
         "severity": diagnostic.severity.value,
         "confidence": diagnostic.confidence.value,
         "targets": list(diagnostic.targets),
+        "variants": list(diagnostic.variants),
         "message": diagnostic.message,
         **_place(diagnostic.span),
         "element": diagnostic.element,

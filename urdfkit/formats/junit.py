@@ -57,6 +57,11 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
     case = _new_case(suite, path, name)
     case.set("file", xml_text(path))
     case.set("line", str(diagnostics[0].span.line))
+    variants = dict.fromkeys(name for found in diagnostics for name in found.variants)
+    if all(found.variants for found in diagnostics):
+        properties = SubElement(case, "properties")
+        value = xml_text(", ".join(variants))
+        SubElement(properties, "property", name="variants", value=value)
     failures = [d for d in diagnostics if d.severity is not Severity.INFO]
     if failures:
         failure = SubElement(
@@ -69,7 +74,8 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
 
 
 def _line(diagnostic: Diagnostic) -> str:
-    return f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
+    text = f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
+    return f"{text} (variants: {', '.join(diagnostic.variants)})" if diagnostic.variants else text
 
 
 def _count(root: Element) -> None:

@@ -102,6 +102,8 @@ def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
         "partialFingerprints": {"urdfkit/v1": mark},
         "properties": {"confidence": diagnostic.confidence.value},
     }
+    if diagnostic.variants:
+        result["properties"]["variants"] = list(diagnostic.variants)
     if related := _related(diagnostic):
         result["relatedLocations"] = related
     if diagnostic.fix:

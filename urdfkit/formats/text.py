@@ -139,6 +139,8 @@ class _Page:
             *self._ways(diagnostic),
             *(self._note(related, diagnostic) for related in diagnostic.related),
         ]
+        if diagnostic.variants:
+            blocks.append(self._labelled("variants", ", ".join(diagnostic.variants)))
         title = diagnostic.fix.title if diagnostic.fix else ""
         if diagnostic.help and diagnostic.help != title:
             blocks.append(self._labelled("help", diagnostic.help))
