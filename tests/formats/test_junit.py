@@ -50,7 +50,8 @@ def cases(text: str) -> list[tuple[str, str, str, str]]:
 def test_variants_are_a_property() -> None:
     found = diagnostic(span(ONE, "arm"), variants=("left", "right"))
     case = next(iter(next(iter(read(render(report(found, files=())))))))
-    assert [(one.name, one.value) for one in case.properties()] == [("variants", "left, right")]
+    named = [dict(one.attrib) for one in case._elem.iter("property")]
+    assert named == [{"name": "variants", "value": "left, right"}]
     assert case.result[0].text.endswith("over 1 m (variants: left, right)")
 
 
