@@ -15,7 +15,7 @@ from urdfkit.judge import Verdict, crash, judge
 from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -377,8 +377,8 @@ def _distinct(judged: list[Judged]) -> Iterator[Diagnostic]:
     variants: dict[str, set[str]] = {}
     for job, _ in judged:
         variants.setdefault(job.source.path, set()).add(job.name)
-    for key, diagnostic in once.items():
-        names = _partial(found_in[key], variants)
+    for jobs, diagnostic in zip(found_in.values(), once.values(), strict=True):
+        names = _partial(jobs, variants)
         yield diagnostic._replace(variants=names) if names else diagnostic
 
 
@@ -394,4 +394,4 @@ def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, .
 
 def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
     span = diagnostic.span
-    return (span.source.path, span.start, diagnostic.code, diagnostic.message)
+    return (shown(span.source.path), span.start, diagnostic.code, diagnostic.message)

@@ -10,7 +10,7 @@ from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.rules import Finding, Rule, Written
-from urdfkit.source import Span
+from urdfkit.source import Span, shown_text
 from urdfkit.static import TYPE_CHECKING, TypeVar
 from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
 from urdfkit.workspace.beside import other_srdf_files, srdf_files
@@ -408,9 +408,13 @@ def without_library(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
 
 
 def _bounded(finding: Finding) -> Finding:
-    if len(finding.message) <= MAX_MESSAGE:
+    """A finding with a message of some length, that names files as they are shown."""
+    message, remedy = shown_text(finding.message), shown_text(finding.help)
+    if len(message) > MAX_MESSAGE:
+        message = f"{message[:MAX_MESSAGE]}..."
+    if (message, remedy) == (finding.message, finding.help):
         return finding
-    return finding._replace(message=f"{finding.message[:MAX_MESSAGE]}...")
+    return finding._replace(message=message, help=remedy)
 
 
 def crash(code: str, path: str, error: Exception) -> Crashed:

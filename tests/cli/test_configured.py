@@ -12,6 +12,7 @@ from tests.xacros import xacro
 from urdfkit.cli import main, view
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.page import state
+from urdfkit.page.document import describe
 
 ARM = xacro(
     """<link name="$(arg side)_base"><inertial><mass value="1"/>
@@ -156,7 +157,7 @@ def test_the_viewer(robot: Path, monkeypatch, capsys) -> None:
     configure(robot, TWO)
     assert main(["view", str(robot), "--variant", "right", "--no-open"]) == 0
     (wish,) = seen
-    told = state.describe(
+    told = describe(
         wish.file, arguments=wish.arguments, config=wish.config, variant=wish.variant, quick=True
     )
     assert told.subject.arguments == {"side": "right"}

@@ -10,6 +10,7 @@ from urdfkit import atomic, formats
 from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.engine import check
+from urdfkit.source import shown
 from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -131,7 +132,7 @@ def _tell(fixes: Fixes) -> None:
     if sys.stderr is None:
         return
     for file in fixes.files:
-        print(f"fixed {file.path}", file=sys.stderr)
+        print(f"fixed {shown(file.path)}", file=sys.stderr)
     refused = {left.reason for left in fixes.left} - {"", "unsafe"}
     for reason in sorted(refused):
         count = sum(left.reason == reason for left in fixes.left)

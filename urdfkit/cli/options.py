@@ -198,14 +198,18 @@ def words(values: Mapping[str, Any], key: str) -> list[str]:
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
 
 
-def ignored(values: Mapping[str, Any]) -> set[str]:
-    """The codes of the rules to leave out; a word that means none is warned of."""
+def ignored(values: Mapping[str, Any]) -> list[str]:
+    """What ``--ignore`` names; a word that means no rule is warned of and left out."""
+    named = words(values, "ignore")
+    if not named:
+        return []
     from urdfkit import rules
 
-    found, unknown = rules.ignored(words(values, "ignore"))
+    _, unknown = rules.ignored(named)
     for error in unknown:
         _warn(f"--ignore: {error}")
-    return found
+    wrong = {error.word for error in unknown}
+    return [word for word in named if word not in wrong]
 
 
 def _warn(text: str) -> None:

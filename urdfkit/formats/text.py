@@ -10,7 +10,7 @@ from urdfkit.document import Step
 from urdfkit.gathering import gathered
 from urdfkit.rules import foreign
 from urdfkit.screen import columns, frame, printable, wrap
-from urdfkit.source import Span
+from urdfkit.source import Span, shown
 
 #: Calls of one macro, and steps of one way, that are shown.
 MAX_CALLS = 8
@@ -100,7 +100,7 @@ def _launched(report: Report) -> Iterator[str]:
         what = f"{name} {', '.join(launches)}"
         if len(what) > MAX_VALUES:
             what = f"{len(launches)} values of {name}"
-        yield printable(f"{path} with {what} of {where}")
+        yield printable(f"{shown(path)} with {what} of {where}")
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:
@@ -114,7 +114,7 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             files.setdefault(skip.reason, set()).add(skip.path)
     found = [(reason, _many(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
-        paths = sorted(map(os.path.normpath, files[reason]))
+        paths = sorted({shown(path) for path in files[reason]})
         named = ", ".join(paths) if len(paths) <= MAX_FILES else _many(len(paths), "file")
         found.append((reason, printable(named)))
     return found
@@ -231,9 +231,9 @@ class _Page:
         return f"{self.path(span.source.path)}:{line}:{column}"
 
     def path(self, path: str) -> str:
-        """A path as it is, or relative to the current folder where that is shorter."""
+        """A path as it is shown; many findings have the same."""
         if path not in self._paths:
-            self._paths[path] = printable(_shorter(path))
+            self._paths[path] = printable(shown(path))
         return self._paths[path]
 
     def wrap(self, text: str, *, indent: int, used: int = 0) -> str:
@@ -241,16 +241,6 @@ class _Page:
 
     def paint(self, text: str, code: str) -> str:
         return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
-
-
-def _shorter(path: str) -> str:
-    if not os.path.isabs(path):
-        return path.removeprefix("./")
-    try:
-        relative = os.path.relpath(path)
-    except (OSError, ValueError):  # the current folder is gone; another drive
-        return path
-    return min(relative, path, key=len)
 
 
 def _shared(ways: Sequence[Sequence[Step]]) -> int:

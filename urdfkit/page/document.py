@@ -25,7 +25,7 @@ from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown, without_folder
 from urdfkit.subject import Subject, Unavailable
 from urdfkit.targets import TARGETS
 from urdfkit.workspace.resolve import Resolver
@@ -125,7 +125,9 @@ def completed(told: Told, progress: Callable[[int, int], None] | None = None) ->
     }
     parts, missing = _computed(told.subject, long)
     missing = told.document["missing"] | missing
-    return told._replace(document=told.document | finite(parts) | {"missing": missing})
+    return told._replace(
+        document=told.document | _portable(finite(parts), told.subject) | {"missing": missing}
+    )
 
 
 def _computed(
@@ -147,12 +149,12 @@ def _document(subject: Subject, report: Report) -> Document:
     is_read = subject.reading.document is not None
     places = Places(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
-    shown = gathered(report.diagnostics)
-    listed = json.loads(as_json.render(report._replace(diagnostics=shown)))["diagnostics"]
+    grouped = gathered(report.diagnostics)
+    listed = json.loads(as_json.render(report._replace(diagnostics=grouped)))["diagnostics"]
     document = {
         "version": VERSION,
         "urdfkit": __version__,
-        "file": subject.source.path,
+        "file": shown(subject.source.path),
         "arguments": subject.arguments,
         "summary": {
             key: written["summary"][key]
@@ -160,15 +162,32 @@ def _document(subject: Subject, report: Report) -> Document:
         },
         "targets": _targets(report),
         "findings": findings(report.diagnostics, written["diagnostics"], places),
-        "gathered": findings(shown, listed, places),
+        "gathered": findings(grouped, listed, places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),
         **parts,
         "missing": missing,
     }
-    found: Document = finite(document)
+    found: Document = _portable(finite(document), subject)
     return found
+
+
+def _portable(value: Any, subject: Subject) -> Any:
+    """Plain values without the folders of the machine that they were made on.
+
+    Paths in the workspace of the robot begin at the workspace.
+    """
+    if isinstance(value, dict):
+        return {key: _portable(one, subject) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_portable(one, subject) for one in value]
+    if not isinstance(value, str) or os.sep not in value:
+        return value
+    file = os.path.realpath(subject.source.path)
+    for folder in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
+        value = without_folder(value, folder)
+    return without_folder(value, os.path.expanduser("~"), "~/")
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:
