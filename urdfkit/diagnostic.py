@@ -144,7 +144,10 @@ class Launched(Record):
 
 
 class Crashed(Record):
-    """A rule that failed: a bug of urdfkit, never of the robot."""
+    """A rule that failed: a bug of urdfkit, never of the robot.
+
+    The code is empty where what failed is a part of the check that is no rule.
+    """
 
     code: str
     path: str

@@ -151,6 +151,9 @@ class Plan:
         if is_launch(source.path):
             self._add_launch(source)
             return
+        if self.config is None and not self.variant:
+            self._add(source, "", {}, found=False)
+            return
         from urdfkit.config import Config
 
         for robot in (self.config or Config()).entries(source.path, self.arguments, self.variant):

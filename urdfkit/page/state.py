@@ -18,6 +18,7 @@ from urdfkit.subject import Subject
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
+    from urdfkit.diagnostic import Diagnostic
 
 #: The size and the time of change of a file; None if it is not there.
 Stamp = tuple[int, int] | None
@@ -110,7 +111,7 @@ def read(wish: Wish, known: Iterable[str] = ()) -> State:
     )
     subject = told.subject
     document, drawings, scene = drawn(told, has_pictures=False)
-    files = files_of(subject, document) | {wish.file}
+    files = files_of(subject, told.diagnostics) | {wish.file}
     if scene is not None:
         files |= _beside(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}
@@ -126,7 +127,7 @@ def completed(state: State) -> State:
     return state._replace(document=document, drawings=drawings, told=told, is_whole=True)
 
 
-def files_of(subject: Subject, document: Document) -> set[str]:
+def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     """Every file that a robot is made from, those included that are missing."""
     found = {subject.source.path}
     xacro = subject.reading.xacro
@@ -136,8 +137,7 @@ def files_of(subject: Subject, document: Document) -> set[str]:
         for mesh in subject.files.meshes:
             at = mesh.located
             found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
-    found |= {one["path"] for one in document["findings"]}
-    return found
+    return found | {one.span.source.path for one in diagnostics}
 
 
 def _beside(subject: Subject) -> set[str]:
