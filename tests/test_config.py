@@ -105,6 +105,18 @@ def test_a_slip_is_an_error_that_names_file_setting_and_remedy(tmp_path, text, w
         assert word in str(error.value)
 
 
+def test_an_unknown_rule_that_is_left_out_is_a_warning(tmp_path):
+    path = write(
+        tmp_path,
+        'ignore = ["JNT020", "XYZ"]\n[[per-file-ignores]]\nfiles = ["*.urdf"]\ncodes = ["NEW001"]',
+    )
+    config = load(path)
+    assert config.ignore == {"JNT020"}
+    first, second = config.warnings
+    assert first.startswith(f"{path}: 'ignore': no rule 'XYZ'")
+    assert second.startswith(f"{path}: per-file-ignores[1]: 'codes': no rule 'NEW001'")
+
+
 @pytest.mark.parametrize(
     ("text", "name"),
     [

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import Source, check, engine
-from urdfkit.config import Config, Robot
+from urdfkit.config import Config, ConfigError, Robot
 from urdfkit.diagnostic import Report
 from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.judge import Verdict
@@ -108,6 +108,45 @@ def test_variants_are_checked_under_their_names_with_all_arguments(tmp_path: Pat
     assert "'y'" in same.message
     assert check(file, select=["NAM001"], config=config, arguments={"m": "_3"}).diagnostics == ()
     assert check(file, select=["NAM001"]).diagnostics[0].message.count("'x'")
+
+
+def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
+    file = write(
+        tmp_path,
+        "r.xacro",
+        f"""<link name="a"/>{LOOP}
+        <xacro:if value="$(arg big)"><link name="b"/><link name="b"/></xacro:if>
+        <xacro:unless value="$(arg big)"><link name="c"/><link name="c"/></xacro:unless>""",
+    )
+    robots = tuple(
+        Robot(str(file), name, {"big": value})
+        for name, value in (("s", "false"), ("l", "true"), ("xl", "true"))
+    )
+    config = Config(robots=robots)
+    for jobs in (1, 3):
+        report = check(file, select=["NAM001", "TRE006"], config=config, jobs=jobs)
+        told = [(d.code, d.span.line, d.variants) for d in report.diagnostics]
+        assert told == [
+            ("TRE006", 2, ()),
+            ("NAM001", 3, ("l", "xl")),
+            ("NAM001", 4, ("s",)),
+        ]
+    (found,) = check(file, select=["NAM001"], config=config, variant="l").diagnostics
+    assert found.variants == ()
+
+
+def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
+    with pytest.raises(ConfigError, match="no variant 'big'; it has none"):
+        check(robots / "one.xacro", variant="big")
+    with pytest.raises(ConfigError, match="no robot here has a variant 'big'"):
+        check(robots, variant="big")
+
+
+def test_a_shared_file_that_one_robot_has_in_all_variants(robots: Path) -> None:
+    one, two = robots / "one.xacro", robots / "two.xacro"
+    config = Config(robots=(Robot(str(one), "a", {}), Robot(str(one), "b", {})))
+    report = check(one, two, select=["TRE006"], config=config)
+    assert [d.variants for d in report.diagnostics] == [()]
 
 
 def test_a_source_needs_no_file() -> None:

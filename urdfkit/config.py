@@ -68,6 +68,7 @@ class Config(Record):
         rules: codes of the rules of other packages that run, too.
         trust: True if models may run any expression and read any file.
         width: columns of a line that is laid out; 0 for the usual.
+        warnings: what is odd about the configuration, and does not change what is checked.
     """
 
     path: str = ""
@@ -84,11 +85,56 @@ class Config(Record):
     rules: tuple[str, ...] = ()
     trust: bool = False
     width: int = 0
+    warnings: tuple[str, ...] = ()
 
     @property
     def folder(self) -> str:
         """The folder that its paths start from."""
         return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
+
+    def entries(
+        self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
+    ) -> tuple[Robot, ...]:
+        """The variants of a description, each with all arguments that it is read with.
+
+        Those that are given win over those of the variant, and these over those of every xacro.
+        With given arguments and no name it is one description, with what its variants share.
+
+        Args:
+            path: of the description.
+            given: arguments for xacro.
+            variant: the name of the only one that is meant; all if empty.
+
+        Raises:
+            ConfigError: there is no variant of this name.
+        """
+        real = os.path.realpath(path)
+        own = [robot for robot in self.robots if os.path.realpath(robot.file) == real]
+        if variant:
+            names = [robot.name for robot in own if robot.name]
+            own = [robot for robot in own if robot.name == variant]
+            if not own:
+                there = f"there are {', '.join(names)}" if names else "it has none"
+                raise ConfigError(f"{path}: there is no variant '{variant}'; {there}")
+        elif given and len(own) > 1:
+            shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
+            own = [Robot(path, "", dict(shared))]
+        return tuple(
+            Robot(path, robot.name, {**self.arguments, **robot.arguments, **(given or {})})
+            for robot in own or [Robot(path, "", {})]
+        )
+
+    def entry(self, path: str, given: Mapping[str, str] | None = None, variant: str = "") -> Robot:
+        """The same where one description is wanted.
+
+        Raises:
+            ConfigError: there are several, or none of this name.
+        """
+        found = self.entries(path, given, variant)
+        if len(found) > 1:
+            names = ", ".join(robot.name for robot in found)
+            raise ConfigError(f"{path} has several variants: name one with --variant ({names})")
+        return found[0]
 
     def relative(self, path: str) -> str:
         """A path as the patterns of the configuration see it."""
@@ -154,16 +200,17 @@ def _table(path: str) -> dict[str, Any] | None:
 
 def _read(reader: _Reader, *, trusted: bool) -> Config:
     foreign = reader.rules(trusted=trusted)  # before other settings name their codes
+    ignoring = reader.tables("per-file-ignores")
     config = Config(
         reader.path,
         select=reader.codes("select"),
-        ignore=reader.codes("ignore"),
+        ignore=reader.ignored("ignore"),
         fail_on=reader.severity("fail-on", Severity.WARNING),
         targets=reader.targets(),
         packages=reader.packages(),
         arguments=reader.arguments("arguments"),
         severities=reader.severities(),
-        file_ignores=tuple(_file_ignore(inner) for inner in reader.tables("per-file-ignores")),
+        file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
         robots=tuple(
             robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
         ),
@@ -173,15 +220,16 @@ def _read(reader: _Reader, *, trusted: bool) -> Config:
         width=reader.width(),
     )
     reader.finish()
-    return config
+    warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
+    return config._replace(warnings=tuple(warnings))
 
 
 def _file_ignore(reader: _Reader) -> FileIgnore:
     entry = FileIgnore(
-        reader.texts("files"), reader.codes("codes"), str(reader.take("reason", str, ""))
+        reader.texts("files"), reader.ignored("codes"), str(reader.take("reason", str, ""))
     )
     reader.finish()
-    if not entry.files or not entry.codes:
+    if not entry.files or not (entry.codes or reader.warnings):
         raise reader.error("it needs 'files' and 'codes'")
     return entry
 
@@ -220,6 +268,7 @@ class _Reader:
         self.path = path
         self.folder = os.path.dirname(os.path.abspath(path))
         self.where = where
+        self.warnings: list[str] = []
         self._left = dict(table)
         self._known: list[str] = []
 
@@ -272,6 +321,12 @@ class _Reader:
             return frozenset(code for word in self.texts(key) for code in rules.matching(word))
         except UnknownRule as error:
             raise self.error(f"'{key}': {error}") from error
+
+    def ignored(self, key: str) -> frozenset[str]:
+        """The codes of rules that are left out; a word that means none leaves out nothing."""
+        found, unknown = rules.ignored(self.texts(key))
+        self.warnings += (str(self.error(f"'{key}': {error}")) for error in unknown)
+        return frozenset(found)
 
     def severity(self, key: str, default: Severity) -> Severity:
         return self._as_severity(key, self.take(key, str, default.value))

@@ -98,6 +98,7 @@ class Diagnostic(Record):
         fix: a remedy as text edits, or None.
         targets: the consumers that the severity is for; empty if it is for all.
         alike: the same for findings of one rule that people are shown as one where they are many.
+        variants: names of the variants of the robot that it is found in; empty if it is in all.
     """
 
     code: str
@@ -112,6 +113,7 @@ class Diagnostic(Record):
     fix: Fix | None
     targets: tuple[str, ...] = ()
     alike: str = ""
+    variants: tuple[str, ...] = ()
 
     @property
     def element(self) -> str:
@@ -142,7 +144,10 @@ class Launched(Record):
 
 
 class Crashed(Record):
-    """A rule that failed: a bug of urdfkit, never of the robot."""
+    """A rule that failed: a bug of urdfkit, never of the robot.
+
+    The code is empty where what failed is a part of the check that is no rule.
+    """
 
     code: str
     path: str

@@ -10,11 +10,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
-from urdfkit.judge import Verdict, judge
+from urdfkit.errors import UrdfkitError
+from urdfkit.judge import Verdict, crash, judge
 from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
         trust: bool
         rules: Iterable[str]
         config: Config | None
+        variant: str
         changed: bool
         jobs: int
         progress: Callable[[int, int], None] | None
@@ -71,6 +73,7 @@ def check(
     trust: bool = False,
     rules: Iterable[str] = (),
     config: Config | None = None,
+    variant: str = "",
     changed: bool = False,
     jobs: int = 1,
     progress: Callable[[int, int], None] | None = None,
@@ -99,6 +102,7 @@ def check(
         rules: packages of rules that run, too: names under which they are installed (entry
             points of the group ``urdfkit.rules``), or of modules, which are imported.
         config: settings of the project; the other arguments go before them.
+        variant: the name of the only one, of those in the configuration, that is checked.
         changed: the files are changed files of any kind; the robots that they are part of are
             checked, each once.
         jobs: processes that check at the same time.
@@ -111,6 +115,7 @@ def check(
 
     Raises:
         UnreadableFile: a file is missing or may not be read.
+        ConfigError: a robot has no variant of this name.
         UnknownRule: a word of ``select`` or ``ignore`` means no rule.
         UnknownTarget: a name is no target.
         RuleError: a package of rules is missing or cannot be used.
@@ -131,7 +136,7 @@ def check(
         resolver = Resolver(settings.packages, texts=settings.texts)
     else:
         resolver = resolver.with_texts(settings.texts)
-    plan = planned(files, resolver, config, arguments, changed=changed)
+    plan = planned(files, resolver, config, arguments, variant=variant, changed=changed)
     return _report(plan, _judged(plan.jobs, settings, resolver, jobs, progress))
 
 
@@ -141,6 +146,7 @@ def subjects(
     packages: Mapping[str, str] | None = None,
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     changed: bool = False,
     texts: Mapping[str, bytes] | None = None,
 ) -> Iterator[Subject | None]:
@@ -155,7 +161,9 @@ def subjects(
     def read(job: Job) -> Subject:
         return Subject(job.source, resolver, job.arguments, trust=is_trusted, frame=job.frame)
 
-    for planned_job in planned(files, resolver, config, arguments, changed=changed).jobs:
+    for planned_job in planned(
+        files, resolver, config, arguments, variant=variant, changed=changed
+    ).jobs:
         for job, subject in as_launched(planned_job, read):
             is_robot = not is_launch(job.source.path) and subject.reading.document is not None
             yield subject if is_robot else None
@@ -290,13 +298,22 @@ def _run(
             progress=progress,
         )
 
+    try:
+        return [
+            (launched, _verdict(launched, subject, settings))
+            for launched, subject in as_launched(job, read)
+        ]
+    except UrdfkitError:
+        raise
+    except Exception as error:  # a bug of urdfkit must not hide the findings of other robots
+        return [(job, Verdict((), (), (crash("", job.source.path, error),), frozenset(), None, 0))]
+
+
+def _verdict(job: Job, subject: Subject, settings: Settings) -> Verdict:
     chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
-    judged: list[Judged] = []
-    for launched, subject in as_launched(job, read):
-        verdict = _without_arguments(judge(subject, chosen, settings.config), launched, subject)
-        unknown = unknown_arguments(subject, settings.given) if settings.given else {}
-        judged.append((launched, verdict._replace(unknown_arguments=unknown)))
-    return judged
+    verdict = _without_arguments(judge(subject, chosen, settings.config), job, subject)
+    unknown = unknown_arguments(subject, settings.given) if settings.given else {}
+    return verdict._replace(unknown_arguments=unknown)
 
 
 def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
@@ -311,20 +328,10 @@ def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
 
 def _report(plan: Plan, judged: list[Judged]) -> Report:
     verdicts = [verdict for _, verdict in judged]
-    once: dict[tuple[object, ...], Diagnostic] = {}
-    files_of: dict[str, str] = {}
-    for verdict in verdicts:
-        for diagnostic in verdict.diagnostics:
-            # Two robots of one run may include the same file, each in its own words; its defect
-            # is told once.
-            path = diagnostic.span.source.path
-            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
-            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
-            once.setdefault(key, diagnostic)
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted(once.values(), key=_reading_order)),
+        tuple(sorted(_distinct(judged), key=_reading_order)),
         (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
         tuple(crash for verdict in verdicts for crash in verdict.crashed),
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
@@ -351,6 +358,40 @@ def _report(plan: Plan, judged: list[Judged]) -> Report:
     )
 
 
+def _distinct(judged: list[Judged]) -> Iterator[Diagnostic]:
+    """The findings, each once, with the variants of the robot that it is found in.
+
+    Two robots of one run may include the same file, each in its own words; its defect is told
+    once.
+    """
+    once: dict[tuple[object, ...], Diagnostic] = {}
+    found_in: dict[tuple[object, ...], list[Job]] = {}
+    files_of: dict[str, str] = {}
+    for job, verdict in judged:
+        for diagnostic in verdict.diagnostics:
+            path = diagnostic.span.source.path
+            file = files_of.get(path) or files_of.setdefault(path, os.path.realpath(path))
+            key = (diagnostic.code, file, *diagnostic.span[1:], diagnostic.message)
+            once.setdefault(key, diagnostic)
+            found_in.setdefault(key, []).append(job)
+    variants: dict[str, set[str]] = {}
+    for job, _ in judged:
+        variants.setdefault(job.source.path, set()).add(job.name)
+    for jobs, diagnostic in zip(found_in.values(), once.values(), strict=True):
+        names = _partial(jobs, variants)
+        yield diagnostic._replace(variants=names) if names else diagnostic
+
+
+def _partial(found_in: list[Job], variants: dict[str, set[str]]) -> tuple[str, ...]:
+    """The names of variants with a finding; none if it is in all those of some robot."""
+    names: dict[str, dict[str, None]] = {}
+    for job in found_in:
+        names.setdefault(job.source.path, {})[job.name] = None
+    if any("" in own or len(own) == len(variants[path] - {""}) for path, own in names.items()):
+        return ()
+    return tuple(dict.fromkeys(name for own in names.values() for name in own))
+
+
 def _reading_order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
     span = diagnostic.span
-    return (span.source.path, span.start, diagnostic.code, diagnostic.message)
+    return (shown(span.source.path), span.start, diagnostic.code, diagnostic.message)

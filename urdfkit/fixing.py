@@ -192,6 +192,7 @@ def _subjects(
         packages=options.get("packages"),
         trust=options.get("trust", False),
         config=options.get("config"),
+        variant=options.get("variant", ""),
         changed=options.get("changed", False),
         texts=options.get("texts"),
     )

@@ -20,7 +20,9 @@ def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Findings, with those of a file that are alike in the place of the first of them."""
     groups: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):
-        key = (one.code, one.severity, one.alike, one.span.source.path) if one.alike else number
+        key: object = number
+        if one.alike:
+            key = (one.code, one.severity, one.alike, one.span.source.path, one.variants)
         groups.setdefault(key, []).append(one)
     found: list[Diagnostic] = []
     for group in groups.values():

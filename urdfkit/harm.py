@@ -38,7 +38,7 @@ def harm(before: Report, after: Report) -> str:
         if added := sorted((Counter(now) - Counter(old)).keys() - hidden):
             return f"dropped: it would add {added[0]}"
     if len(after.crashed) > len(before.crashed):
-        return f"dropped: with it, rule {after.crashed[-1].code} fails"
+        return f"dropped: with it, {after.crashed[-1].code or 'the check'} fails"
     return ""
 
 

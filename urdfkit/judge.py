@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
 from urdfkit import glance, libraries, rules
 from urdfkit.diagnostic import Call, Crashed, Diagnostic, Related, Skipped
@@ -10,8 +10,8 @@ from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.rules import Finding, Rule, Written
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.source import Span, shown_text
+from urdfkit.static import TYPE_CHECKING, TypeVar
 from urdfkit.subject import WITHOUT_COAL, Outcome, Subject, Unavailable
 from urdfkit.workspace.beside import other_srdf_files, srdf_files
 
@@ -20,7 +20,12 @@ if TYPE_CHECKING:
     from urdfkit.expansion import Xacro
     from urdfkit.model import Body
     from urdfkit.source import Source
+    from urdfkit.suppress import Ignore
     from urdfkit.targets import Targets
+
+    Guard = Callable[[Callable[[], set[str]], set[str]], set[str]]
+
+T = TypeVar("T")
 
 #: A macro that is not called makes no link: what then says that something is missing is the same
 #: defect again.
@@ -75,13 +80,14 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     """
     run = _Run(subject, config)
     run.skipped += unread(subject, chosen)
-    run.skipped += unmeasured(subject, chosen)
-    run.skipped += without_library(subject, chosen)
+    run.skipped += run.guarded(lambda: unmeasured(subject, chosen), [])
+    run.skipped += run.guarded(lambda: without_library(subject, chosen), [])
     # The rules about the checking itself look at what the others found.
     own = [code for code in chosen if code.startswith("CFG")]
-    run.rules(applicable(subject, [code for code in chosen if code not in own]))
+    run.rules(applicable(subject, [code for code in chosen if code not in own], run.guarded))
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
-    if subject.ignores:
+    run.ignores = run.guarded(lambda: subject.ignores, ())
+    if run.ignores:
         run.rules([rules.get(code) for code in own])
     return run.verdict()
 
@@ -96,12 +102,26 @@ class _Run:
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
         self.ran: set[str] = set()
+        self.ignores: tuple[Ignore, ...] = ()
+
+    def guarded(self, look: Callable[[], T], otherwise: T) -> T:
+        """What a look at the robot tells, or what stands in for it if the look fails."""
+        try:
+            return look()
+        except Exception as error:  # a bug of urdfkit must not hide what the rules find
+            self.crashed.append(crash("", self.subject.source.path, error))
+            return otherwise
 
     def rules(self, chosen: Iterable[Rule]) -> None:
         for rule in chosen:
             findings = self._findings(rule)
-            targets = _targets(rule, findings, self.subject)
-            self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
+            try:
+                findings = self._undisputed(findings)
+                targets = _targets(rule, findings, self.subject)
+                self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
+            except Exception as error:
+                self.ran.discard(rule.code)
+                self.crashed.append(crash(rule.code, self.subject.source.path, error))
 
     def _findings(self, rule: Rule) -> list[Finding]:
         path = self.subject.source.path
@@ -115,8 +135,8 @@ class _Run:
         except Unavailable as reason:
             self.skipped.append(Skipped(rule.code, path, str(reason)))
         except Exception as error:  # a bug in a rule must not hide the other rules
-            self.crashed.append(_crash(rule, path, error))
-        return self._undisputed(findings)
+            self.crashed.append(crash(rule.code, path, error))
+        return findings
 
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places of its numbers in data files."""
@@ -145,10 +165,10 @@ class _Run:
     def verdict(self) -> Verdict:
         diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
         left_out = len(self.diagnostics) - len(diagnostics)
-        if self.subject.ignores:
+        if self.ignores:
             from urdfkit.suppress import sift
 
-            sifted = sift(diagnostics, self.subject.ignores)
+            sifted = sift(diagnostics, self.ignores)
             diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
         if any(diagnostic.code == _HIDES_PARTS for diagnostic in diagnostics):
             diagnostics = tuple(d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS)
@@ -156,32 +176,51 @@ class _Run:
         return Verdict(
             diagnostics,
             tuple(self.skipped),
-            tuple(self.crashed),
+            tuple(self._distinct_crashes()),
             frozenset(self.ran),
             targets,
             left_out,
         )
+
+    def _distinct_crashes(self) -> Iterator[Crashed]:
+        """Without the failed looks at the robot that rules have failed with, too."""
+        of_rules = {crashed.error for crashed in self.crashed if crashed.code}
+        told: set[str] = set()
+        for crashed in self.crashed:
+            if crashed.code or crashed.error not in of_rules | told:
+                told.add(crashed.error)
+                yield crashed
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
         return config is not None and config.ignores(diagnostic.code, diagnostic.span.source.path)
 
 
-def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
-    """The rules that may have something to say; the others need not even be imported."""
+def _unguarded(look: Callable[[], set[str]], otherwise: set[str]) -> set[str]:
+    return look()
+
+
+def applicable(subject: Subject, chosen: Collection[str], guard: Guard = _unguarded) -> list[Rule]:
+    """The rules that may have something to say; the others need not even be imported.
+
+    Args:
+        subject: the description.
+        chosen: codes of the rules.
+        guard: calls what looks at the robot; the rules that it would decide on run if it fails.
+    """
     if is_launch(subject.source.path):
         return [rules.get(code) for code in chosen if code[:3] == "LAU" or code in _OF_PACKAGES]
     reading = subject.reading
     told = {problem.code for problem in reading.problems}
     silent = {"LAU"}
-    waiting = (
-        rules.TOLD_BY_READING
-        | rules.TOLD_BY_GRAMMAR
-        | rules.TOLD_BY_FILES
-        | rules.TOLD_BY_MESHES
-        | rules.TOLD_BY_MASSES
-        | rules.TOLD_BY_LIKENESSES
-    )
+    waiting = {
+        *rules.TOLD_BY_READING,
+        *rules.TOLD_BY_GRAMMAR,
+        *rules.TOLD_BY_FILES,
+        *rules.TOLD_BY_MESHES,
+        *rules.TOLD_BY_MASSES,
+        *rules.TOLD_BY_LIKENESSES,
+    }
     if reading.xacro is None:
         silent.add("XAC")
         told.add("XAC003")  # the one among them that is about plain files
@@ -190,10 +229,12 @@ def applicable(subject: Subject, chosen: Collection[str]) -> list[Rule]:
     if reading.document is None:
         silent |= {"XAC", *_OF_THE_DOCUMENT}
     else:
-        told |= _told_of_robot(subject, chosen)
-        waiting |= _silent_about_robot(subject, chosen)
-        silent |= _silent_families(subject)
-        if "SRD" not in silent and subject.other_variant:
+        told |= guard(lambda: _told_of_robot(subject, chosen), set(waiting))
+        waiting |= guard(lambda: _silent_about_robot(subject, chosen), set())
+        silent |= guard(lambda: _silent_families(subject), set())
+        if "SRD" not in silent and guard(
+            lambda: {"SRD025"} if subject.other_variant else set(), set()
+        ):
             silent.add("SRD")  # what else it names is not of this robot either
             told.add("SRD025")
     return [
@@ -393,15 +434,20 @@ def without_library(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
 
 
 def _bounded(finding: Finding) -> Finding:
-    if len(finding.message) <= MAX_MESSAGE:
+    """A finding with a message of some length, that names files as they are shown."""
+    message, remedy = shown_text(finding.message), shown_text(finding.help)
+    if len(message) > MAX_MESSAGE:
+        message = f"{message[:MAX_MESSAGE]}..."
+    if (message, remedy) == (finding.message, finding.help):
         return finding
-    return finding._replace(message=f"{finding.message[:MAX_MESSAGE]}...")
+    return finding._replace(message=message, help=remedy)
 
 
-def _crash(rule: Rule, path: str, error: Exception) -> Crashed:
+def crash(code: str, path: str, error: Exception) -> Crashed:
+    """What a failure that is being handled says; the code is empty where it is no rule's."""
     from traceback import format_exc  # 9 ms
 
-    return Crashed(rule.code, path, f"{type(error).__name__}: {error}", format_exc())
+    return Crashed(code, path, f"{type(error).__name__}: {error}", format_exc())
 
 
 def _targets(rule: Rule, findings: list[Finding], subject: Subject) -> tuple[str, ...]:

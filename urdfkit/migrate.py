@@ -44,6 +44,7 @@ def migrate(
     target: str,
     arguments: Mapping[str, str] | None = None,
     packages: Mapping[str, str] | None = None,
+    trust: bool = False,
 ) -> Migration:
     """What a model needs to run in another Gazebo; nothing is written.
 
@@ -52,12 +53,20 @@ def migrate(
         target: one of ``urdfkit.targets.GAZEBO``.
         arguments: for xacro.
         packages: folders of ROS packages by name.
+        trust: let expressions of the model run unfenced and read any file.
 
     Raises:
         UnreadableFile: the file cannot be read.
         UnknownTarget: there is no such target.
     """
-    report = check(path, arguments=arguments, packages=packages, select=RULES, targets=(target,))
+    report = check(
+        path,
+        arguments=arguments,
+        packages=packages,
+        select=RULES,
+        targets=(target,),
+        trust=trust,
+    )
     edits: dict[Source, list[Edit]] = {}
     left, renamed = [], []
     for diagnostic in report.diagnostics:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 
 from urdfkit.diagnostic import Launched, Skipped
-from urdfkit.errors import UnreadableFile
+from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.nearest import nearest
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -58,6 +58,7 @@ def planned(
     config: Config | None,
     arguments: Mapping[str, str] | None,
     *,
+    variant: str = "",
     changed: bool,
 ) -> Plan:
     """The descriptions to check for what a user names.
@@ -67,9 +68,13 @@ def planned(
         resolver: finds files, and reads them.
         config: settings of the project.
         arguments: for xacro; they win over those of the project.
+        variant: the name of the only one, of those in the configuration, that is meant.
         changed: the files are changed ones of any kind; the robots that they are part of are meant.
+
+    Raises:
+        ConfigError: a robot has no variant of this name.
     """
-    plan = Plan(resolver, config, arguments or {})
+    plan = Plan(resolver, config, arguments or {}, variant)
     if changed:
         plan.add_changed(files)
     for file in () if changed else files:
@@ -81,11 +86,16 @@ class Plan:
     """Which descriptions to check, with which arguments."""
 
     def __init__(
-        self, resolver: Resolver, config: Config | None, arguments: Mapping[str, str]
+        self,
+        resolver: Resolver,
+        config: Config | None,
+        arguments: Mapping[str, str],
+        variant: str = "",
     ) -> None:
         self.resolver = resolver
         self.config = config
         self.arguments = dict(arguments)
+        self.variant = variant
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         #: The arguments with which the robots of a folder are checked, by path.
@@ -109,7 +119,7 @@ class Plan:
             for path in launches:
                 self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
         else:
-            self._add_file(os.fspath(file))
+            self._add_source(self.resolver.read(os.fspath(file)))
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """The entry points that some changed files are part of."""
@@ -121,7 +131,12 @@ class Plan:
 
     def _add_found(self, found: Found, given: str = "") -> None:
         """The entry points of a folder, or of what was given otherwise."""
-        for robot in found.robots:
+        robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
+        if found.robots and not robots:
+            from urdfkit.config import ConfigError
+
+            raise ConfigError(f"no robot here has a variant '{self.variant}'")
+        for robot in robots:
             source = self.resolver.read(_spelt(robot.file, given))
             self._add(source, robot.name, robot.arguments, found=True)
         for library in found.libraries:
@@ -135,18 +150,14 @@ class Plan:
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):
             self._add_launch(source)
-        else:
+            return
+        if self.config is None and not self.variant:
             self._add(source, "", {}, found=False)
+            return
+        from urdfkit.config import Config
 
-    def _add_file(self, path: str) -> None:
-        source = self.resolver.read(path)
-        robots = self.config.robots if self.config else ()
-        real = os.path.abspath(path)
-        variants = [robot for robot in robots if robot.file == real]
-        if not variants or self.arguments:
-            self._add_source(source)
-        for robot in variants if not self.arguments else ():
-            self._add(source, robot.name, robot.arguments, found=False)
+        for robot in (self.config or Config()).entries(source.path, self.arguments, self.variant):
+            self.jobs.append(Job(source, robot.name, robot.arguments, False))
 
     def _add_launch(self, source: Source, *, found: bool = False) -> None:
         """A launch file, and the robots that it describes.
@@ -160,7 +171,12 @@ class Plan:
         from urdfkit.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
-        launch = read_launch(source, self.resolver, self.arguments)
+        try:
+            launch = read_launch(source, self.resolver, self.arguments)
+        except UrdfkitError:
+            raise
+        except Exception:  # a bug of urdfkit, which the check of the launch file meets and tells
+            return
         # Of several robots nobody knows which one the controllers are for.
         parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
         for one in launch.descriptions:

@@ -353,6 +353,22 @@ def matching(word: str) -> list[str]:
     return found
 
 
+def ignored(words: Iterable[str]) -> tuple[set[str], list[UnknownRule]]:
+    """The codes that some words mean, and why the others mean none.
+
+    A rule that is to be left out and does not exist, such as one of another version or of a
+    package that is not installed, changes nothing about the check.
+    """
+    found: set[str] = set()
+    unknown: list[UnknownRule] = []
+    for word in words:
+        try:
+            found.update(matching(word))
+        except UnknownRule as error:
+            unknown.append(error)
+    return found, unknown
+
+
 def _hint(word: str, known: list[str]) -> str:
     return did_you_mean(word, known) or "; 'urdfkit rules' lists them"
 

@@ -199,20 +199,45 @@ class Span(Record):
 
     def __str__(self) -> str:
         line, column = self.source.position(self.start)
-        return f"{self.source.path}:{line}:{column}"
+        return f"{shown(self.source.path)}:{line}:{column}"
 
     def __repr__(self) -> str:
         return f"Span({self}, {self.text[:40]!r})"
 
 
 def shown(path: str) -> str:
-    """A path as a user would type it: from the current folder, if the file lies in it.
+    """A path as people and programs are shown it, wherever a report or a message names a file.
 
-    >>> shown(os.path.abspath("README.md")), shown("/etc/hosts")
-    ('README.md', '/etc/hosts')
+    It is relative to the current folder if the file lies in it, else absolute.
+
+    >>> shown(os.path.abspath("README.md")), shown("./README.md"), shown("/etc/hosts")
+    ('README.md', 'README.md', '/etc/hosts')
     """
     try:
         relative = os.path.relpath(path)
     except (OSError, ValueError):  # the current folder is gone; another drive
         return path
-    return path if relative.startswith(os.pardir) else relative
+    is_outside = relative == os.pardir or relative.startswith(os.path.join(os.pardir, ""))
+    return os.path.abspath(path) if is_outside else relative
+
+
+def shown_text(text: str) -> str:
+    """A text whose paths are `shown`."""
+    if os.sep not in text:
+        return text
+    try:
+        return without_folder(text, os.getcwd())
+    except OSError:  # the current folder is gone
+        return text
+
+
+def without_folder(text: str, folder: str, instead: str = "") -> str:
+    """A text whose absolute paths in a folder begin at this folder.
+
+    >>> without_folder("tried /ws/arm/a.stl and /opt/ws/a.stl", "/ws")
+    'tried arm/a.stl and /opt/ws/a.stl'
+    """
+    prefix = os.path.join(folder, "")
+    if prefix not in text or os.path.dirname(folder) == folder:
+        return text
+    return re.sub(rf"(?<![\w./\\-]){re.escape(prefix)}", lambda _: instead, text)

@@ -14,6 +14,7 @@ from urdfkit import engine, judge
 from urdfkit.cli import main
 from urdfkit.diagnostic import Severity
 from urdfkit.rules import Finding, Need, Rule
+from urdfkit.source import shown
 from urdfkit.subject import Subject
 
 GOOD = str(MODELS / "good" / "gripper.urdf")
@@ -114,7 +115,7 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
 def test_several_files_make_one_report(check: Screen, bad: str) -> None:
     code, out, _ = check(bad, GOOD, "--format", "json")
     assert code == 1
-    assert json.loads(out)["summary"]["files"] == [bad, GOOD]
+    assert json.loads(out)["summary"]["files"] == [bad, shown(GOOD)]
     assert re.search(r" in 2 files\b", check(bad, GOOD)[1])
 
 
@@ -168,14 +169,14 @@ def test_what_is_asked_for_reaches_the_library(
     monkeypatch.setattr("urdfkit.cli.checking.check", record)
     check(
         *("a.urdf", "b", "p:=1", "--trust", "--package", f"x={tmp_path}"),
-        *("--select=A", "--ignore=B,C", "--target", "moveit", "--target=kdl"),
+        *("--select=A", "--ignore=COL,INE", "--target", "moveit", "--target=kdl"),
     )
     check("a.urdf")
     given = {
         "arguments": {"p": "1"},
         "packages": {"x": str(tmp_path)},
         "select": ["A"],
-        "ignore": ["B", "C"],
+        "ignore": ["COL", "INE"],
         "targets": ["moveit", "kdl"],
         "trust": True,
     }

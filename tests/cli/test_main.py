@@ -90,6 +90,14 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
     assert capsys.readouterr().out.startswith(" ".join(["Usage: urdfkit", *command]) + " ")
 
 
+def test_to_ignore_a_rule_that_is_none_is_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", GOOD, "--ignore", "QQQ,XLM001"]) == 0
+    assert capsys.readouterr().err.splitlines() == [
+        "warning: --ignore: no rule 'QQQ'; 'urdfkit rules' lists them",
+        "warning: --ignore: no rule 'XLM001'; did you mean 'XML001'?",
+    ]
+
+
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
@@ -100,7 +108,6 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
         (["check", "a", "--fail-on", "fatal"], "'error', 'warning', 'info'"),
         (["check", "a", "--select"], "--select"),
         (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
-        (["check", GOOD, "--ignore", "QQQ"], "no rule 'QQQ'"),
         (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
         (["check", "no_such.urdf"], "no_such.urdf: there is no such file"),
         (["check", GOOD, "no_such.urdf"], "no_such.urdf: there is no such file"),

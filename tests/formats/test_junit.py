@@ -47,6 +47,14 @@ def cases(text: str) -> list[tuple[str, str, str, str]]:
     return told
 
 
+def test_variants_are_a_property() -> None:
+    found = diagnostic(span(ONE, "arm"), variants=("left", "right"))
+    case = next(iter(next(iter(read(render(report(found, files=())))))))
+    named = [dict(one.attrib) for one in case._elem.iter("property")]
+    assert named == [{"name": "variants", "value": "left, right"}]
+    assert case.result[0].text.endswith("over 1 m (variants: left, right)")
+
+
 def test_a_case_for_each_rule_of_each_file() -> None:
     text = render(
         report(

@@ -291,3 +291,8 @@ def test_the_schema_refuses_what_is_wrong(validator: Any) -> None:
     document["runs"][0]["columnKind"] = "bytes"
     with pytest.raises(jsonschema.ValidationError):
         validator.validate(document)
+
+
+def test_variants_are_a_property() -> None:
+    result = result_of(span(WIDE, "robot"), variants=("left",))
+    assert result["properties"]["variants"] == ["left"]

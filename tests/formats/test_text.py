@@ -331,3 +331,9 @@ def test_findings_stand_in_the_order_of_the_report() -> None:
         "message 1",
         "message 2",
     ]
+
+
+def test_the_variants_that_have_a_finding_are_a_line() -> None:
+    found = diagnostic(span(PLAIN, "arm"), help="make it shorter", variants=("left", "right"))
+    assert "\n  variants: left, right\n  help: make it shorter\n" in render(report(found))
+    assert "variants" not in render(report(found._replace(variants=())))

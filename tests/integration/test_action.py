@@ -16,6 +16,7 @@ import pytest
 import yaml
 
 from tests.conftest import MODELS, ROOT
+from tests.xacros import xacro
 
 ACTION: dict[str, Any] = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
 STEPS: list[dict[str, Any]] = ACTION["runs"]["steps"]
@@ -80,10 +81,10 @@ class Runner:
 def runner(tmp_path: Path) -> Runner:
     """A runner where the first steps have been: 'urdfkit' is that of this checkout."""
     (tmp_path / "temp" / "urdfkit" / "bin").mkdir(parents=True)
-    program = tmp_path / "temp" / "urdfkit" / "bin" / "urdfkit"
-    program.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" -m urdfkit "$@"\n')
-    program.chmod(0o755)
-    program.with_name("python").symlink_to(sys.executable)
+    for name, words in (("urdfkit", "-m urdfkit "), ("python", "")):
+        program = tmp_path / "temp" / "urdfkit" / "bin" / name
+        program.write_text(f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" {words}"$@"\n')
+        program.chmod(0o755)
     shutil.copytree(MODELS, tmp_path / "robots")
     return Runner(tmp_path / "robots", tmp_path / "temp")
 
@@ -153,6 +154,56 @@ def test_each_robot_gets_a_report_and_a_picture(runner: Runner) -> None:
     (tree,) = re.findall(r"```mermaid\n(.*?)```", summary, re.DOTALL)
     assert tree.startswith("flowchart TD\n")
     assert '"left_finger"' in tree
+
+
+@needs_bash
+def test_each_variant_gets_a_report_and_a_picture(runner: Runner) -> None:
+    pytest.importorskip("jinja2")
+    pytest.importorskip("PIL")
+    (runner.workspace / "arm.urdf.xacro").write_text(
+        xacro(
+            '<link name="$(arg side)"><visual><geometry><sphere radius="1"/></geometry></visual>'
+            "</link>"
+        )
+    )
+    (runner.workspace / "urdfkit.toml").write_text(
+        '[[robot]]\nfile = "arm.urdf.xacro"\n'
+        'variants = {left = {side = "l"}, "the right" = {side = "r"}}\n'
+    )
+    runner.run("Check", files="arm.urdf.xacro")
+    done = runner.run("Reports", files="arm.urdf.xacro")
+    assert (done.returncode, done.stdout) == (0, ""), done.stderr
+    reports = Path(runner.values["steps.check.outputs.reports"])
+    assert sorted(path.name for path in reports.glob("[0-9]*")) == [
+        "1-arm.urdf.xacro-left.html",
+        "1-arm.urdf.xacro-left.png",
+        "2-arm.urdf.xacro-the_right.html",
+        "2-arm.urdf.xacro-the_right.png",
+    ]
+
+
+@needs_bash
+def test_a_picture_that_is_missing_is_told(runner: Runner) -> None:
+    pytest.importorskip("jinja2")
+    (runner.workspace / "x.urdf").write_text("<robot")
+    runner.run("Check", files="x.urdf")
+    done = runner.run("Reports", files="x.urdf")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == [
+        f"::warning title=urdfkit::no {what} of 1-x.urdf; the log of this step says why"
+        for what in ("picture", "tree")
+    ]
+    assert "x.urdf" in done.stderr
+    assert "No picture of `1-x.urdf`." in runner.summary.read_text()
+
+
+@needs_bash
+def test_it_runs_where_programs_are_in_scripts(runner: Runner) -> None:
+    """As on Windows."""
+    (runner.temporary / "urdfkit" / "bin").rename(runner.temporary / "urdfkit" / "Scripts")
+    assert runner.run("Check", files="good").returncode == 0
+    assert runner.values["steps.check.outputs.exit-code"] == "0"
+    assert all("|| true" not in step.get("run", "") for step in STEPS)
 
 
 @needs_bash

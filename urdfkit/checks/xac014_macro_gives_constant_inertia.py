@@ -89,7 +89,8 @@ def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:
     calls = [(link, step) for link in links if (step := _innermost_call(link, tag))]
     macro = calls[0][1]
     assert macro.definition is not None
-    moments = ", ".join(tag.attribute_spans()[key].text for key in ("ixx", "iyy", "izz"))
+    written = tag.attribute_spans()  # in which a moment may be missing: urdfdom takes it for 0
+    moments = ", ".join(written[key].text for key in ("ixx", "iyy", "izz") if key in written)
     return Finding(
         Written(macro.definition),
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "

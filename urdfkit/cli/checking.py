@@ -10,6 +10,7 @@ from urdfkit import atomic, formats
 from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.engine import check
+from urdfkit.source import shown
 from urdfkit.static import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -57,15 +58,17 @@ def run_check(values: Mapping[str, Any]) -> int:
 def choices(values: Mapping[str, Any]) -> Options:
     """What the options mean for ``urdfkit.check``."""
     files = options.files(values)
+    added = options.add_rules(values)  # before other options name their codes
     return {
         "arguments": options.arguments(values),
         "packages": options.packages(values),
         "select": options.words(values, "select"),
-        "ignore": options.words(values, "ignore"),
+        "ignore": options.ignored(values),
         "targets": options.words(values, "target"),
         "trust": values["trust"],
-        "rules": options.add_rules(values),
+        "rules": added,
         "config": options.config(values, files[0]),
+        "variant": values["variant"] or "",
         "changed": values["changed"],
         "jobs": options.jobs(values),
         "cache": not values["no_cache"],
@@ -129,7 +132,7 @@ def _tell(fixes: Fixes) -> None:
     if sys.stderr is None:
         return
     for file in fixes.files:
-        print(f"fixed {file.path}", file=sys.stderr)
+        print(f"fixed {shown(file.path)}", file=sys.stderr)
     refused = {left.reason for left in fixes.left} - {"", "unsafe"}
     for reason in sorted(refused):
         count = sum(left.reason == reason for left in fixes.left)

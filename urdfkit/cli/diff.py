@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from functools import partial
 from importlib import import_module
 from typing import Any
@@ -13,7 +12,7 @@ from urdfkit import atomic
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
-from urdfkit.cli.robot import judged
+from urdfkit.cli.robot import judged, last_file
 from urdfkit.comparison import KINDS, compare
 from urdfkit.differences import Tolerances
 from urdfkit.page.words import LANGUAGES
@@ -84,7 +83,8 @@ def command(
             tolerances=_tolerances(tolerance),
             targets=options.words(values, "target"),
             trust=values["trust"],
-            config=options.config(values, _near(files)),
+            config=options.config(values, last_file(files)),
+            variant=values["variant"],
             has_pictures=name == "html",
             progress=bar,
         )
@@ -93,11 +93,6 @@ def command(
     else:
         output.write(render(comparison, width=output.width()))
     return int(not counted.isdisjoint(comparison.kinds))
-
-
-def _near(files: list[str]) -> str:
-    """The state that is a file, whose configuration counts for both; else the current folder."""
-    return next((file for file in reversed(files) if os.path.exists(file)), os.curdir)
 
 
 def _format(form: str | None, output_file: str | None) -> str:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from urdfkit import atomic
-from urdfkit.cli import options, output, stdin
+from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.robot import only_file
+from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.diagnostic import Related, Severity
 from urdfkit.rules import get
 from urdfkit.source import Source
@@ -29,15 +29,13 @@ if TYPE_CHECKING:
         "urdfkit expand robot.urdf.xacro --map -",
     ),
 )
-@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@one_robot
 @click.option(
     "-o", "--output", "target", metavar="FILE", help="Write to FILE instead of standard output."
 )
 @click.option("--deps", is_flag=True, help="Print the files that it depends on instead.")
 @click.option("--map", "map_file", metavar="FILE", help="Write where every element comes from.")
 @click.option("--root-dir", metavar="FOLDER", default=os.curdir, help="Relative paths start here.")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
 @click.option("-q", "quiet", is_flag=True, help="Do not print warnings.")
 @click.option(
     "-v",
@@ -49,13 +47,11 @@ if TYPE_CHECKING:
 @click.option("--verbosity", type=int, metavar="LEVEL", help="0 is -q, as with xacro.")
 @click.option("-i", "--inorder", is_flag=True, help="Accepted for compatibility with xacro.")
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     target: str | None,
     deps: bool,
     map_file: str | None,
     root_dir: str,
-    package: tuple[str, ...],
-    trust: bool,
     quiet: bool,
     verbose: int,
     verbosity: int | None,
@@ -72,14 +68,11 @@ def command(
     from urdfkit.expansion import expand
     from urdfkit.workspace.resolve import Resolver
 
-    values = {options.FILES: words, "package": package}
-    source = _read(only_file(values), root_dir)
+    file = only_file(asked)
+    source = _read(file, root_dir)
+    how = reading(asked, file if file == "-" else os.path.join(root_dir, file))
     xacro = expand(
-        source,
-        Resolver(options.packages(values)),
-        options.arguments(values),
-        trust=trust,
-        root_dir=root_dir,
+        source, Resolver(how.packages), how.arguments, trust=how.trust, root_dir=root_dir
     )
     _tell(xacro, quiet=quiet or verbosity == 0)
     if xacro.document is None:

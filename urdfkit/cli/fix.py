@@ -18,7 +18,7 @@ from urdfkit.source import shown
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "
-    "no-cache config isolated"
+    "no-cache config isolated variant"
 ).split()
 #: Line numbers of one kind of finding that are listed.
 _MAX_LINES = 8
@@ -75,7 +75,7 @@ def _applied(fixes: Fixes) -> Iterator[str]:
     groups: dict[str, dict[tuple[str, str], list[Diagnostic]]] = {}
     for one in fixes.applied:
         assert one.fix is not None
-        path = one.fix.edits[0].span.source.path
+        path = shown(one.fix.edits[0].span.source.path)
         groups.setdefault(path, {}).setdefault((one.code, one.fix.title), []).append(one)
     for path, kinds in sorted(groups.items()):
         yield f"fixed in {printable(path)}:"
@@ -97,7 +97,7 @@ def _left(fixes: Fixes) -> Iterator[str]:
     groups: dict[str, dict[tuple[int, str, str], list[Diagnostic]]] = {}
     for one, reason in fixes.left:
         key = (one.severity.rank, f"{one.severity.value:<7}  {one.code}  {one.name}", reason)
-        groups.setdefault(one.span.source.path, {}).setdefault(key, []).append(one)
+        groups.setdefault(shown(one.span.source.path), {}).setdefault(key, []).append(one)
     for path, kinds in sorted(groups.items()):
         yield f"left in {printable(path)}:"
         for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):

@@ -13,6 +13,7 @@ from urdfkit.editing.formatter import WIDTH, formatted
 from urdfkit.editing.rewriting import Rewrite
 from urdfkit.formatting import Formatted, format_files
 from urdfkit.screen import printable
+from urdfkit.source import shown
 
 
 @click.command(
@@ -79,8 +80,8 @@ def _standard_input(width: int, *, check: bool, diff: bool) -> int:
 
 def _tell(result: Formatted, done: str) -> None:
     """Say on standard error what became of the files."""
-    lines = [f"{done}: {file.path}" for file in result.files]
-    lines += [f"left alone: {path}: {reason}" for path, reason in result.skipped]
+    lines = [f"{done}: {shown(file.path)}" for file in result.files]
+    lines += [f"left alone: {shown(path)}: {reason}" for path, reason in result.skipped]
     lines += [f"error: {reason}" for _, reason in result.failed]
     lines.append(
         f"{len(result.files)} {done}, {len(result.unchanged)} as they should be"

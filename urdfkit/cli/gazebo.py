@@ -31,9 +31,7 @@ VERSION = 1
 @one_robot
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--old", is_flag=True, help="As sdformat did before 9.10.1 and 12.7.2.")
-def command(
-    words: tuple[str, ...], form: str, old: bool, package: tuple[str, ...], trust: bool
-) -> int:
+def command(asked: dict[str, Any], form: str, old: bool) -> int:
     """Tell what Gazebo makes of a robot.
 
     Gazebo merges links that fixed joints hold together, drops links without mass together with
@@ -42,7 +40,7 @@ def command(
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     conversion = Conversion(subject.tree, OLD if old else NEW)
     rejected = rejecting(judge(subject, sorted(CODES)).diagnostics)
     if form == "json":

@@ -40,7 +40,7 @@ VERSION = 1
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 @one_robot
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     source: str,
     mass: float | None,
     density: float | None,
@@ -50,8 +50,6 @@ def command(
     write: bool,
     diff: bool,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Compare inertias with those of the shapes, and propose some.
 
@@ -69,7 +67,7 @@ def command(
         density = DENSITIES[material]
     with progress.shown("mesh files") as bar:
         proposals = propose(
-            robot(words, package, trust, bar),
+            robot(asked, bar),
             source=source,
             mass=mass,
             density=density,

@@ -40,12 +40,10 @@ _LABEL = 12
 @posed
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     joint: tuple[str, ...],
     pose: str | None,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Tell what a robot is, on one page.
 
@@ -55,7 +53,7 @@ def command(
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     with progress.shown("mesh files") as bar:
-        subject = robot(words, package, trust, bar)
+        subject = robot(asked, bar)
         found = summarise(subject, positions(subject, joint, pose))
     if form == "json":
         output.write(dumped(as_json(found)))

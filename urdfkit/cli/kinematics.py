@@ -39,15 +39,13 @@ _VELOCITY = ("vx", "vy", "vz", "wx", "wy", "wz")
 @click.option("--mass-matrix", is_flag=True, help="The joint-space mass matrix.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     joint: tuple[str, ...],
     pose: str | None,
     ends: tuple[str, str] | None,
     jacobian: str | None,
     mass_matrix: bool,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Tell where the links of a robot are, and how they move.
 
@@ -56,7 +54,7 @@ def command(
 
     Exit codes: 0 done, 2 the file or the pose cannot be read, there is no such link.
     """
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     given = positions(subject, joint, pose)
     found: dict[str, Any] = {"version": VERSION, "pose": given}
     if not (ends or jacobian or mass_matrix):

@@ -37,12 +37,10 @@ VERSION = 1
     "--format", "form", type=click.Choice(["text", "json", "csv", "markdown"]), default="text"
 )
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     joint: tuple[str, ...],
     pose: str | None,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Tell the mass properties of every link and of the whole robot.
 
@@ -52,7 +50,7 @@ def command(
     Exit codes: 0 done, 2 the file or the pose cannot be read.
     """
     with shown("mesh files") as bar:
-        subject = robot(words, package, trust, bar)
+        subject = robot(asked, bar)
         found = mass_properties(subject, positions(subject, joint, pose))
     if form == "text":
         output.page(render(found))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from typing import Any
 
 import click
 
-from urdfkit.cli import options, output, stdin
+from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.robot import only_file
+from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.migrate import Migration, migrate
 from urdfkit.screen import printable
 from urdfkit.targets import GAZEBO
@@ -21,10 +22,9 @@ from urdfkit.targets import GAZEBO
         "urdfkit migrate robot.urdf.xacro --to gz-harmonic > robot.patch",
     ),
 )
-@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@one_robot
 @click.option("--to", "target", type=click.Choice(GAZEBO), required=True, help="The new Gazebo.")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-def command(words: tuple[str, ...], target: str, package: tuple[str, ...]) -> int:
+def command(asked: dict[str, Any], target: str) -> int:
     """Show what a model needs to run in another Gazebo.
 
     Pure renames are shown as a diff, which can be applied with 'patch -p0'; nothing is written.
@@ -32,13 +32,9 @@ def command(words: tuple[str, ...], target: str, package: tuple[str, ...]) -> in
 
     Exit codes: 0 nothing to do, 1 something is to be changed, 2 the file cannot be read.
     """
-    values = {options.FILES: words, "package": package}
-    migration = migrate(
-        stdin.opened(only_file(values)),
-        target,
-        options.arguments(values),
-        options.packages(values),
-    )
+    file = only_file(asked)
+    how = reading(asked, file)
+    migration = migrate(stdin.opened(file), target, how.arguments, how.packages, how.trust)
     for file, reason in migration.unread.items():
         print(printable(f"error: {file}: {reason}; see 'urdfkit check {file}'"), file=sys.stderr)
     output.write("".join(render(migration, target)))

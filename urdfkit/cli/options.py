@@ -8,6 +8,7 @@ both give the same values. Commands that are typed by hand now and then use clic
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 
 from urdfkit import formats
@@ -104,6 +105,7 @@ CHECK = (
     Option("--jobs", "Processes that check at the same time. [default: 1]", "N"),
     Option("--config", "The configuration. [default: the nearest one upwards]", "FILE"),
     Option("--isolated", "Take no configuration."),
+    Option("--variant", "Of the variants in the configuration, this one. [default: all]", "NAME"),
     Option("--baseline", "Pass over the findings in FILE.", "FILE"),
     Option("--write-baseline", "Write the findings to the baseline, and exit with 0."),
     Option("--stdin-filename", "The name of what '-' reads.", "FILE"),
@@ -150,7 +152,10 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
         return None
     from urdfkit.config import load
 
-    return load(path, trusted=bool(values["config"]) or values["trust"])
+    found = load(path, trusted=bool(values["config"]) or values["trust"])
+    for warning in found.warnings:
+        _warn(warning)
+    return found
 
 
 def add_rules(values: Mapping[str, Any]) -> list[str]:
@@ -191,6 +196,27 @@ def packages(values: Mapping[str, Any]) -> dict[str, str]:
 def words(values: Mapping[str, Any], key: str) -> list[str]:
     """The words of an option that takes comma lists."""
     return [word.strip() for text in values[key] for word in text.split(",") if word.strip()]
+
+
+def ignored(values: Mapping[str, Any]) -> list[str]:
+    """What ``--ignore`` names; a word that means no rule is warned of and left out."""
+    named = words(values, "ignore")
+    if not named:
+        return []
+    from urdfkit import rules
+
+    _, unknown = rules.ignored(named)
+    for error in unknown:
+        _warn(f"--ignore: {error}")
+    wrong = {error.word for error in unknown}
+    return [word for word in named if word not in wrong]
+
+
+def _warn(text: str) -> None:
+    from urdfkit.screen import printable
+
+    if sys.stderr is not None:
+        print(f"warning: {printable(text)}", file=sys.stderr)
 
 
 def outputs(values: Mapping[str, Any]) -> list[tuple[str, str]]:

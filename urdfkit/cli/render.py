@@ -13,6 +13,7 @@ import click
 from urdfkit.cli import options, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
+from urdfkit.cli.robot import last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.screen import printable
@@ -37,7 +38,7 @@ _NAMED = 5
         "urdfkit render robot.urdf.xacro -o elbow.gif --sweep elbow",
     ),
 )
-@click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+@one_robot
 @click.option("-o", "--output", metavar="FILE", help="robot.png, .webp, .jpg ...")
 @click.option("--view", "views", multiple=True, metavar="NAMES", help="iso, front, ... or all.")
 @click.option("--layers", multiple=True, metavar="NAMES", help="visual, collision, frames ...")
@@ -55,9 +56,7 @@ _NAMED = 5
 @click.option("--background", metavar="COLOUR", help="A name, #rrggbb, or 'transparent'.")
 @click.option("--no-ground", is_flag=True, help="No shadow on the ground.")
 @click.option("--quality", type=click.Choice(["draft", "default", "high"]), default="default")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
-def command(words: tuple[str, ...], **values: Any) -> int:
+def command(asked: dict[str, Any], **values: Any) -> int:
     """Draw a robot.
 
     Neither a display nor a graphics card is needed. A mesh that is missing or broken is drawn as
@@ -65,8 +64,7 @@ def command(words: tuple[str, ...], **values: Any) -> int:
 
     Exit codes: 0 done, 2 it cannot be done.
     """
-    values[options.FILES] = words
-    files, wanted = options.files(values), 2 if values["diff"] else 1
+    files, wanted = options.files(asked), 2 if values["diff"] else 1
     if len(files) != wanted:
         many = "two files" if wanted == 2 else "one file"
         raise options.UsageError(f"render takes {many}; xacro arguments are written name:=value")
@@ -76,9 +74,9 @@ def command(words: tuple[str, ...], **values: Any) -> int:
     if not (values["output"] or values["turntable"]):
         raise options.UsageError("render needs -o FILE, such as -o robot.png")
     if values["diff"]:
-        scene = _difference(files, values)
+        scene = _difference(files, asked, values)
     else:
-        robot = read_robot(values[options.FILES], values["package"], values["trust"])
+        robot = read_robot(asked)
         pose = positions(robot, values["joint"], values["pose"])
         scene = _scene(robot, pose, values)
         if not scene.items:
@@ -104,9 +102,9 @@ def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Sc
         return scene
     report = check(
         robot.source,
-        arguments=options.arguments(values),
-        packages=options.packages(values),
-        trust=values["trust"],
+        arguments=robot.arguments,
+        trust=robot.trust,
+        resolver=robot.resolver,
     )
     return render.marked(scene, robot, report.diagnostics)
 
@@ -158,22 +156,24 @@ def _animation(
     render.save_animation(images, path)
 
 
-def _difference(files: Sequence[str], values: dict[str, Any]) -> Scene:
+def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
     """Both states beside one another; the second one."""
     from urdfkit import render
     from urdfkit.comparison.states import read
 
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
         scenes = []
+        config = options.config(asked, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):
             robot = read(
                 file,
                 os.path.join(os.path.realpath(folder), name),
-                arguments=options.arguments(values),
-                packages=options.packages(values),
+                arguments=options.arguments(asked),
+                packages=options.packages(asked),
                 targets=(),
-                trust=values["trust"],
-                config=None,
+                trust=asked["trust"],
+                config=config,
+                variant=asked["variant"],
             ).subject
             scenes.append(_scene(robot, positions(robot, values["joint"], values["pose"]), values))
         before, after = scenes

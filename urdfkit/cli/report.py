@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from typing import Any
 
 import click
@@ -11,6 +13,7 @@ from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import judged, only_file
+from urdfkit.config import Config
 from urdfkit.diagnostic import Severity
 from urdfkit.page.csv import COLUMNS
 from urdfkit.page.words import LANGUAGES
@@ -46,28 +49,45 @@ def command(
     joint, masses, joints, meshes, and what Gazebo makes of it. Without -o, Markdown goes to
     standard output.
 
+    A robot that has variants in the configuration gets a report of each: robot-NAME.html.
+
     Exit codes: 0 done, 1 findings of the severity of --fail-on or worse, 2 it cannot be done.
     """
-    file = only_file(values)
-    with shown() as bar:
-        text, document = report(
-            stdin.opened(file),
-            form_of(output_file) if output_file else "markdown",
-            language=lang,
-            table=table,
-            quick=quick,
-            arguments=options.arguments(values),
-            packages=options.packages(values),
-            targets=options.words(values, "target"),
-            trust=values["trust"],
-            config=options.config(values, file),
-            progress=bar,
-        )
-    if output_file:
-        atomic.write(output_file, output.encode(text))
-    else:
-        output.write(text)
-    if fail_on is None:
-        return 0
-    worst = [one for one in Severity if one.rank <= Severity(fail_on).rank]
-    return int(any(document["summary"][severity.value] for severity in worst))
+    file, counts = only_file(values), dict.fromkeys(Severity, 0)
+    config, arguments = options.config(values, file), options.arguments(values)
+    source = stdin.opened(file)
+    variants = (config or Config()).entries(file, arguments, values["variant"])
+    for variant in variants:
+        with shown() as bar:
+            text, document = report(
+                source,
+                form_of(output_file) if output_file else "markdown",
+                language=lang,
+                table=table,
+                quick=quick,
+                arguments=arguments,
+                packages=options.packages(values),
+                targets=options.words(values, "target"),
+                trust=values["trust"],
+                config=config,
+                variant=variant.name,
+                progress=bar,
+            )
+        if output_file:
+            target = _of_variant(output_file, variant.name) if len(variants) > 1 else output_file
+            atomic.write(target, output.encode(text))
+        else:
+            output.write(text)
+        for severity in Severity:
+            counts[severity] += document["summary"][severity.value]
+    return int(fail_on is not None and _fails(counts, Severity(fail_on)))
+
+
+def _of_variant(file: str, name: str) -> str:
+    """The file for one of several variants: ``robot-left.html``."""
+    stem, suffix = os.path.splitext(file)
+    return f"{stem}-{name.replace(os.sep, '_').replace('/', '_')}{suffix}"
+
+
+def _fails(counts: Mapping[Severity, int], fail_on: Severity) -> bool:
+    return any(count for severity, count in counts.items() if severity.rank <= fail_on.rank)

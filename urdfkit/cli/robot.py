@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import wraps
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
@@ -18,6 +19,7 @@ from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.loading import read
 from urdfkit.meshes.facts import counted
 from urdfkit.plan import unknown_arguments
+from urdfkit.record import Record
 from urdfkit.screen import printable
 from urdfkit.source import shown
 from urdfkit.subject import Subject
@@ -41,13 +43,35 @@ _ISOLATED = click.option("--isolated", is_flag=True, help="Take no configuration
 _CONFIG = click.option(
     "--config", metavar="FILE", help="The configuration. [default: the nearest one]"
 )
+_VARIANT = click.option(
+    "--variant", default="", metavar="NAME", help="Of the variants in the configuration."
+)
 _TARGET = click.option("--target", multiple=True, metavar="NAMES", help="Weigh findings for it.")
 
 
-def one_robot(command: Command) -> Command:
-    """Give a command the words ``FILE [NAME:=VALUE]...`` and the options of reading it."""
-    words = click.argument("words", nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
-    for add in (_TRUST, _PACKAGE, words):
+#: The options of reading a robot, and the keys of their values.
+_READING = (_TRUST, _ISOLATED, _CONFIG, _VARIANT, _PACKAGE)
+_KEYS = (options.FILES, "package", "variant", "config", "isolated", "trust")
+
+
+def one_robot(command: Callable[..., int]) -> Callable[..., int]:
+    """Give a command the words ``FILE [NAME:=VALUE]...`` and the options of reading it.
+
+    It takes the values of all of them as ``asked``, which `robot` and `reading` understand.
+    """
+
+    @wraps(command)
+    def collected(**values: Any) -> int:
+        asked = {key: values.pop(key) for key in _KEYS}
+        return command(asked=asked, **values)
+
+    words = click.argument(options.FILES, nargs=-1, required=True, metavar="FILE [NAME:=VALUE]...")
+    return read_by_options(words(collected))
+
+
+def read_by_options(command: Command) -> Command:
+    """Give a command the options of reading a robot, without the words that name it."""
+    for add in _READING:
         command = add(command)
     return command
 
@@ -60,9 +84,7 @@ def judged(metavar: str = "FILE [NAME:=VALUE]...") -> Callable[[Command], Comman
     words = click.argument(options.FILES, nargs=-1, required=True, metavar=metavar)
 
     def decorated(command: Command) -> Command:
-        for add in (_TRUST, _ISOLATED, _CONFIG, _PACKAGE, _TARGET, words):
-            command = add(command)
-        return command
+        return read_by_options(_TARGET(words(command)))
 
     return decorated
 
@@ -81,6 +103,11 @@ def only_file(values: Mapping[str, Any]) -> str:
     return files[0]
 
 
+def last_file(states: Sequence[str]) -> str:
+    """The state that is a file, whose configuration counts for all; else the current folder."""
+    return next((file for file in reversed(states) if os.path.exists(file)), os.curdir)
+
+
 def _robots_in(folder: str) -> str:
     """What to name instead of a folder."""
     try:
@@ -92,38 +119,60 @@ def _robots_in(folder: str) -> str:
     return f"name one of its robots: {', '.join(paths[:_NAMED])}{more}"
 
 
-def robot(
-    words: tuple[str, ...],
-    package: tuple[str, ...],
-    trust: bool,
-    progress: Callable[[int, int], None] | None = None,
-) -> Subject:
+class Reading(Record):
+    """How a robot is read: as the command line says, else as the configuration does.
+
+    Attributes:
+        arguments: for xacro.
+        packages: folders of ROS packages by name.
+        trust: let the model run any expression.
+    """
+
+    arguments: dict[str, str]
+    packages: dict[str, str]
+    trust: bool
+
+
+def reading(asked: Mapping[str, Any], file: str) -> Reading:
+    """How the robot in a file is read.
+
+    Args:
+        asked: the values of the words and options of `one_robot`.
+        file: the one that they name.
+
+    Raises:
+        ConfigError: it has several variants and none is named, or none of that name.
+    """
+    config = options.config(asked, file) or Config()
+    entry = config.entry(file, options.arguments(asked), asked["variant"])
+    packages = {**config.packages, **options.packages(asked)}
+    return Reading(entry.arguments, packages, asked["trust"] or config.trust)
+
+
+def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None = None) -> Subject:
     """The robot that a command line names.
 
     Args:
-        words: file and arguments.
-        package: folders of packages.
-        trust: let it run any expression.
+        asked: the values of the words and options of `one_robot`.
         progress: is told how many of how many mesh files have been read.
 
     Raises:
         UsageError: it names no file, or more than one.
         UrdfkitError: the file cannot be read.
     """
-    values = {options.FILES: words, "package": package}
-    file = only_file(values)
-    arguments = options.arguments(values)
+    file = only_file(asked)
+    how = reading(asked, file)
     try:
         subject = read(
             stdin.opened(file),
-            arguments=arguments,
-            packages=options.packages(values),
-            trust=trust,
+            arguments=how.arguments,
+            packages=how.packages,
+            trust=how.trust,
             progress=progress,
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
-    for name, meant in unknown_arguments(subject, arguments).items():
+    for name, meant in unknown_arguments(subject, options.arguments(asked)).items():
         hint = f"; did you mean '{meant}'?" if meant else ""
         print(printable(f"note: the robot has no argument '{name}'{hint}"), file=sys.stderr)
     return subject

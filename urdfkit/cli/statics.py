@@ -52,7 +52,7 @@ MAX_SAMPLES = 1_000_000
 @click.option("--visuals", is_flag=True, help="A link without collision stands on its visual.")
 @click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     joint: tuple[str, ...],
     pose: str | None,
     payload: tuple[str, ...],
@@ -61,8 +61,6 @@ def command(
     contact: tuple[str, ...],
     visuals: bool,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Tell whether a robot can hold itself, and whether it stands.
 
@@ -72,7 +70,7 @@ def command(
 
     Exit codes: 0 done, 2 it cannot be computed.
     """
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     given = positions(subject, joint, pose)
     carried = _payload(subject, payload)
     loads = _statics(subject, given, carried, samples, seed)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.robot import first_of
+from urdfkit.cli.robot import first_of, read_by_options, reading
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.errors import UnreadableRobot
 from urdfkit.source import Source, Span
@@ -34,15 +34,8 @@ _MOST = 100
 @click.argument("file")
 @click.argument("address", metavar="ELEMENT[@ATTRIBUTE]")
 @click.argument("arguments", nargs=-1, metavar="[NAME:=VALUE]...")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
-def command(
-    file: str,
-    address: str,
-    arguments: tuple[str, ...],
-    package: tuple[str, ...],
-    trust: bool,
-) -> int:
+@read_by_options
+def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -> int:
     """Tell where an element or a value comes from.
 
     ELEMENT is a path below the robot such as link/base_link/inertial/inertia; findings name it.
@@ -55,14 +48,10 @@ def command(
     from urdfkit.places import find
     from urdfkit.workspace.resolve import Resolver
 
-    values = {options.FILES: (file, *arguments), "package": package}
-    xacro = expand(
-        Source.of(stdin.opened(file)),
-        Resolver(options.packages(values)),
-        options.arguments(values),
-        trust=trust,
-        traced=True,
-    )
+    source = Source.of(stdin.opened(file))
+    how = reading({**asked, options.FILES: (file, *arguments)}, file)
+    resolver = Resolver(how.packages)
+    xacro = expand(source, resolver, how.arguments, trust=how.trust, traced=True)
     if xacro.document is None:
         error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
         raise first_of(error, file)

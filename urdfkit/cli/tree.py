@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from typing import Any
 
 import click
 
@@ -21,7 +22,7 @@ from urdfkit.diagrams import FORMATS, text
 )
 @one_robot
 @click.option("--format", "form", type=click.Choice(FORMATS), default="text")
-def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: bool) -> int:
+def command(asked: dict[str, Any], form: str) -> int:
     """Draw the kinematic tree of a robot.
 
     Every link stands behind the one that it hangs on, with the joint between: its type, axis,
@@ -29,7 +30,7 @@ def command(words: tuple[str, ...], form: str, package: tuple[str, ...], trust: 
 
     Exit codes: 0 done, 2 the file cannot be read.
     """
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     if form == "text":
         output.page(text.render(subject.tree, output.width()).removesuffix("\n").split("\n"))
     else:

@@ -44,6 +44,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
         tuple(options.words(values, "target")),
         values["trust"],
         options.config(values, file),
+        values["variant"],
     )
 
     def opened(address: str) -> None:

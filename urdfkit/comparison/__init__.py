@@ -98,6 +98,7 @@ def compare(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     has_pictures: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Comparison:
@@ -113,12 +114,14 @@ def compare(
         targets: consumers that findings are weighed for; inferred from each state if empty.
         trust: let expressions of the models run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the files.
         has_pictures: draw both states, if the libraries for it are installed.
         progress: is told how many steps are done, and of how many.
 
     Raises:
         UnreadableFile: a file is missing.
         UnreadableRobot: a state cannot be read; with every reason.
+        ConfigError: a file has several variants, or none of this name.
         UrdfkitError: there is no such revision, or git is not there.
     """
     tell = progress or (lambda done, total: None)
@@ -135,6 +138,7 @@ def compare(
                 targets=targets,
                 trust=trust,
                 config=config,
+                variant=variant,
             )
             states.append(state)
         tell(2, steps)

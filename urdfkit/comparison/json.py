@@ -8,6 +8,7 @@ from urdfkit.comparison import KINDS, Comparison
 from urdfkit.diagnostic import Diagnostic
 from urdfkit.jsontext import dumped
 from urdfkit.mechanics.whole import Whole
+from urdfkit.source import shown
 
 #: A change that could break a reader counts it up.
 VERSION = 1
@@ -56,7 +57,7 @@ def _finding(found: Diagnostic) -> dict[str, Any]:
         "severity": found.severity.value,
         "message": found.message,
         "element": found.element,
-        "path": found.span.source.path,
+        "path": shown(found.span.source.path),
         "line": line,
         "column": column,
     }

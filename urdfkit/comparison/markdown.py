@@ -72,8 +72,7 @@ def _how(carried: bool) -> str:
 
 def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
     for found in findings:
-        line, column = found.span.source.position(found.span.start)
-        place = f"{found.span.source.path}:{line}:{column}"
+        place = str(found.span)
         what = f"{found.severity.value} {found.code}"
         yield [what, _code(place), escape(found.message)]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
+from urdfkit.config import Config
 from urdfkit.diagnostic import Report
 from urdfkit.engine import check
 from urdfkit.errors import UnreadableRobot
@@ -17,9 +17,6 @@ from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import locate
 from urdfkit.workspace.states import OldFile, as_it_was
-
-if TYPE_CHECKING:
-    from urdfkit.config import Config
 
 #: Larger files of a revision are not looked at.
 LARGEST = 64 * 1024 * 1024
@@ -95,18 +92,21 @@ def read(
     targets: Iterable[str],
     trust: bool,
     config: Config | None,
+    variant: str = "",
 ) -> State:
     """The state that a word means; files of git go into a folder.
 
     Raises:
         UnreadableFile: there is no such file.
         UnreadableRobot: it cannot be read.
+        ConfigError: the configuration has several variants of it, or none of this name.
         UrdfkitError: there is no such revision, or git is not there.
     """
     every = {**(config.packages if config else {}), **(packages or {})}
-    values = {**(config.arguments if config else {}), **(arguments or {})}
-    old = None
+    old, path = None, word
     if ":" in word and not os.path.exists(word):
         revision, _, path = word.partition(":")
-        old = as_it_was(locate(path, revision), revision, folder, every, LARGEST)
+        path = locate(path, revision)
+        old = as_it_was(path, revision, folder, every, LARGEST)
+    values = (config or Config()).entry(path, arguments, variant).arguments
     return State(word, old, folder, values, every, targets, trust, config)

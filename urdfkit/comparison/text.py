@@ -82,7 +82,6 @@ def _total(comparison: Comparison, width: int) -> Iterator[str]:
 
 def _findings(sign: str, findings: Iterable[Diagnostic], width: int) -> Iterator[str]:
     for found in findings:
-        line, column = found.span.source.position(found.span.start)
-        place = f"{found.span.source.path}:{line}:{column}"
+        place = str(found.span)
         words = f"{place}: {found.severity.value} {found.code} {found.message}"
         yield f"{sign} {wrap(printable(words), width - 4, indent=6)}"

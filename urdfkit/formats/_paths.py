@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import os
 
+from urdfkit.source import shown
 
-def relative(path: str) -> str:
-    """A path from the current folder, which a service takes for that of the repository."""
-    try:
-        path = os.path.relpath(path)
-    except (OSError, ValueError):  # the current folder is gone; another drive
-        path = os.path.abspath(path)
-    return path.replace(os.sep, "/")
+
+def posix(path: str) -> str:
+    """A path as people are shown it, with forward slashes on every system."""
+    return shown(path).replace(os.sep, "/")

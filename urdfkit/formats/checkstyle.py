@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.diagnostic import Report
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 from urdfkit.formats._xml import xml_text
 
 #: Of Checkstyle; readers tell by it that the report is one of Checkstyle's.
@@ -34,7 +34,9 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         )
     for crash in report.crashed:
         file = _file(root, files, crash.path)
-        _error(file, {"line": "1"}, "error", f"the rule crashed: {crash.error}", crash.code)
+        _error(
+            file, {"line": "1"}, "error", f"the rule crashed: {crash.error}", crash.code or "check"
+        )
     ElementTree.indent(root)
     text = ElementTree.tostring(root, encoding="unicode")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'
@@ -42,7 +44,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def _file(root: Element, files: dict[str, Element], path: str) -> Element:
     """The element of a file, made when first asked for."""
-    name = relative(path)
+    name = posix(path)
     if name not in files:
         files[name] = SubElement(root, "file", name=xml_text(name))
     return files[name]

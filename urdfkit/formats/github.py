@@ -6,7 +6,7 @@ Source of the form: GitHub's documentation of workflow commands.
 from __future__ import annotations
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 
@@ -14,10 +14,9 @@ _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """A line for every finding, and for every rule that crashed."""
     lines = [_annotation(diagnostic) for diagnostic in report.diagnostics]
-    lines += [
-        f"::error title=urdfkit {crash.code}::{_data(f'{crash.path}: {crash.error}')}"
-        for crash in report.crashed
-    ]
+    for crash in report.crashed:
+        text = _data(f"{posix(crash.path)}: {crash.error}")
+        lines.append(f"::error title=urdfkit {crash.code or 'check'}::{text}")
     return "".join(f"{line}\n" for line in lines)
 
 
@@ -25,7 +24,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
     span = diagnostic.span
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
-    path = relative(span.source.path)
+    path = posix(span.source.path)
     properties = f"file={_property(path)},line={line},endLine={end_line}"
     if end_line == line:  # GitHub takes columns for one line only
         properties += f",col={column},endColumn={end_column}"

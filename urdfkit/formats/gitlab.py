@@ -10,7 +10,7 @@ from typing import Any
 
 from urdfkit.baseline import fingerprints
 from urdfkit.diagnostic import Diagnostic, Report, Severity
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 
@@ -32,7 +32,7 @@ def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, Any]:
         "fingerprint": mark,
         "severity": _SEVERITIES[diagnostic.severity],
         "location": {
-            "path": relative(span.source.path),
+            "path": posix(span.source.path),
             "positions": {
                 "begin": {"line": line, "column": column},
                 "end": {"line": end_line, "column": end_column},

@@ -11,11 +11,12 @@ import json
 from urdfkit import __version__
 from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
 from urdfkit.document import Step
+from urdfkit.formats._paths import posix
 from urdfkit.source import Span
 from urdfkit.static import Any
 
 #: Of the document; a change that could break a reader counts it up.
-VERSION = 1
+VERSION = 2
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
@@ -25,15 +26,15 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
         "urdfkit": __version__,
         "diagnostics": [_diagnostic(diagnostic) for diagnostic in report.diagnostics],
         "launched": [
-            {"path": one.path, "launch": one.launch, "arguments": one.arguments}
+            {"path": posix(one.path), "launch": posix(one.launch), "arguments": one.arguments}
             for one in report.launched
         ],
         "skipped": [
-            {"code": skip.code, "path": skip.path, "reason": skip.reason}
+            {"code": skip.code, "path": posix(skip.path), "reason": skip.reason}
             for skip in sorted(report.skipped)
         ],
         "crashed": [
-            {"code": crash.code, "path": crash.path, "error": crash.error}
+            {"code": crash.code, "path": posix(crash.path), "error": crash.error}
             for crash in sorted(report.crashed)
         ],
         "summary": _summary(report),
@@ -48,6 +49,7 @@ def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
         "severity": diagnostic.severity.value,
         "confidence": diagnostic.confidence.value,
         "targets": list(diagnostic.targets),
+        "variants": list(diagnostic.variants),
         "message": diagnostic.message,
         **_place(diagnostic.span),
         "element": diagnostic.element,
@@ -64,7 +66,7 @@ def _place(span: Span) -> dict[str, Any]:
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
     return {
-        "path": span.source.path,
+        "path": posix(span.source.path),
         "line": line,
         "column": column,
         "end_line": end_line,
@@ -78,7 +80,11 @@ def _call(call: Call) -> dict[str, Any]:
 
 
 def _step(step: Step) -> dict[str, Any]:
-    return {"kind": step.kind, "name": step.name, **_place(step.span)}
+    return {"kind": step.kind, "name": _name(step), **_place(step.span)}
+
+
+def _name(step: Step) -> str:
+    return step.name if step.kind == "macro" else posix(step.name)
 
 
 def _fix(fix: Fix) -> dict[str, Any]:
@@ -91,10 +97,10 @@ def _summary(report: Report) -> dict[str, Any]:
     for diagnostic in report.diagnostics:
         codes[diagnostic.code] = codes.get(diagnostic.code, 0) + 1
     return {
-        "files": list(report.files),
+        "files": [posix(path) for path in report.files],
         "rules": list(report.rules),
         "targets": [
-            {"path": path, "names": list(targets.names), "evidence": list(targets.evidence)}
+            {"path": posix(path), "names": list(targets.names), "evidence": list(targets.evidence)}
             for path, targets in report.targets
         ],
         "error": report.count(Severity.ERROR),

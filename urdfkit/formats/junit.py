@@ -10,15 +10,16 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
+from urdfkit.formats._paths import posix
 from urdfkit.formats._xml import xml_text
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """The whole report, a test suite for every file."""
     root = Element("testsuites", name="urdfkit")
-    paths = dict.fromkeys(report.files)
-    paths.update(dict.fromkeys(d.span.source.path for d in report.diagnostics))
-    paths.update(dict.fromkeys(skip.path for skip in report.skipped))
+    paths = dict.fromkeys(map(posix, report.files))
+    paths.update(dict.fromkeys(posix(d.span.source.path) for d in report.diagnostics))
+    paths.update(dict.fromkeys(posix(skip.path) for skip in report.skipped))
     for path in paths:
         _suite(root, path, report)
     _count(root)
@@ -31,17 +32,17 @@ def _suite(root: Element, path: str, report: Report) -> None:
     suite = SubElement(root, "testsuite", name=xml_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
     for diagnostic in report.diagnostics:
-        if diagnostic.span.source.path == path:
+        if posix(diagnostic.span.source.path) == path:
             by_rule.setdefault(f"{diagnostic.code} {diagnostic.name}", []).append(diagnostic)
     for name, diagnostics in sorted(by_rule.items()):
         _case(suite, path, name, diagnostics)
     for skip in report.skipped:
-        if skip.path == path:
+        if posix(skip.path) == path:
             case = _new_case(suite, path, skip.code or "check")
             SubElement(case, "skipped", message=xml_text(skip.reason))
     for crash in report.crashed:
-        if crash.path == path:
-            case = _new_case(suite, path, crash.code)
+        if posix(crash.path) == path:
+            case = _new_case(suite, path, crash.code or "check")
             SubElement(case, "error", message=xml_text(crash.error)).text = xml_text(
                 crash.traceback
             )
@@ -57,6 +58,11 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
     case = _new_case(suite, path, name)
     case.set("file", xml_text(path))
     case.set("line", str(diagnostics[0].span.line))
+    variants = dict.fromkeys(name for found in diagnostics for name in found.variants)
+    if all(found.variants for found in diagnostics):
+        properties = SubElement(case, "properties")
+        value = xml_text(", ".join(variants))
+        SubElement(properties, "property", name="variants", value=value)
     failures = [d for d in diagnostics if d.severity is not Severity.INFO]
     if failures:
         failure = SubElement(
@@ -69,7 +75,8 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
 
 
 def _line(diagnostic: Diagnostic) -> str:
-    return f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
+    text = f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
+    return f"{text} (variants: {', '.join(diagnostic.variants)})" if diagnostic.variants else text
 
 
 def _count(root: Element) -> None:

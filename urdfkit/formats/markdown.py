@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 from urdfkit.formats.text import summary
 from urdfkit.gathering import gathered
 from urdfkit.markdowntext import escape
@@ -24,7 +24,8 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     infos = [found for found in shown if found.severity is Severity.INFO]
     lines = [f"### urdfkit: {escape(counts)}", ""]
     for crash in report.crashed:
-        text = f"{crash.code} crashed on {crash.path}: {crash.error}. This is a bug of urdfkit."
+        what = crash.code or "the check"
+        text = f"{what} crashed on {posix(crash.path)}: {crash.error}. This is a bug of urdfkit."
         lines += [f"**{escape(text)}**", ""]
     if bad:
         lines += [*_table(bad), ""]
@@ -44,7 +45,7 @@ def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
     for diagnostic in diagnostics[:MAX_ROWS]:
         span = diagnostic.span
         line, column = span.source.position(span.start)
-        where = f"{relative(span.source.path)}:{line}:{column}"
+        where = f"{posix(span.source.path)}:{line}:{column}"
         kind = f"{diagnostic.severity.value} **{diagnostic.code}**"
         yield f"| {kind} | <code>{escape(where)}</code> | {_what(diagnostic)} |"
     if len(diagnostics) > MAX_ROWS:

@@ -10,7 +10,7 @@ import json
 from typing import Any
 
 from urdfkit.diagnostic import Diagnostic, Report, Severity
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 from urdfkit.source import Source, Span
 
 SOURCE = {"name": "urdfkit"}
@@ -30,7 +30,7 @@ def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
     text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")
     found: dict[str, Any] = {
         "message": text,
-        "location": {"path": relative(span.source.path), "range": _range(span)},
+        "location": {"path": posix(span.source.path), "range": _range(span)},
         "severity": _SEVERITIES[diagnostic.severity],
         "code": {"value": diagnostic.code},
     }

@@ -15,7 +15,7 @@ from typing import Any
 from urdfkit import __version__, rules
 from urdfkit.baseline import fingerprints
 from urdfkit.diagnostic import Call, Diagnostic, Fix, Report, Severity
-from urdfkit.formats._paths import relative
+from urdfkit.formats._paths import posix
 from urdfkit.source import Source, Span
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
@@ -68,11 +68,17 @@ def _rule(rule: rules.Rule) -> dict[str, Any]:
 
 def _invocation(report: Report) -> dict[str, Any]:
     notes = [
-        {"level": "note", "message": {"text": f"{skip.path}: {skip.code} skipped: {skip.reason}"}}
+        {
+            "level": "note",
+            "message": {"text": f"{posix(skip.path)}: {skip.code} skipped: {skip.reason}"},
+        }
         for skip in report.skipped
     ]
     notes += [
-        {"level": "error", "message": {"text": f"{crash.path}: {crash.code}: {crash.error}"}}
+        {
+            "level": "error",
+            "message": {"text": f"{posix(crash.path)}: {crash.code or 'check'}: {crash.error}"},
+        }
         for crash in report.crashed
     ]
     return {
@@ -99,6 +105,8 @@ def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
         "partialFingerprints": {"urdfkit/v1": mark},
         "properties": {"confidence": diagnostic.confidence.value},
     }
+    if diagnostic.variants:
+        result["properties"]["variants"] = list(diagnostic.variants)
     if related := _related(diagnostic):
         result["relatedLocations"] = related
     if diagnostic.fix:
@@ -136,10 +144,9 @@ def _location(span: Span) -> dict[str, Any]:
 def _artifact(source: Source) -> dict[str, Any]:
     from urllib.parse import quote
 
-    path = relative(source.path)
-    if path.startswith("../"):
-        whole = os.path.abspath(source.path).replace(os.sep, "/")
-        return {"uri": "file://" + quote(os.fsencode(whole))}
+    path = posix(source.path)
+    if os.path.isabs(path):
+        return {"uri": f"file://{'/' * (path[0] != '/')}" + quote(os.fsencode(path))}
     return {"uri": quote(os.fsencode(path)), "uriBaseId": "SRCROOT"}
 
 

@@ -10,12 +10,14 @@ from urdfkit.document import Step
 from urdfkit.gathering import gathered
 from urdfkit.rules import foreign
 from urdfkit.screen import columns, frame, printable, wrap
-from urdfkit.source import Span
+from urdfkit.source import Span, shown
 
 #: Calls of one macro, and steps of one way, that are shown.
 MAX_CALLS = 8
 #: Letters of arguments; they may be paths.
 MAX_VALUES = 160
+#: Rules that failed with one error that are named.
+MAX_CODES = 4
 #: Skipped files that are named.
 MAX_FILES = 3
 
@@ -28,7 +30,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings, then the crashed rules, then where to read more, then the summary."""
     page = _Page(color, width)
     blocks = [page.diagnostic(diagnostic) for diagnostic in gathered(report.diagnostics)]
-    blocks += [page.crash(crash) for crash in report.crashed]
+    blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += _mendable(report)
     for name, meant in report.unknown_arguments:
@@ -61,8 +63,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
     reasons = [*_launched(report)]
     reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
-    if report.crashed:
-        reasons.append(f"{_many(len({crash.code for crash in report.crashed}), 'rule')} crashed")
+    if crashed := {crash.code for crash in report.crashed if crash.code}:
+        reasons.append(f"{_many(len(crashed), 'rule')} crashed")
     if report.suppressed:
         reasons.append(f"{_many(report.suppressed, 'finding')} suppressed")
     if report.tolerated:
@@ -77,6 +79,15 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     return text + "\n"
 
 
+def _crashed(report: Report) -> Iterator[tuple[Crashed, list[str]]]:
+    """The first crash of each error and file, with the codes of all rules that failed with it."""
+    alike: dict[tuple[str, str], list[Crashed]] = {}
+    for crash in report.crashed:
+        alike.setdefault((crash.path, crash.error), []).append(crash)
+    for crashes in alike.values():
+        yield crashes[0], [crash.code for crash in crashes]
+
+
 def _launched(report: Report) -> Iterator[str]:
     """Which robots were checked with the arguments of which launch files."""
     values: dict[tuple[str, str], dict[str, str]] = {}
@@ -89,7 +100,7 @@ def _launched(report: Report) -> Iterator[str]:
         what = f"{name} {', '.join(launches)}"
         if len(what) > MAX_VALUES:
             what = f"{len(launches)} values of {name}"
-        yield printable(f"{path} with {what} of {where}")
+        yield printable(f"{shown(path)} with {what} of {where}")
 
 
 def _skipped(report: Report) -> list[tuple[str, str]]:
@@ -103,7 +114,7 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
             files.setdefault(skip.reason, set()).add(skip.path)
     found = [(reason, _many(len(codes[reason]), "rule")) for reason in sorted(codes)]
     for reason in sorted(files):
-        paths = sorted(map(os.path.normpath, files[reason]))
+        paths = sorted({shown(path) for path in files[reason]})
         named = ", ".join(paths) if len(paths) <= MAX_FILES else _many(len(paths), "file")
         found.append((reason, printable(named)))
     return found
@@ -128,6 +139,8 @@ class _Page:
             *self._ways(diagnostic),
             *(self._note(related, diagnostic) for related in diagnostic.related),
         ]
+        if diagnostic.variants:
+            blocks.append(self._labelled("variants", ", ".join(diagnostic.variants)))
         title = diagnostic.fix.title if diagnostic.fix else ""
         if diagnostic.help and diagnostic.help != title:
             blocks.append(self._labelled("help", diagnostic.help))
@@ -135,10 +148,12 @@ class _Page:
             blocks.append(self._labelled("fix", title))
         return "".join(f"{line.rstrip()}\n" for block in blocks for line in block.split("\n"))
 
-    def crash(self, crash: Crashed) -> str:
+    def crash(self, crash: Crashed, codes: Sequence[str]) -> str:
         whose = "that rule" if crash.code in foreign() else "urdfkit"
+        more = f" and {len(codes) - MAX_CODES} more" if len(codes) > MAX_CODES else ""
+        what = ", ".join(codes[:MAX_CODES]) + more or "the check"
         text = (
-            f"{self.path(crash.path)}: {crash.code} failed with {crash.error}. This is a bug of "
+            f"{self.path(crash.path)}: {what} failed with {crash.error}. This is a bug of "
             f"{whose}, not of the robot: please report it, with the file."
         )
         return self.wrap(text, indent=4) + "\n"
@@ -216,9 +231,9 @@ class _Page:
         return f"{self.path(span.source.path)}:{line}:{column}"
 
     def path(self, path: str) -> str:
-        """A path as it is, or relative to the current folder where that is shorter."""
+        """A path as it is shown; many findings have the same."""
         if path not in self._paths:
-            self._paths[path] = printable(_shorter(path))
+            self._paths[path] = printable(shown(path))
         return self._paths[path]
 
     def wrap(self, text: str, *, indent: int, used: int = 0) -> str:
@@ -226,16 +241,6 @@ class _Page:
 
     def paint(self, text: str, code: str) -> str:
         return f"\x1b[{code}m{text}\x1b[0m" if self.color else text
-
-
-def _shorter(path: str) -> str:
-    if not os.path.isabs(path):
-        return path.removeprefix("./")
-    try:
-        relative = os.path.relpath(path)
-    except (OSError, ValueError):  # the current folder is gone; another drive
-        return path
-    return min(relative, path, key=len)
 
 
 def _shared(ways: Sequence[Sequence[Step]]) -> int:

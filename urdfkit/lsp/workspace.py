@@ -207,6 +207,7 @@ class Workspace:
             try:
                 file = nearest(path)
                 found = load(file, trusted=False) if file else found
+                trouble = "; ".join(found.warnings)
             except UrdfkitError as error:
                 trouble = str(error)
             self._configs[folder] = found, trouble

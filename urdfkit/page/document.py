@@ -10,10 +10,11 @@ import json
 import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from urdfkit import __version__, rules
 from urdfkit.addresses import Places
+from urdfkit.config import Config
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.engine import check
 from urdfkit.formats import json as as_json
@@ -25,13 +26,10 @@ from urdfkit.page import physics, tables
 from urdfkit.page.findings import findings
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source
+from urdfkit.source import Source, shown, without_folder
 from urdfkit.subject import Subject, Unavailable
 from urdfkit.targets import TARGETS
 from urdfkit.workspace.resolve import Resolver
-
-if TYPE_CHECKING:
-    from urdfkit.config import Config
 
 #: Of the document; a change that could break a reader counts it up.
 VERSION = 1
@@ -72,6 +70,7 @@ def describe(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     quick: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Told:
@@ -86,16 +85,18 @@ def describe(
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the file.
         quick: leave out what takes a while, which is all of `LONG`.
         progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
         UnreadableFile: the file is missing or may not be read.
         UnreadableRobot: a launch file describes none, or several.
+        ConfigError: the configuration has several variants of the file, or none of this name.
     """
     every = {**(config.packages if config else {}), **(packages or {})}
-    values = {**(config.arguments if config else {}), **(arguments or {})}
     source, resolver = Source.of(file), Resolver(every)
+    values = (config or Config()).entry(source.path, arguments, variant).arguments
     if is_launch(source.path):
         source, values = described(source, resolver, values)
     report = check(
@@ -125,7 +126,9 @@ def completed(told: Told, progress: Callable[[int, int], None] | None = None) ->
     }
     parts, missing = _computed(told.subject, long)
     missing = told.document["missing"] | missing
-    return told._replace(document=told.document | finite(parts) | {"missing": missing})
+    return told._replace(
+        document=told.document | _portable(finite(parts), told.subject) | {"missing": missing}
+    )
 
 
 def _computed(
@@ -152,12 +155,12 @@ def _document(subject: Subject, report: Report) -> Document:
     is_read = subject.reading.document is not None
     places = Places(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
-    shown = gathered(report.diagnostics)
-    listed = json.loads(as_json.render(report._replace(diagnostics=shown)))["diagnostics"]
+    grouped = gathered(report.diagnostics)
+    listed = json.loads(as_json.render(report._replace(diagnostics=grouped)))["diagnostics"]
     document = {
         "version": VERSION,
         "urdfkit": __version__,
-        "file": subject.source.path,
+        "file": shown(subject.source.path),
         "arguments": subject.arguments,
         "summary": {
             key: written["summary"][key]
@@ -165,15 +168,32 @@ def _document(subject: Subject, report: Report) -> Document:
         },
         "targets": _targets(report),
         "findings": findings(report.diagnostics, written["diagnostics"], places),
-        "gathered": findings(shown, listed, places),
+        "gathered": findings(grouped, listed, places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),
         **parts,
         "missing": missing,
     }
-    found: Document = finite(document)
+    found: Document = _portable(finite(document), subject)
     return found
+
+
+def _portable(value: Any, subject: Subject) -> Any:
+    """Plain values without the folders of the machine that they were made on.
+
+    Paths in the workspace of the robot begin at the workspace.
+    """
+    if isinstance(value, dict):
+        return {key: _portable(one, subject) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_portable(one, subject) for one in value]
+    if not isinstance(value, str) or os.sep not in value:
+        return value
+    file = os.path.realpath(subject.source.path)
+    for folder in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
+        value = without_folder(value, folder)
+    return without_folder(value, os.path.expanduser("~"), "~/")
 
 
 def _targets(report: Report) -> list[dict[str, Any]]:

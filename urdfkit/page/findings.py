@@ -24,7 +24,7 @@ def findings(
     """The findings, each as the JSON report has it, with what a page needs besides."""
     return [
         {
-            **entry,
+            **{key: value for key, value in entry.items() if key != "variants"},  # it is one
             "family": rules.FAMILIES.get(found.code[:3], found.code[:3]),
             "links": _unique(places.link(call.element) for call in found.calls),
             "joints": _unique(places.joint(call.element) for call in found.calls),

@@ -18,6 +18,7 @@ from urdfkit.subject import Subject
 
 if TYPE_CHECKING:
     from urdfkit.config import Config
+    from urdfkit.diagnostic import Diagnostic
 
 #: The size and the time of change of a file; None if it is not there.
 Stamp = tuple[int, int] | None
@@ -33,6 +34,7 @@ class Wish(Record):
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the file.
     """
 
     file: str
@@ -41,6 +43,7 @@ class Wish(Record):
     targets: tuple[str, ...] = ()
     trust: bool = False
     config: Config | None = None
+    variant: str = ""
 
 
 class State(Record):
@@ -103,11 +106,12 @@ def read(wish: Wish, known: Iterable[str] = ()) -> State:
         targets=wish.targets,
         trust=wish.trust,
         config=wish.config,
+        variant=wish.variant,
         quick=True,
     )
     subject = told.subject
     document, drawings, scene = drawn(told, has_pictures=False)
-    files = files_of(subject, document) | {wish.file}
+    files = files_of(subject, told.diagnostics) | {wish.file}
     if scene is not None:
         files |= _beside(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}
@@ -123,7 +127,7 @@ def completed(state: State) -> State:
     return state._replace(document=document, drawings=drawings, told=told, is_whole=True)
 
 
-def files_of(subject: Subject, document: Document) -> set[str]:
+def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
     """Every file that a robot is made from, those included that are missing."""
     found = {subject.source.path}
     xacro = subject.reading.xacro
@@ -133,8 +137,7 @@ def files_of(subject: Subject, document: Document) -> set[str]:
         for mesh in subject.files.meshes:
             at = mesh.located
             found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
-    found |= {one["path"] for one in document["findings"]}
-    return found
+    return found | {one.span.source.path for one in diagnostics}
 
 
 def _beside(subject: Subject) -> set[str]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from urdfkit.errors import MissingLibrary
 from urdfkit.mechanics.inertia import principal_moments
 from urdfkit.overview import summarise
-from urdfkit.source import Span
+from urdfkit.source import Span, shown
 from urdfkit.subject import Unavailable
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def _shape(shape: Shape | None) -> str:
 
 def _place(span: Span) -> Row:
     line, column = span.source.position(span.start)
-    return {"path": span.source.path, "line": line, "column": column}
+    return {"path": shown(span.source.path), "line": line, "column": column}
 
 
 def joints(subject: Subject) -> list[Row]:
@@ -145,7 +145,7 @@ def meshes(subject: Subject) -> list[Row]:
                 "link": mesh.link,
                 "role": mesh.role,
                 "name": mesh.at.value,
-                "path": mesh.located.path,
+                "path": shown(mesh.located.path) if mesh.located.path else None,
                 "format": facts.format if facts else "",
                 "size": facts.size if facts else None,
                 "triangles": counts.get(mesh.at.value),

@@ -33,6 +33,7 @@ def report(
     targets: Iterable[str] = (),
     trust: bool = False,
     config: Config | None = None,
+    variant: str = "",
     progress: Callable[[int, int], None] | None = None,
 ) -> tuple[str, Document]:
     """The text of a report, and the document that it was made from.
@@ -48,6 +49,7 @@ def report(
         targets: consumers that findings are weighed for; inferred if empty.
         trust: let expressions of the model run unfenced and read any file.
         config: settings of the project.
+        variant: which of those that the configuration has of the file.
         progress: called with the number of steps done and of all, where it takes a while.
 
     Raises:
@@ -61,6 +63,7 @@ def report(
         targets=targets,
         trust=trust,
         config=config,
+        variant=variant,
         quick=quick or not _shows_all(form, table),
         progress=progress,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 )
 @click.option("--format", "form", type=click.Choice(["text", "json", "markdown"]), default="text")
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     joint: tuple[str, ...],
     pose: str | None,
     samples: int,
@@ -54,8 +54,6 @@ def command(
     compare: str | None,
     units: str | None,
     form: str,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Tell which links of a robot can collide with one another.
 
@@ -66,7 +64,7 @@ def command(
     Exit codes: 0 done, 1 the SRDF of --compare disables a collision that can happen, 2 it cannot
     be done.
     """
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     begin = positions(subject, joint, pose)
     given = _srdf(compare, subject) if compare else None
     for_moveit = bool(srdf or compare)  # which ignores units

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import click
 
@@ -28,14 +29,12 @@ from urdfkit.source import shown
 @click.option("--diff", is_flag=True, help="Show what --write would change.")
 @one_robot
 def command(
-    words: tuple[str, ...],
+    asked: dict[str, Any],
     error: float | None,
     links: tuple[str, ...],
     most: int,
     write: bool,
     diff: bool,
-    package: tuple[str, ...],
-    trust: bool,
 ) -> int:
     """Propose simple collisions in the place of detailed meshes.
 
@@ -47,7 +46,7 @@ def command(
     """
     if (error is not None and not error > 0) or most < 1:
         raise options.UsageError("--error must be more than 0, --most 1 or more")
-    subject = robot(words, package, trust)
+    subject = robot(asked)
     with progress.shown() as bar:
         proposals = propose(subject, error=error, links=links, most=most, progress=bar)
     lines = [*render(proposals)]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import click
 
 from urdfkit.assets.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
-from urdfkit.cli.robot import robot
+from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.meshes.parts import PARTS
 from urdfkit.source import shown
 from urdfkit.spatial import Vector
@@ -34,8 +35,7 @@ def _is_robot(files: list[str]) -> bool:
 @click.option("--size", type=(float, float, float), metavar="X Y Z", help="Of the mesh, in metres.")
 @click.option("--force", is_flag=True, help="Replace a file that is a good mesh, too.")
 @click.option("--dry-run", is_flag=True, help="Say what would be made, and write nothing.")
-@click.option("--package", multiple=True, metavar="NAME=FOLDER", help="Where a ROS package is.")
-@click.option("--trust", is_flag=True, help="Let the model run any expression, read any file.")
+@read_by_options
 def command(
     words: tuple[str, ...],
     model: str | None,
@@ -43,8 +43,7 @@ def command(
     size: Vector | None,
     force: bool,
     dry_run: bool,
-    package: tuple[str, ...],
-    trust: bool,
+    **asked: Any,
 ) -> int:
     """Make a mesh for a file that is missing, empty or broken.
 
@@ -69,7 +68,7 @@ def command(
         undone: tuple[Undone, ...] = ()
     else:
         arguments = tuple(word for word in words if ":=" in word)
-        subject = robot((model, *arguments), package, trust)
+        subject = robot({**asked, options.FILES: (model, *arguments)})
         if files:
             one = generate(subject, files[0], part=part, size=size, force=force)
             made = [one] if isinstance(one, StandIn) else []

@@ -1,0 +1,216 @@
+"""A bug of urdfkit costs the rules that need what is broken, and no other finding of any robot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.xacros import xacro
+from urdfkit import Source, check, examples, formats, glance, judge, rules
+from urdfkit.assets.files import Files
+from urdfkit.assets.likeness import Likenesses
+from urdfkit.assets.measured import Measured
+from urdfkit.cli import main
+from urdfkit.diagnostic import Report
+from urdfkit.gazebo import silence
+from urdfkit.inertials.masses import Masses
+from urdfkit.subject import Subject
+
+#: Something to say for rules of many kinds: a tensor, a mesh, a plugin, an unlike collision.
+ROBOT = """\
+<robot name="r">
+  <link name="base">
+    <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="9" ixy="0" ixz="0" iyz="0"/></inertial>
+    <visual><geometry><mesh filename="package://nowhere/a.stl"/></geometry></visual>
+    <visual><geometry><box size="1 1 1"/></geometry></visual>
+    <collision><origin xyz="0 0 5"/><geometry><box size="1 1 1"/></geometry></collision>
+  </link>
+  <link name="arm"/>
+  <joint name="j" type="revolute"><parent link="base"/><child link="arm"/>
+    <axis xyz="0 0 2"/></joint>
+  <gazebo><plugin name="p" filename="libgazebo_ros_difdrive.so"/></gazebo>
+  <gazebo reference="none"><sensor name="s" type="camera"/></gazebo>
+</robot>
+"""
+
+
+def fail(*_: object) -> Any:
+    raise ZeroDivisionError("planted")
+
+
+def told(report: Report) -> list[tuple[str, str, int]]:
+    return [(d.span.source.path, d.code, d.span.start) for d in report.diagnostics]
+
+
+@pytest.fixture
+def robots(tmp_path: Path) -> list[Path]:
+    paths = [tmp_path / "one.urdf", tmp_path / "two.urdf"]
+    for path in paths:
+        path.write_text(ROBOT)
+    return paths
+
+
+#: What is broken, and the beginnings of the codes of the rules that cannot do without it.
+PARTS = [
+    (Masses, "told", ()),
+    (Masses, "weighed", ("INE", "XAC014", "GEO", "DYN", "TRE")),
+    (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
+    (Files, "told", ()),
+    (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN")),
+    (Measured, "told", ()),
+    (Subject, "likenesses", ("GEO",)),
+    (Subject, "deviations", ("URD", "XAC002")),
+    (Subject, "plugins", ("GAZ", "RCT")),
+    (Subject, "unread", ("GAZ",)),
+    (Subject, "ignores", ()),
+    (Subject, "targets", ("",)),
+    (Likenesses, "claims", ("GEO",)),
+]
+
+
+@pytest.mark.parametrize(("owner", "name", "lost"), PARTS, ids=str)
+def test_a_part_that_fails_costs_its_rules(
+    owner: type, name: str, lost: tuple[str, ...], robots: list[Path], monkeypatch
+) -> None:
+    before = told(check(*robots))
+    part = cached_property(fail)
+    part.__set_name__(owner, name)
+    monkeypatch.setattr(owner, name, part)
+    report = check(*robots)
+    assert report.exit_code() == 3
+    assert {crash.path for crash in report.crashed} == set(map(str, robots))
+    assert {crash.error for crash in report.crashed} == {"ZeroDivisionError: planted"}
+    crashed = {crash.code for crash in report.crashed}
+    assert all(code.startswith(lost or ("",)) for code in crashed if code)
+    assert crashed.isdisjoint(report.rules)
+    kept = [one for one in before if one[1] not in crashed]
+    assert kept
+    assert [one for one in kept if one not in told(report)] == []
+
+
+LOOKS = [
+    (glance, "silent"),
+    (silence, "about_blocks"),
+    (silence, "about_plugins"),
+    (silence, "about_sensors"),
+    (silence, "about_tags"),
+    (judge, "_silent_families"),
+    (judge, "unmeasured"),
+    (judge, "without_library"),
+]
+
+
+@pytest.mark.parametrize(("module", "name"), LOOKS, ids=str)
+def test_a_look_that_fails_costs_nothing_but_is_told(
+    module: object, name: str, robots: list[Path], monkeypatch
+) -> None:
+    before = told(check(*robots))
+    monkeypatch.setattr(module, name, fail)
+    report = check(*robots)
+    assert told(report) == before
+    assert [(c.code, c.path) for c in report.crashed] == [("", str(path)) for path in robots]
+    assert report.exit_code() == 3
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_robot_that_fails_costs_no_other_robot(
+    jobs: int, robots: list[Path], monkeypatch
+) -> None:
+    before = [one for one in told(check(*robots)) if one[0] == str(robots[0])]
+    read = vars(Subject)["reading"].func
+    broken = str(robots[1])
+
+    def reading(subject: Subject) -> object:
+        return fail() if subject.source.path == broken else read(subject)
+
+    part = cached_property(reading)
+    part.__set_name__(Subject, "reading")
+    monkeypatch.setattr(Subject, "reading", part)
+    report = check(*robots, jobs=jobs)
+    assert told(report) == before
+    assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
+
+
+@pytest.mark.parametrize("name", formats.names())
+def test_every_format_tells_of_a_check_that_fails(
+    name: str, robots: list[Path], monkeypatch
+) -> None:
+    monkeypatch.setattr(glance, "silent", fail)
+    text = formats.get(name)(check(*robots))
+    if name not in ("gitlab", "rdjson", "rdjsonl", "statistics"):  # which hold findings only
+        assert "ZeroDivisionError: planted" in text
+
+
+def test_rules_that_fail_alike_are_one_line(robots: list[Path], monkeypatch, capsys) -> None:
+    monkeypatch.setattr(Subject, "model", property(fail))
+    assert main(["check", str(robots[0])]) == 3
+    out = capsys.readouterr().out
+    assert out.count("ZeroDivisionError: planted") == 1
+    assert re.search(r" and \d+ more failed", " ".join(out.split()))
+
+
+def test_a_launch_file_that_fails_costs_no_robot(robots: list[Path], monkeypatch) -> None:
+    launch = robots[0].with_name("r.launch")
+    launch.write_text("<launch/>")
+    before = told(check(*robots))
+    monkeypatch.setattr("urdfkit.launch.read_launch", fail)
+    report = check(launch, *robots)
+    assert told(report) == before
+    assert {crash.path for crash in report.crashed} == {str(launch)}
+
+
+# --- what a model may lack
+
+_TAG = re.compile(r"<([\w:]+)((?:\s+[\w:]+\s*=\s*\"[^\"]*\")*)\s*/?>")
+_ATTRIBUTE = re.compile(r"\s+([\w:]+)\s*=\s*\"[^\"]*\"")
+
+
+def lacking(text: str) -> Iterator[str]:
+    """A text without one attribute, with an empty or a nonsensical one, or without an element."""
+    for tag in _TAG.finditer(text):
+        if tag[0].endswith("/>"):
+            yield text[: tag.start()] + text[tag.end() :]
+        for found in _ATTRIBUTE.finditer(tag[2]):
+            start, end = tag.start(2) + found.start(), tag.start(2) + found.end()
+            for value in ("", f' {found[1]}=""', f' {found[1]}="x"'):
+                yield text[:start] + value + text[end:]
+
+
+@pytest.mark.parametrize("path", sorted((MODELS / "good").rglob("*.urdf*")), ids=lambda p: p.name)
+def test_no_rule_fails_on_a_robot_that_lacks_something(path: Path) -> None:
+    texts = list(lacking(path.read_text()))
+    for text in Random(1).sample(texts, min(len(texts), 40)):
+        assert check(Source(str(path), text.encode())).crashed == (), text
+
+
+@pytest.mark.parametrize("family", sorted(rules.FAMILIES))
+def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
+    random = Random(family)
+    codes = [code for code in rules.codes() if code.startswith(family)]
+    for rule in map(rules.get, codes):
+        texts = list(lacking(rule.example("BAD") or ""))
+        for text in random.sample(texts, min(len(texts), 2)):
+            with examples.laid_out(rule, text) as source:
+                verdict = judge.judge(examples.subject_of(rule, source), codes)
+            assert verdict.crashed == (), text
+
+
+@pytest.mark.parametrize("lost", ["ixx", "iyy", "izz", "ixy"])
+def test_a_tensor_of_a_macro_that_lacks_a_number(lost: str) -> None:
+    tensor = '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>'
+    tensor = re.sub(rf' {lost}="[^"]*"', "", tensor)
+    body = f"""<xacro:macro name="part" params="name mass"><link name="${{name}}"><inertial>
+      <mass value="${{mass}}"/>{tensor}</inertial></link></xacro:macro>
+      <xacro:part name="a" mass="1"/><xacro:part name="b" mass="5"/>
+      <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>"""
+    report = check(Source("robot.xacro", xacro(body).encode()))
+    assert report.crashed == ()
+    (found,) = [one for one in report.diagnostics if one.code == "XAC014"]
+    assert "same inertia tensor (0.1, 0.1" in found.message
