@@ -64,6 +64,14 @@ def distances(lost: float, gained: float) -> list[str]:
     ]
 
 
+def beyond(protrusion: float, missing: float) -> list[str]:
+    """How far shapes stick out of a mesh, and the mesh out of them."""
+    return [
+        f"farthest outside of the mesh, on the pieces  {length(protrusion)}",
+        f"farthest outside of the pieces, on the mesh  {length(missing)}",
+    ]
+
+
 def columns(rows: Sequence[Sequence[str]]) -> list[str]:
     """Rows in columns, the first to the left and the others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
