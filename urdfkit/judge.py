@@ -401,8 +401,10 @@ def diagnose(
 
 def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
     severity, suffering = rule.weigh(targets)
-    group.sort(key=lambda finding: -finding.weight)
+    group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
+    if worst.severity is not None:
+        severity, suffering = worst.severity, ()
     calls = tuple(Call(f.message, place(f)[1], _path(f)) for f in group)
     return Diagnostic(
         rule.code,

@@ -117,6 +117,7 @@ class Finding(Record):
         weight: the larger, the worse; orders the calls of one macro.
         alike: the same for findings that many robots have in numbers, and that one slip made:
             more than a few of them are told as one.
+        severity: where it is not that of the rule, whatever the targets.
     """
 
     at: Element | Attribute | Placed[object] | Written
@@ -127,6 +128,7 @@ class Finding(Record):
     confidence: Confidence = Confidence.MEASURED
     weight: float = 0.0
     alike: str = ""
+    severity: Severity | None = None
 
 
 def told(subject: Subject, code: str) -> Iterator[Finding]:
