@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfkit.meshes.health import Health
+from urdfkit.meshes.measures import OVERLAP
 
 
 def length(metres: float) -> str:
@@ -38,9 +39,12 @@ def surface(health: Health) -> str:
             (health.crowded_edges, "edges with more than two triangles"),
             (health.twisted_edges, "edges where outside meets inside"),
             (health.inverted, "bodies inside out"),
+            (health.doubled, "triangles of sheets with two sides, which enclose nothing"),
         )
         if number
     ]
+    if health.overlap > OVERLAP:
+        found.append(f"bodies that overlap: the volume is {100 * health.overlap:.0f} % too large")
     return ", ".join(found) or "closed, and flat: it encloses nothing"
 
 
