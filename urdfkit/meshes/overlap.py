@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -32,41 +33,54 @@ def overlap(places: Floats, faces: Integers, pieces: Pieces) -> float:
     # manifold3d knows what is small by its number.
     low, high = places.min(axis=0), places.max(axis=0)
     size = float((high - low).max())
-    whole, taken = united((places - low) / size, faces, pieces)
-    if whole is None or not whole.volume() > 0:
+    shells = nested((places - low) / size, faces, pieces)
+    whole = united(shells)
+    if not whole.volume() > 0:
         return 0.0
-    return max(0.0, float(pieces.volumes[taken].sum()) / size**3 / whole.volume() - 1)
+    counted = sum(-one.solid.volume() if one.is_cavity else one.solid.volume() for one in shells)
+    return max(0.0, float(counted / whole.volume()) - 1)
 
 
-def united(
+class Shell(NamedTuple):
+    """A closed piece: its number, what it encloses, and whether it looks inwards."""
+
+    piece: int
+    solid: Manifold
+    is_cavity: bool
+
+
+def nested(
     places: Floats, faces: Integers, pieces: Pieces, parts: Integers | None = None
-) -> tuple[Manifold | None, list[int]]:
-    """The closed pieces as one solid, and their numbers; None, where they are none or too many.
-
-    From the largest to the smallest, what looks outwards is added, and what looks inwards is taken
-    away: it is a cavity, which may hold something again.
+) -> list[Shell]:
+    """The closed pieces, the largest first; none, where they are too many.
 
     Args:
         places: (n, 3), welded.
         faces: (m, 3), of a surface.
         pieces: of it.
-        parts: (m,), numbers that the faces of the solid inherit as ``face_id``.
+        parts: (m,), numbers that the faces of the solids have as ``face_id``.
     """
-    from manifold3d import Manifold
-
     closed = np.flatnonzero(pieces.is_closed & (pieces.volumes != 0))
-    if not len(closed) or len(closed) > MAX_PIECES or len(faces) > MAX_TRIANGLES:
-        return None, []
-    whole, taken = Manifold(), []
+    if len(closed) > MAX_PIECES or len(faces) > MAX_TRIANGLES:
+        return []
+    shells = []
     for piece in closed[np.argsort(-np.abs(pieces.volumes[closed]), kind="stable")]:
-        own = pieces.of_face == piece
-        is_cavity = pieces.volumes[piece] < 0
+        own, is_cavity = pieces.of_face == piece, bool(pieces.volumes[piece] < 0)
         corners = faces[own][:, ::-1] if is_cavity else faces[own]
         solid = _solid(places, corners, None if parts is None else parts[own])
         if not solid.is_empty():  # a surface that touches itself may be none
-            whole = whole - solid if is_cavity else whole + solid
-            taken.append(int(piece))
-    return whole, taken
+            shells.append(Shell(int(piece), solid, is_cavity))
+    return shells
+
+
+def united(shells: Sequence[Shell]) -> Manifold:
+    """Shells as one solid, the largest first: a cavity is taken away, and may hold others."""
+    from manifold3d import Manifold
+
+    whole = Manifold()
+    for one in shells:
+        whole = whole - one.solid if one.is_cavity else whole + one.solid
+    return whole
 
 
 def _solid(places: Floats, faces: Integers, parts: Integers | None = None) -> Manifold:
