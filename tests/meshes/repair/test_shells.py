@@ -24,7 +24,9 @@ def box(edge: float, x: float = 0.0, *, inwards: bool = False) -> trimesh.Trimes
 
 
 def mesh_of(*shapes: trimesh.Trimesh) -> Mesh:
-    return as_mesh(trimesh.util.concatenate(shapes))
+    whole = trimesh.util.concatenate(shapes)
+    assert isinstance(whole, trimesh.Trimesh)
+    return as_mesh(whole)
 
 
 def two_sided(shape: trimesh.Trimesh) -> Mesh:
