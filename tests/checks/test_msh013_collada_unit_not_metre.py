@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.meshed import link, mesh, messages
+from tests.meshed import link, mesh, messages, told
 from urdfkit.meshes.samples import collada
 
 INCH = collada('<unit name="inch" meter="0.0254"/>')
@@ -23,3 +23,21 @@ def test_a_file_in_inches_is_told_once(tmp_path: Path) -> None:
 )
 def test_metres(tmp_path: Path, asset: str) -> None:
     assert messages(tmp_path, "MSH013", link(mesh("a.dae")), {"a.dae": collada(asset)}) == []
+
+
+@pytest.mark.parametrize(
+    ("roles", "targets", "severity"),
+    [
+        (["visual"], (), "info"),
+        (["visual"], ("ros2", "gz-harmonic"), "info"),
+        (["visual"], ("ros2", "pinocchio"), "warning"),
+        (["collision"], ("ros2",), "warning"),
+        (["visual", "collision"], ("ros2",), "warning"),
+    ],
+)
+def test_what_is_only_drawn_is_an_information(
+    tmp_path: Path, roles: list[str], targets: tuple[str, ...], severity: str
+) -> None:
+    robot = link(*(mesh("a.dae", role) for role in roles))
+    (found,) = told(tmp_path, "MSH013", robot, {"a.dae": INCH}, targets)
+    assert found.severity.value == severity

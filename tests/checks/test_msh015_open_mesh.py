@@ -41,3 +41,15 @@ def test_a_file_is_told_once_and_where_it_is_a_collision(tmp_path: Path) -> None
 def test_what_is_flat_is_told_elsewhere(tmp_path: Path) -> None:
     flat = stl(box((0, 0, 0), (1, 1, 1), BOX[:2]))
     assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": flat}) == []
+
+
+def test_a_sheet_with_two_sides_encloses_nothing(tmp_path: Path) -> None:
+    """Each triangle is there both ways round, so that no edge is open."""
+    sides = stl([*CUBE[2:], *(face[::-1] for face in CUBE[2:])])
+    assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": sides}) == [
+        (
+            "link 'arm': the collision mesh 'a.stl' encloses nothing: its 20 triangles are two "
+            "sides of a sheet"
+        )
+    ]
+    assert messages(tmp_path, "MSH015", link(mesh("a.stl", "visual")), {"a.stl": sides}) == []

@@ -81,7 +81,9 @@ def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.Mo
     """A humanoid's two hands make 2000 pairs, and a check must end."""
     asked: list[tuple[int, int]] = []
 
-    def colliding(_: Still, pairs: Sequence[tuple[str, str]], samples: int) -> list[None]:
+    def colliding(
+        _: Still, pairs: Sequence[tuple[str, str]], samples: int, is_checked: object
+    ) -> list[None]:
         asked.append((len(pairs), samples))
         return [None] * len(pairs)
 

@@ -160,8 +160,11 @@ def _lacks_materials(use: Use) -> bool:
 
 
 def _is_open(use: Use) -> bool:
+    """True also for a sheet with two sides: it has no edge, and encloses nothing."""
     measures = use.measures
-    return use.role == "collision" and measures.hull is not None and not measures.is_closed
+    encloses = measures.solid is not None or measures.inverted_bodies > 0
+    is_solid = measures.is_closed and encloses
+    return use.role == "collision" and measures.hull is not None and not is_solid
 
 
 def _has_gaps(use: Use) -> bool:

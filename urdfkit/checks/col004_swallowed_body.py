@@ -3,8 +3,10 @@
 Nothing can ever touch it from outside: a wheel within the chassis does not reach the floor, a
 bumper or a finger feels nothing. In a simulator with self-collision on, the two push against each
 other without end. Make the outer geometry smaller, or move the inner one to where the part is. A
-link that holds several others is reported once; not reported is one with links fixed to it that
-reach out, such as the rotor of a motor.
+link that holds several others is reported once. Not reported is one with links fixed to it that
+reach out, such as the rotor of a motor; nor what is inside of an envelope: a link that is not
+drawn, or drawn transparent, fixed to one that is, as the capsules for self-collision of Franka's
+arms and safety boxes around tools are.
 
 Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
@@ -14,13 +16,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.assets.colours import Colours
 from urdfkit.diagnostic import Related, Severity
+from urdfkit.mechanics.rigid import rigid_bodies
 from urdfkit.rules import Finding, Need, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.collision.still import Meeting
-    from urdfkit.model import RobotModel
+    from urdfkit.model import Material, RobotModel
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -59,11 +63,33 @@ def check(subject: Subject) -> Iterator[Finding]:
     for one in still.meetings:
         if one.is_out_of_reach and not one.is_rigid and still.always(one):
             swallowed.setdefault(one.large.link, []).append(one)
-    for meetings in swallowed.values():
+    for name, meetings in swallowed.items():
+        if _is_envelope(subject, name):
+            continue
         if len(meetings) > 1:
             yield _several(subject.model, meetings)
         else:
             yield _single(subject.model, meetings[0])
+
+
+def _is_envelope(subject: Subject, name: str) -> bool:
+    """True for a link without an opaque visual that is fixed to one which has a visual."""
+    colours = Colours(subject.model)
+    if not all(
+        _is_transparent(colours.of(body)) for body in subject.model.links_by_name[name].visuals
+    ):
+        return False
+    bodies = [[link for link, _ in body.links] for body in rigid_bodies(subject.tree)]
+    return any(
+        name in [link.name for link in links]
+        and any(link.visuals for link in links if link.name != name)
+        for links in bodies
+    )
+
+
+def _is_transparent(material: Material | None) -> bool:
+    rgba = material.rgba.value if material and material.rgba else ()
+    return len(rgba) == 4 and rgba[3] < 1
 
 
 def _single(model: RobotModel, one: Meeting) -> Finding:

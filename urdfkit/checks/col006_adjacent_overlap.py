@@ -59,10 +59,12 @@ def check(subject: Subject) -> Iterator[Finding]:
         held = one.is_adjacent and not one.is_rigid and not one.is_swallowed
         if held and one.is_solid and one.part > _PART:
             small, large = (subject.model.collision(*body) for body in one.bodies)
+            # A body moved out sideways goes farther than its thickness.
+            part = "all" if one.part >= 1 else f"{one.part:.0%}"
             yield Finding(
                 small,
                 f"link '{one.small.link}' overlaps its neighbour '{one.large.link}' by "
-                f"{-1000 * one.distance:.3g} mm, {one.part:.0%} of its thickness",
+                f"{-1000 * one.distance:.3g} mm, {part} of its thickness",
                 related=(Related(large.span, f"link '{one.large.link}'"),),
                 weight=-one.distance,
                 alike="overlap",

@@ -37,7 +37,7 @@ FILES = {"left_arm.stl": PLATE}
 _MAX_RELATED = 20
 
 
-@rule("GEO006", "negative-scale", Severity.WARNING, help="mirror the mesh file itself")
+@rule("GEO006", "negative-scale", Severity.INFO, help="mirror the mesh file itself")
 def check(subject: Subject) -> Iterator[Finding]:
     mirrored = [
         (link.name, body.at.tag, shape)

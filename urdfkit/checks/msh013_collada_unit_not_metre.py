@@ -3,7 +3,8 @@
 `<unit meter="0.001"/>` at the top of the file says that its lengths are in millimetres. RViz and
 Gazebo multiply by it; MoveIt, Pinocchio, coal and most Python tools do not. So the robot looks
 right and its planner avoids something a thousand times as large, or the other way round. Bake the
-unit into the vertices, with `urdfkit mesh convert`; then all readers agree.
+unit into the vertices, with `urdfkit mesh convert`; then all readers agree. A mesh that is only
+drawn is right in RViz and Gazebo, and an information; a warning if Pinocchio is a target.
 
 Sources:
     COLLADA 1.4: https://www.khronos.org/files/collada_spec_1_4.pdf
@@ -47,11 +48,16 @@ FILES = {
     help="bake it: urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
+    collided = {mesh.located.path for mesh in subject.files.meshes if mesh.role == "collision"}
     for mesh in subject.files.each_file:
         if mesh.facts and has_other_unit(mesh.facts):
+            is_drawn = (
+                mesh.located.path not in collided and "pinocchio" not in subject.targets.names
+            )
             yield Finding(
                 mesh.at,
                 f"{mesh.who} says that its unit is {mesh.facts.unit:g} m: RViz and Gazebo multiply "
                 "by it, MoveIt, Pinocchio and coal do not",
                 alike=f"{mesh.facts.unit:g}",
+                severity=Severity.INFO if is_drawn else None,
             )

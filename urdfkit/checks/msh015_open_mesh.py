@@ -1,6 +1,7 @@
 """The surface of a collision mesh is not closed.
 
-It has holes, or triangles that look in opposite ways along an edge. What is inside and what outside
+It has holes, or triangles that look in opposite ways along an edge, or each triangle is there from
+both sides, so that nothing is between them. What is inside and what outside
 is then not said: a volume, a mass or an inertia cannot be computed from it, MuJoCo may refuse it,
 and a thin object can slip in through a hole. A quarter of the collision meshes of real robots are
 like that, and simulators that only test triangles live with it. `urdfkit mesh repair` closes small
@@ -52,10 +53,14 @@ def check(subject: Subject) -> Iterator[Finding]:
             for number, kind in ((found.open_edges, "open"), (found.flipped_edges, "twisted"))
             if number
         ]
+        among = counted(found.triangles, "triangle")
+        what = f"is not closed: {' and '.join(parts)} among {among}"
+        if not parts:
+            what = f"encloses nothing: its {among} are two sides of a sheet"
         yield Finding(
             use.at,
-            f"{use.who} is not closed: {' and '.join(parts)} among "
-            f"{counted(found.triangles, 'triangle')}",
+            f"{use.who} {what}",
+            help="" if parts else "urdfkit mesh repair --one-sided FILE, or urdfkit mesh hull FILE",
             weight=found.open_edges,
             alike="open",
         )

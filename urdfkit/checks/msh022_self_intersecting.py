@@ -3,7 +3,7 @@
 Volume, centre of mass and inertia of a mesh are integrals over its surface, and what lies in two
 closed pieces at once counts twice: in Gazebo's automatic inertia, in MeshLab, and in
 `urdfkit inertia`. An assembly that was exported as one mesh is a common reason. Unite the pieces
-where they were drawn, or state the inertial by hand.
+where they were drawn or with `urdfkit mesh repair --union`, or state the inertial by hand.
 
 Collisions and pictures do not suffer. Less than a twentieth of the volume is not reported.
 
@@ -42,7 +42,7 @@ FILES = {
     "self-intersecting",
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
-    help="unite the pieces where they were drawn, or weigh the link by hand",
+    help="unite the pieces: urdfkit mesh repair --union FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.measured.claims.get("MSH022", ()):

@@ -2,7 +2,8 @@
 
 MoveIt does not check the pair, and may drive the one link into the other. A pose in which they
 overlap was found among some thousand samples within the joint limits, with the collision geometry
-as MoveIt reads it. The matrix is of an older robot, or was computed from too few samples. `urdfkit
+as MoveIt reads it, and no pair that MoveIt checks overlaps in that pose: it would have been avoided
+otherwise. The matrix is of an older robot, or was computed from too few samples. `urdfkit
 collisions --srdf` computes it anew and keeps the rest of the file. Pairs with another reason, such
 as "User", are a decision and not reported.
 
@@ -95,7 +96,9 @@ def check(subject: Subject) -> Iterator[Finding]:
     still = subject.collisions.in_moveit
     said = [one for one in said if still.has_bodies(one[1]) and still.has_bodies(one[2])]
     samples = min(_SAMPLES, _WORK // max(len(said), 1))
-    found = still.colliding([(one[1], one[2]) for one in said], samples)
+    disables = subject.srdf.disables
+    pairs = [(one[1], one[2]) for one in said]
+    found = still.colliding(pairs, samples, lambda pair: not disables(pair))
     for (element, first, second), collision in zip(said, found, strict=True):
         if collision and collision.depth > _DEEP:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())

@@ -129,6 +129,11 @@ class Look:
                 watch.at(frames, count=count)
         return [watch.seen for watch in self._pairs]
 
+    def hits(self, configurations: Floats) -> list[list[int]]:
+        """For each pair, in which of some configurations (n, dof) it collides."""
+        self.at(configurations, count=True)
+        return [sorted(watch.hit) for watch in self._pairs]
+
 
 class _Watch:
     """One pair of links."""
@@ -136,16 +141,16 @@ class _Watch:
     def __init__(self, gauges: list[tuple[int, int, Gauge]], limit: float) -> None:
         self._gauges = [(*gauge, Cover()) for gauge in gauges]
         self._best, self._row = limit, -1
-        self._hit: set[int] = set()
+        self.hit: set[int] = set()
         self.is_free = True
 
     @property
     def seen(self) -> Seen:
-        return Seen(len(self._hit), self._best, self._row)
+        return Seen(len(self.hit), self._best, self._row)
 
     def begin(self) -> None:
         """Turn to other configurations."""
-        self._hit, self._row = set(), -1
+        self.hit, self._row = set(), -1
 
     @property
     def _sure(self) -> float:
@@ -155,9 +160,9 @@ class _Watch:
     def at(self, frames: dict[int, Floats], *, count: bool) -> None:
         for first, second, gauge, cover in self._gauges:
             self._compare(gauge, cover, *relative(frames[first], frames[second]), count=count)
-            if self._hit and not count:
+            if self.hit and not count:
                 break
-        self.is_free = self.is_free and not self._hit
+        self.is_free = self.is_free and not self.hit
 
     def _compare(
         self, gauge: Gauge, cover: Cover, rotation: Floats, translation: Floats, *, count: bool
@@ -189,7 +194,7 @@ class _Watch:
         if distance < self._best:
             self._best, self._row = distance, sample
         if distance < -TOUCH:
-            self._hit.add(sample)
+            self.hit.add(sample)
 
 
 def _thinned(

@@ -5,7 +5,7 @@ No process is started: this is what a check can afford.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from math import inf
 from typing import NamedTuple
@@ -25,6 +25,8 @@ from urdfkit.model import RobotModel
 
 #: Drawn poses that a pair which always collides must collide in, too.
 _SAMPLES = 50
+#: Colliding samples of a pair in which the other pairs are looked at.
+_POSES = 20
 #: Pairs of links in poses that are looked at for near misses: all, up to some 200 links.
 _WORK = 20_000_000
 
@@ -146,18 +148,52 @@ class Still:
             if not seen.hits and TOUCH < seen.distance < NEAR
         )
 
-    def colliding(self, pairs: Sequence[tuple[str, str]], samples: int) -> list[Collision | None]:
-        """For each pair of links, whether it collides in one of some samples."""
+    def colliding(
+        self,
+        pairs: Sequence[tuple[str, str]],
+        samples: int,
+        is_checked: Callable[[frozenset[str]], bool],
+    ) -> list[Collision | None]:
+        """For each pair of links that move, a collision that no other one keeps the robot from.
+
+        Args:
+            pairs: of links.
+            samples: configurations that are looked at.
+            is_checked: of two links, whether their collisions are avoided; where two of these
+                overlap, the robot never is.
+        """
         known = [self._pair(*pair) for pair in pairs]
-        bound = [pair for pair in known if self._is_bound(pair)]
+        bound = [pair for pair in known if self._is_bound(pair) and self.chain.between(*pair)]
         rows = self.chain.samples(samples, 0, 0)
-        seen = self._examiner.look(bound).at(rows, count=False)
-        found = {
-            pair: Collision(-one.distance, self.chain.pose(rows[one.row], *pair))
-            for pair, one in zip(bound, seen, strict=True)
-            if one.hits
+        hits = self._examiner.look(bound).hits(rows)
+        poses = {
+            pair: self._poses(pair, rows[at[:_POSES]])
+            for pair, at in zip(bound, hits, strict=True)
+            if at
         }
+        if not poses:
+            return [None] * len(known)
+        links = self._examiner.links
+        checked = [
+            pair for pair in self.chain.pairs(links) if is_checked(frozenset(self._names(pair)))
+        ]
+        every = np.concatenate(list(poses.values()))
+        is_free = np.ones(len(every), dtype=bool)
+        for at in self._examiner.look(checked).hits(every):
+            is_free[at] = False
+        found: dict[Pair, Collision] = {}
+        ends = np.cumsum([len(some) for some in poses.values()])[:-1]
+        for (pair, some), free in zip(poses.items(), np.split(is_free, ends), strict=True):
+            if free.any():
+                (seen,) = self._examiner.look([pair]).at(some[free], count=True)
+                pose = self.chain.pose(some[free][seen.row], *pair)
+                found[pair] = Collision(-seen.distance, pose)
         return [found.get(pair) for pair in known]
+
+    def _poses(self, pair: Pair, rows: Floats) -> Floats:
+        """Some configurations, and the same with all joints that do not move a pair at default."""
+        columns = self.chain.between(*pair)
+        return np.concatenate([rows, self.chain.default_with(columns, rows[:, columns])])
 
     def has_bodies(self, link: str) -> bool:
         """True if a link has bodies that can collide."""

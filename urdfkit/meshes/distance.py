@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from urdfkit.meshes.geometry import Floats, Integers
+from urdfkit.meshes.geometry import Flags, Floats, Integers
 
 #: Points of each surface from which the other one is measured: all over it, and where it seems
 #: farthest from the other one.
@@ -39,14 +41,23 @@ def distance(
 
 
 def one_way(
-    vertices: Floats, faces: Integers, other_vertices: Floats, other_faces: Integers
+    vertices: Floats,
+    faces: Integers,
+    other_vertices: Floats,
+    other_faces: Integers,
+    counts: Callable[[Floats], Flags] | None = None,
 ) -> float:
     """The greatest distance from a point of the first surface to the second one.
 
-    Arguments as for `distance`.
+    Arguments as for `distance`, and ``counts``: of points (n, 3), which of them count; all if not
+    given.
     """
     many = _evenly(vertices, _MANY_VERTICES)
     spread, _ = _spread(vertices[faces], _MANY_SAMPLES)
+    if counts:
+        many, spread = many[counts(many)], spread[counts(spread)]
+        if not len(many) + len(spread):
+            return 0.0
     triangles = other_vertices[other_faces]
     # trimesh knows what is small by its number, so the surfaces are made about 1 large.
     low = np.minimum(many.min(axis=0), triangles.min(axis=(0, 1)))

@@ -1,7 +1,8 @@
 """Simple shapes around a mesh: sphere, box, cylinder, hull, convex pieces, each with its error.
 
 The shapes contain the mesh, so that nothing collides later than it should; their error is how far
-they stick out: the greatest distance from a point of theirs to the surface of the mesh.
+they stick out: the greatest distance from a point of theirs to the surface of the mesh. What is
+missing all the same is measured, too.
 """
 
 from __future__ import annotations
@@ -11,9 +12,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from urdfkit.meshes import solids
-from urdfkit.meshes.distance import one_way
+from urdfkit.meshes.containment import missing, protrusion
 from urdfkit.meshes.geometry import Floats, Mesh
-from urdfkit.meshes.hull import NoHull, decompose, hull, with_few_corners
+from urdfkit.meshes.hull import NoHull, cut, hull, with_few_corners
 from urdfkit.meshes.transforms import moved
 from urdfkit.record import Record
 from urdfkit.spatial import Frame, Rotation, Vector
@@ -40,6 +41,7 @@ class Fit(Record):
         frame: of the shape, in that of the mesh.
         mesh: its surface, in the frame of the mesh; of ``pieces`` each is a part.
         error: how far it sticks out, in the unit of the mesh.
+        missing: how far the mesh sticks out of it, in its unit.
     """
 
     kind: str
@@ -47,6 +49,7 @@ class Fit(Record):
     frame: Frame
     mesh: Mesh
     error: float
+    missing: float
 
     def __str__(self) -> str:
         return f"{len(self.mesh.parts)} pieces" if self.kind == "pieces" else self.kind
@@ -138,7 +141,7 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
 
 
 def _in_pieces(mesh: Mesh, most: int) -> Fit:
-    return _judged(mesh, "pieces", _NO_SIZE, Frame(), decompose(mesh, most=most))
+    return _judged(mesh, "pieces", _NO_SIZE, Frame(), cut(mesh, most=most))
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)
@@ -146,12 +149,9 @@ _NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 def _judged(mesh: Mesh, kind: str, size: Vector, frame: Frame, shape: Mesh) -> Fit:
     placed = moved(shape, frame)
-    # Where pieces meet, their faces lie deep in the mesh, and stick out of nothing.
-    outside = solids.beyond(placed, mesh) if len(placed.parts) > 1 else placed
-    error = 0.0
-    if len(outside.faces):
-        error = one_way(outside.vertices, outside.faces, mesh.vertices, mesh.faces)
-    return Fit(kind, size, frame, placed, error)
+    # Primitives are made around all points; their meshes have flat sides.
+    lost = missing(placed, mesh) if kind in ("hull", "pieces") else 0.0
+    return Fit(kind, size, frame, placed, protrusion(placed, mesh), lost)
 
 
 _Shape = tuple[str, Vector, Frame, Mesh]
@@ -181,7 +181,8 @@ def _cylinder(points: Floats) -> _Shape:
     for axis in (*np.eye(3), *to_box[:3, :3]):
         rows = _with_z(axis)
         seen = points @ rows.T
-        center, radius = minimum_nsphere(seen[:, :2])
+        center, _ = minimum_nsphere(seen[:, :2])
+        radius = np.linalg.norm(seen[:, :2] - center, axis=1).max()  # that found is a guess
         low, high = seen[:, 2].min(), seen[:, 2].max()
         volume = float(np.pi * radius**2 * (high - low))
         if best is None or volume < 0.999 * best[0]:
@@ -197,7 +198,8 @@ def _cylinder(points: Floats) -> _Shape:
 def _sphere(points: Floats) -> _Shape:
     from trimesh.nsphere import minimum_nsphere
 
-    center, radius = minimum_nsphere(points)
+    center, _ = minimum_nsphere(points)
+    radius = np.linalg.norm(points - center, axis=1).max()
     shape = solids.as_mesh(solids.ball(float(radius), (0.0, 0.0, 0.0)))
     return "sphere", (float(radius), 0.0, 0.0), Frame(position=_vector(center)), shape
 

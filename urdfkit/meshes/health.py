@@ -7,6 +7,8 @@ import numpy as np
 from urdfkit.meshes.edges import Edges, three_cornered
 from urdfkit.meshes.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.meshes.grouping import distinct
+from urdfkit.meshes.measures import OVERLAP
+from urdfkit.meshes.overlap import overlap
 from urdfkit.meshes.pieces import inside_out, take_apart
 from urdfkit.meshes.welding import finite, weld
 from urdfkit.record import Record
@@ -26,7 +28,11 @@ class Health(Record):
         twisted_edges: edges whose two triangles face opposite ways.
         bodies: connected pieces.
         inverted: closed pieces whose inside is out, though no other piece is around them.
+        doubled: triangles of closed pieces that enclose nothing: a sheet with two sides has each
+            triangle both ways round.
         volume: in the cube of the mesh's unit; a number without meaning unless it is a solid.
+        overlap: what lies in several closed pieces at once and counts as often in the volume, as a
+            part of the true one; only `examine_mesh` looks for it.
     """
 
     faces: int
@@ -38,7 +44,9 @@ class Health(Record):
     twisted_edges: int
     bodies: int
     inverted: int
+    doubled: int
     volume: float
+    overlap: float = 0.0
 
     @property
     def is_closed(self) -> bool:
@@ -47,8 +55,11 @@ class Health(Record):
 
     @property
     def is_solid(self) -> bool:
-        """True if it is the surface of a solid: closed, and outside is outside everywhere."""
-        return self.faces > 0 and self.volume > 0 and self.ailments == 0
+        """True if it is the surface of a solid.
+
+        It is closed, outside is outside everywhere, and hardly anything is in several pieces.
+        """
+        return self.faces > 0 and self.volume > 0 and not self.ailments and self.overlap <= OVERLAP
 
     @property
     def ailments(self) -> int:
@@ -61,6 +72,7 @@ class Health(Record):
             + self.crowded_edges
             + self.twisted_edges
             + self.inverted
+            + self.doubled
         )
 
 
@@ -71,11 +83,27 @@ def examine_mesh(mesh: Mesh) -> Health:
     surface of a whole: that reading is taken in which less is wrong.
     """
     whole = examine(mesh.vertices, mesh.faces)
-    if whole.ailments == 0 or len(mesh.parts) < 2:
+    if whole.ailments == 0:
+        return whole._replace(overlap=_overlap(*weld(mesh.vertices, mesh.faces)))
+    if len(mesh.parts) < 2:
         return whole
     parts = [examine(part.vertices, part.faces) for part in mesh.parts]
     together = Health(*(sum(values) for values in zip(*parts, strict=True)))
-    return together if together.ailments < whole.ailments else whole
+    if together.ailments >= whole.ailments:
+        return whole
+    return together._replace(overlap=_overlap(*_apart(mesh)) if not together.ailments else 0.0)
+
+
+def _overlap(points: Floats, faces: Integers) -> float:
+    return overlap(points, faces, take_apart(points, Edges(faces))) if len(faces) else 0.0
+
+
+def _apart(mesh: Mesh) -> tuple[Floats, Integers]:
+    """The triangles of all parts, each part welded by itself."""
+    parts = [weld(part.vertices, part.faces) for part in mesh.parts]
+    starts = np.cumsum([0, *(len(points) for points, _ in parts[:-1])])
+    faces = [faces + start for (_, faces), start in zip(parts, starts, strict=True)]
+    return np.concatenate([points for points, _ in parts]), np.concatenate(faces)
 
 
 def examine(vertices: Floats, faces: Integers) -> Health:
@@ -93,7 +121,7 @@ def examine(vertices: Floats, faces: Integers) -> Health:
     non_finite, collapsed = number - int(good.sum()), _count(~sound)
     kept = kept[sound]
     if not len(kept):
-        return Health(number, non_finite, collapsed, 0, 0, 0, 0, 0, 0, 0.0)
+        return Health(number, non_finite, collapsed, 0, 0, 0, 0, 0, 0, 0, 0.0)
     edges = Edges(kept)
     pieces = take_apart(points, edges)
     return Health(
@@ -106,6 +134,7 @@ def examine(vertices: Floats, faces: Integers) -> Health:
         _count(edges.is_twisted),
         len(pieces.volumes),
         _count(inside_out(points, kept, pieces)),
+        _count(pieces.is_hollow[pieces.of_face]),
         float(pieces.volumes.sum()),
     )
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.errors import UrdfkitError
+from urdfkit.meshes.containment import grown, half_spaces
+from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.geometry import Floats, Integers, Material, Mesh, Part
 from urdfkit.meshes.welding import finite, weld
 
@@ -16,6 +18,8 @@ _MOST_CORNERS = 64
 _APART = (3, 6, 9, 12, 15, 20, 25, 30, 40, 50)
 #: A volume that is so small against the cube of the longest edge is none.
 _ROUNDING = 1e-14
+#: A mesh is convex if its hull sticks out by no more than this part of the longest edge.
+_CONVEX = 1e-3
 #: In which vhacd looks at the mesh; four times as many take four times as long.
 _VOXELS = 50_000
 
@@ -43,7 +47,7 @@ def hull(mesh: Mesh) -> Mesh:
         raise NoHull("all points lie in a plane, which has no hull")
     found = solid.to_mesh64()
     part = Part(
-        np.asarray(found.vert_properties[:, :3], dtype=np.float64),
+        np.array(found.vert_properties[:, :3], dtype=np.float64),  # manifold3d's is read-only
         np.asarray(found.tri_verts, dtype=np.int64),
         _material(mesh),
     )
@@ -111,7 +115,31 @@ def _loose(corners: Floats) -> Mesh:
 
 
 def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
-    """Convex pieces that together are nearly the mesh, each a part.
+    """Convex pieces that together contain the surface of a mesh, each a part.
+
+    Of a convex mesh, its hull.
+
+    Args:
+        mesh: best a solid.
+        most: pieces at most.
+        engine: as for `cut`.
+
+    Raises:
+        NoEngine: its library is not installed.
+        NoHull: all points lie in a plane.
+    """
+    shell = hull(mesh)
+    beyond = one_way(shell.vertices, shell.faces, mesh.vertices, mesh.faces)
+    if most == 1 or beyond <= _CONVEX * np.ptp(shell.vertices, axis=0).max():
+        return shell
+    return cut(mesh, most=most, engine=engine)
+
+
+def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
+    """A mesh cut into convex pieces that together contain its surface, each a part.
+
+    An engine does not say how far the surface may lie outside of what it cuts: where it does, the
+    pieces are grown.
 
     Args:
         mesh: best a solid.
@@ -124,18 +152,28 @@ def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
         NoEngine: its library is not installed.
         NoHull: all points lie in a plane.
     """
-    hull(mesh)  # raises where there is no volume
+    shell = hull(mesh)  # raises where there is no volume
     points, faces = weld(mesh.vertices, mesh.faces)
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
+    pieces = [corners for corners in pieces if _has_inside(corners)]
     parts: list[Part] = []
-    for corners in pieces:
-        try:
-            part = hull(_loose(corners)).parts[0]
-        except NoHull:  # a film that was cut off a thin sheet
-            continue
+    for corners in grown(pieces, points, faces):
+        part = with_few_corners(hull(_loose(corners))).parts[0]
         number, color = len(parts) + 1, _COLORS[len(parts) % len(_COLORS)]
         parts.append(part._replace(material=Material(f"piece_{number}", color)))
-    return mesh._replace(parts=tuple(parts)) if parts else hull(mesh)
+    return mesh._replace(parts=tuple(parts)) if parts else shell
+
+
+def _has_inside(corners: Floats) -> bool:
+    """False for a film that was cut off a thin sheet."""
+    from scipy.spatial import QhullError
+
+    try:
+        half_spaces(corners)
+        hull(_loose(corners))
+    except (QhullError, NoHull):
+        return False
+    return True
 
 
 _COLORS = (

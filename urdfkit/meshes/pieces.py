@@ -29,6 +29,12 @@ class Pieces(NamedTuple):
     high: Floats
     is_closed: Flags
 
+    @property
+    def is_hollow(self) -> Flags:
+        """(p,), True for a closed piece that encloses nothing, such as a sheet with two sides."""
+        size = np.linalg.norm(self.high - self.low, axis=1)
+        return np.asarray(self.is_closed & (np.abs(self.volumes) <= ROUNDING * size**3))
+
     def corners(self, places: Floats, faces: Integers) -> Floats:
         """(p, 3), a vertex of each piece."""
         _, first = np.unique(self.of_face, return_index=True)

@@ -18,7 +18,7 @@ from urdfkit.meshes.facts import MAX_BYTES
 from urdfkit.meshes.measures import Measures, from_json, to_json
 
 #: Goes up when measures change, or what they are made from.
-VERSION = 7
+VERSION = 8
 
 #: The folder of the cache; where it is set and empty, there is none.
 VARIABLE = "URDFKIT_CACHE_DIR"

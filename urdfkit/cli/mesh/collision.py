@@ -78,3 +78,4 @@ def render(proposals: Sequence[Proposal]) -> Iterator[str]:
             verdict = "within" if fits.within else "nothing is within"
             why = fits.why or f"{verdict} {tables.length(bound)}"
             yield f"  taken: {fits.best} ({why})"
+            yield f"  outside of it: {tables.length(fits.best.missing)} of the mesh"

@@ -10,6 +10,7 @@ from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
+from urdfkit.meshes.containment import missing, protrusion
 from urdfkit.meshes.geometry import Mesh
 from urdfkit.meshes.health import examine, examine_mesh
 from urdfkit.meshes.hull import ENGINES, decompose
@@ -32,7 +33,8 @@ from urdfkit.meshes.transforms import in_metres
 def command(file: str, out: str | None, split: bool, most: int, engine: str, force: bool) -> int:
     """Cut a mesh into convex pieces.
 
-    Physics engines take these as they are.
+    Physics engines take these as they are. Together they contain the surface of the mesh; of a
+    convex mesh, its hull does.
 
     Exit codes: 0 done, 2 it cannot be done.
     """
@@ -47,6 +49,7 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
     for number, part in enumerate(found.parts, start=1):
         health = examine(part.vertices, part.faces)
         lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")
+    lines += tables.beyond(protrusion(found, mesh), missing(found, mesh))
     if split and out:
         stem, suffix = os.path.splitext(out)
         pieces = {f"{stem}_{n}{suffix}": Mesh((part,)) for n, part in enumerate(found.parts, 1)}

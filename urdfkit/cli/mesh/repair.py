@@ -10,6 +10,8 @@ from urdfkit.cli import output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
+from urdfkit.meshes.health import Health
+from urdfkit.meshes.measures import OVERLAP
 from urdfkit.meshes.repair import Repair, Step, repair
 from urdfkit.meshes.salvage import load_or_salvage
 from urdfkit.meshes.transforms import in_metres
@@ -25,7 +27,17 @@ from urdfkit.meshes.transforms import in_metres
 @click.argument("file", metavar="FILE")
 @writes
 @click.option("--keep-holes", is_flag=True, help="Do not close holes.")
-def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes: bool) -> int:
+@click.option("--one-sided", is_flag=True, help="Drop one side of sheets that have two.")
+@click.option("--union", is_flag=True, help="Unite bodies that overlap or are nested.")
+def command(
+    file: str,
+    out: str | None,
+    in_place: bool,
+    force: bool,
+    keep_holes: bool,
+    one_sided: bool,
+    union: bool,
+) -> int:
     """Repair a mesh: weld, clean, turn outwards, close holes.
 
     Tells what was wrong and what was done, and how far the surface has moved. A mesh that is the
@@ -38,7 +50,9 @@ def command(file: str, out: str | None, in_place: bool, force: bool, keep_holes:
     path = destination(file, out, in_place, force)
     mesh, defect = load_or_salvage(file)
     with progress.shown() as bar:
-        done = repair(in_metres(mesh), holes=not keep_holes, progress=bar)
+        done = repair(
+            in_metres(mesh), holes=not keep_holes, one_sided=one_sided, union=union, progress=bar
+        )
     lines = [*render(done, defect)]
     if done.changed or defect or (path and path != file):
         lines += save(done.mesh, path)
@@ -57,6 +71,7 @@ def render(done: Repair, defect: str) -> Iterator[str]:
             yield "nothing to repair: the triangles are the surface of a solid"
         else:
             yield from output.indented(f"not repaired: {tables.surface(done.before)}", first="")
+        yield from _asked(done.before)
         return
     yield from output.indented(f"found {tables.surface(done.before)}", first="")
     for step in done.steps:
@@ -68,6 +83,15 @@ def render(done: Repair, defect: str) -> Iterator[str]:
     yield from tables.distances(done.lost, done.gained)
     if not done.after.is_solid:
         yield from output.indented(f"left: {tables.surface(done.after)}", first="")
+    yield from _asked(done.after)
+
+
+def _asked(health: Health) -> Iterator[str]:
+    """The options that repair what is left."""
+    if health.doubled:
+        yield "--one-sided drops one side of the sheets"
+    if health.overlap > OVERLAP:
+        yield "--union unites the bodies"
 
 
 def _step(step: Step) -> str:

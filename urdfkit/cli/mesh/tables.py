@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from urdfkit.meshes.health import Health
+from urdfkit.meshes.measures import OVERLAP
 
 
 def length(metres: float) -> str:
@@ -38,9 +39,12 @@ def surface(health: Health) -> str:
             (health.crowded_edges, "edges with more than two triangles"),
             (health.twisted_edges, "edges where outside meets inside"),
             (health.inverted, "bodies inside out"),
+            (health.doubled, "triangles of sheets with two sides, which enclose nothing"),
         )
         if number
     ]
+    if health.overlap > OVERLAP:
+        found.append(f"bodies that overlap: the volume is {100 * health.overlap:.0f} % too large")
     return ", ".join(found) or "closed, and flat: it encloses nothing"
 
 
@@ -61,6 +65,14 @@ def distances(lost: float, gained: float) -> list[str]:
     return [
         f"farthest from the new surface, on the old one  {length(lost)}",
         f"farthest from the old surface, on the new one  {length(gained)}",
+    ]
+
+
+def beyond(protrusion: float, missing: float) -> list[str]:
+    """How far shapes stick out of a mesh, and the mesh out of them."""
+    return [
+        f"farthest outside of the mesh, on the pieces  {length(protrusion)}",
+        f"farthest outside of the pieces, on the mesh  {length(missing)}",
     ]
 
 

@@ -10,6 +10,7 @@ from urdfkit.meshes.distance import one_way
 from urdfkit.meshes.geometry import Mesh
 from urdfkit.meshes.health import Health, examine, examine_mesh
 from urdfkit.meshes.repair.cleaning import (
+    drop_back_sides,
     drop_collapsed,
     drop_fins,
     drop_repeated,
@@ -19,6 +20,7 @@ from urdfkit.meshes.repair.cleaning import (
 from urdfkit.meshes.repair.holes import fill
 from urdfkit.meshes.repair.seams import split_at_points, weld_rims
 from urdfkit.meshes.repair.soup import Soup, mesh_of, soup_of
+from urdfkit.meshes.repair.union import unite
 from urdfkit.meshes.repair.winding import agree, face_outwards
 from urdfkit.meshes.welding import finite
 from urdfkit.record import Record
@@ -26,6 +28,9 @@ from urdfkit.record import Record
 #: Points of open edges this near, as a part of the diagonal, are meant to be one.
 WELD = 2e-5
 
+
+#: Steps that are only done if asked for, and then count as a gain.
+_ASKED = ("dropped one side of sheets", "united bodies that overlap")
 
 #: What one round leaves behind, such as a fill that meets another one, the next may mend.
 _ROUNDS = 3
@@ -74,7 +79,12 @@ class Repair(Record):
 
 
 def repair(
-    mesh: Mesh, *, holes: bool = True, progress: Callable[[int, int], None] | None = None
+    mesh: Mesh,
+    *,
+    holes: bool = True,
+    one_sided: bool = False,
+    union: bool = False,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Repair:
     """Make a mesh the surface of a solid, as far as that can be done without inventing much.
 
@@ -83,16 +93,39 @@ def repair(
     Args:
         mesh: any.
         holes: close holes, too.
+        one_sided: drop one side of sheets that have two.
+        union: make bodies that overlap one; texture coordinates and colours of vertices are lost.
         progress: is told how many of how many rounds are done, the measuring being the last.
     """
     before = examine_mesh(mesh)
-    if before.is_solid:
+    if before.is_solid and not (union and before.overlap):
         return Repair(mesh, (), before, before)
     soup = soup_of(mesh)
     steps: list[Step] = []
     if before.non_finite:
         steps.append(Step("dropped triangles that are not finite", before.non_finite))
-    best = examine(soup.points, soup.faces)
+    if one_sided:
+        soup = _do(_ASKED[0], drop_back_sides, soup, steps)
+    asked = examine(soup.points, soup.faces)
+    soup = _rounds(soup, asked, steps, holes=holes, progress=progress)
+    if union and (whole := _do(_ASKED[1], unite, soup, steps)) is not soup:
+        soup, mesh = whole, _without_looks(mesh)
+    if not steps:
+        return Repair(mesh, (), before, before)
+    if progress:
+        progress(_ROUNDS, _ROUNDS + 1)
+    return _judged(mesh, soup, _summed(steps), before, asked)
+
+
+def _rounds(
+    soup: Soup,
+    best: Health,
+    steps: list[Step],
+    *,
+    holes: bool,
+    progress: Callable[[int, int], None] | None,
+) -> Soup:
+    """Everything once, and again while that helps; what is done is added to the steps."""
     for number in range(_ROUNDS):
         if best.ailments == 0:
             break
@@ -105,11 +138,13 @@ def repair(
             break
         soup, best = tried, state
         steps += more
-    if not steps:
-        return Repair(mesh, (), before, before)
-    if progress:
-        progress(_ROUNDS, _ROUNDS + 1)
-    return _judged(mesh, soup, _summed(steps), before)
+    return soup
+
+
+def _without_looks(mesh: Mesh) -> Mesh:
+    """Without what belongs to single vertices, such as the places of a texture."""
+    parts = [part._replace(uv=None, colors=None) for part in mesh.parts]
+    return mesh._replace(parts=tuple(parts))
 
 
 def _round(soup: Soup, steps: list[Step], *, holes: bool) -> Soup:
@@ -162,12 +197,21 @@ def _do(name: str, act: object, soup: Soup, steps: list[Step]) -> Soup:
     return done
 
 
-def _judged(mesh: Mesh, soup: Soup, steps: list[Step], before: Health) -> Repair:
-    """The repair, or the mesh as it was if the repair is no gain."""
-    after = examine(soup.points, soup.faces)
+def _judged(mesh: Mesh, soup: Soup, steps: list[Step], before: Health, asked: Health) -> Repair:
+    """The repair, or the mesh as it was if the repair is no gain.
+
+    Args:
+        mesh: as it was.
+        soup: repaired.
+        steps: what was done.
+        before: the state of the mesh.
+        asked: its state when what was asked for had been dropped, which may have opened it.
+    """
     if not len(soup.faces):
         return Repair(mesh, tuple(steps), before, before, refused="nothing would be left")
-    if after.ailments >= before.ailments:
+    after = examine_mesh(mesh_of(soup, mesh))
+    was_asked = any(step.name in _ASKED for step in steps)
+    if after.ailments > asked.ailments or (after.ailments >= before.ailments and not was_asked):
         return Repair(mesh, tuple(steps), before, before, refused="it would be no better")
     is_finite = finite(mesh.vertices)
     sound = mesh.faces[is_finite[mesh.faces].all(axis=1)]

@@ -7,6 +7,7 @@ import numpy as np
 from urdfkit.meshes.edges import Edges, three_cornered
 from urdfkit.meshes.geometry import Integers, areas
 from urdfkit.meshes.grouping import distinct
+from urdfkit.meshes.pieces import take_apart
 from urdfkit.meshes.repair.soup import Soup
 
 #: A scrap has fewer triangles than the smallest solid.
@@ -47,6 +48,17 @@ def drop_repeated(soup: Soup) -> Soup:
     keep = np.zeros(len(soup.faces), dtype=bool)
     keep[ranked[first]] = True
     return soup.kept(keep)
+
+
+def drop_back_sides(soup: Soup) -> Soup:
+    """One side of each sheet that has two, and encloses nothing."""
+    if not len(soup.faces):
+        return soup
+    pieces = take_apart(soup.points, Edges(soup.faces))
+    first, _, _ = distinct(np.sort(soup.faces, axis=1))
+    keep = ~pieces.is_hollow[pieces.of_face]
+    keep[first] = True
+    return soup.kept(keep) if not keep.all() else soup
 
 
 def _sides_cancel(soup: Soup, same: Integers) -> bool:

@@ -1,0 +1,62 @@
+"""SRD009: MoveIt never is in a pose in which another pair, that it checks, collides."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("coal")
+
+from tests.collision.robots import joint, link, revolute, sphere
+from urdfkit import check
+from urdfkit.examples import whole_robot
+
+TURN = revolute(-3, 3, "0 1 0")
+
+
+def messages(folder: Path, robot: str, *disabled: tuple[str, str]) -> list[str]:
+    pairs = [f'<disable_collisions link1="{a}" link2="{b}" reason="Never"/>' for a, b in disabled]
+    (folder / "r.urdf").write_text(whole_robot(robot))
+    (folder / "r.srdf").write_text(f'<robot name="example">{"".join(pairs)}</robot>')
+    found = check(folder / "r.urdf", select=["SRD009"], cache=False)
+    assert found.crashed == ()
+    return [one.message.partition(" overlap")[0] for one in found.diagnostics]
+
+
+def arm(guard: str) -> str:
+    """A hand that may hit the base; a guard on the hand is around it."""
+    return "".join(
+        (
+            link("base", sphere(0.2)),
+            link("upper", f"{sphere(0.05)}@0 0 0.5"),
+            link("hand", f"{sphere(0.1)}@0 0 0.5"),
+            link("guard", guard),
+            joint("base", "upper", "revolute", more=TURN),
+            joint("upper", "hand", "revolute", "0 0 0.7", TURN),
+            joint("hand", "guard"),
+        )
+    )
+
+
+def test_a_pose_that_a_checked_pair_forbids_does_not_count(tmp_path: Path) -> None:
+    robot = arm(f"{sphere(0.12)}@0 0 0.5")
+    held = ("hand", "guard")  # nor does a joint move these
+    assert messages(tmp_path, robot, ("hand", "base"), held) == []
+    assert messages(tmp_path, robot, ("hand", "base"), ("guard", "base"), held) == [
+        "'hand' and 'base'",
+        "'guard' and 'base'",
+    ]
+    assert messages(tmp_path, robot, ("hand", "base"), ("guard", "base")) == []
+
+
+def test_a_checked_pair_that_is_elsewhere_does_not_matter(tmp_path: Path) -> None:
+    """A second arm may collide with anything in most poses, but need not."""
+    robot = arm(f"{sphere(0.01)}@0 0 0.9") + "".join(
+        (
+            link("tail", f"{sphere(0.3)}@0 0 -0.55"),
+            joint("base", "tail", "revolute", "0 0 -0.05", more=TURN),
+        )
+    )
+    held = (("hand", "guard"), ("guard", "base"))
+    assert messages(tmp_path, robot, ("hand", "base"), *held)[:1] == ["'hand' and 'base'"]
