@@ -246,10 +246,10 @@ def test_processes_give_the_same_report(package):
     assert one.diagnostics
 
 
-def test_a_found_robot_that_needs_arguments_is_told_not_failed(tmp_path):
+def test_a_found_robot_that_needs_arguments_is_not_checked(tmp_path):
     path = write(tmp_path, "r.xacro", '<link name="$(arg side)_a"/>')
     report = check(tmp_path)
-    assert report.diagnostics == ()
+    assert [(d.code, d.severity.value) for d in report.diagnostics] == [("CFG003", "warning")]
     (skip,) = report.skipped
     assert "side" in skip.reason
     assert [d.code for d in check(path).diagnostics] == ["XAC010"]
@@ -368,3 +368,66 @@ def test_what_cannot_be_opened_is_told(tmp_path: Path) -> None:
         "lost.urdf",
         "cannot be opened",
     )
+
+
+ROOT_ROBOT = '<robot name="box"><link name="box"/></robot>\n'
+
+
+@pytest.mark.parametrize("name", ["arm.URDF", "arm.Urdf", "arm.XACRO", "arm.URDF.XACRO"])
+def test_the_case_of_a_suffix_does_not_matter(tmp_path: Path, name: str):
+    (tmp_path / name).write_text(ROOT_ROBOT)
+    assert names(discover(str(tmp_path), Config(), Resolver())) == [name]
+    (tmp_path / "top.xacro").write_text(
+        f'<robot xmlns:xacro="x"><xacro:include filename="{name}"/><link name="a"/></robot>'
+    )
+    assert names(discover(str(tmp_path), Config(), Resolver())) == ["top.xacro"]
+
+
+@pytest.mark.parametrize("name", ["box.model", "box.gazebo", "box.xml", "box"])
+def test_a_robot_that_a_launch_file_names_is_one_whatever_its_suffix(tmp_path: Path, name: str):
+    write(tmp_path, "arm.urdf", '<link name="a"/>')
+    (tmp_path / name).write_text(f'<?xml version="1.0"?>\n<!-- a <box> -->\n{ROOT_ROBOT}')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert (names(found), [Path(path).name for path in found.others]) == (["arm.urdf"], [name])
+    (tmp_path / "box.launch").write_text(
+        f'<launch><node pkg="gazebo_ros" type="spawn_model" args="-file {name} -urdf"/></launch>'
+    )
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert (names(found), dict(found.others)) == (["arm.urdf", name], {})
+    assert [str(r.file) for r in affected([str(tmp_path / name)], Config(), Resolver()).robots] == [
+        str(tmp_path / name)
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<sdf><model name="robot"><link name="a"/></model></sdf>',
+        '<robot><gazebo reference="a"/></robot>',
+        '<robot xmlns:xacro="x"><xacro:macro name="m"><link name="a"/></xacro:macro></robot>',
+        "<!-- <robot><link/></robot> --><world/>",
+        "a <robot><link/></robot>",
+        "",
+    ],
+)
+def test_what_is_no_robot_is_not_told(tmp_path: Path, text: str):
+    write(tmp_path, "arm.urdf", '<link name="a"/>')
+    for name in ("box.model", "box.gazebo"):
+        (tmp_path / name).write_text(text)
+    assert dict(discover(str(tmp_path), Config(), Resolver()).others) == {}
+
+
+def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
+    write(tmp_path, "arm.xacro", f'{include("part.urdf")}<link name="a"/>')
+    write(tmp_path, "part.urdf", '<link name="b"/>')
+    write(tmp_path, "spare.urdf", '<link name="c"/>')
+    config = Config(robots=(Robot(str(tmp_path / "arm.xacro"), "", {}),))
+    found = discover(str(tmp_path), config, Resolver())
+    assert (names(found), [Path(path).name for path in found.others]) == (
+        ["arm.xacro"],
+        ["spare.urdf"],
+    )
+    report = check(tmp_path, config=config, select=["XML"])
+    assert [(Path(skip.path).name, skip.reason) for skip in report.skipped] == [
+        ("spare.urdf", "the configuration has no [[robot]] for it")
+    ]

@@ -56,6 +56,7 @@ def test_the_defect_of_a_shared_file_is_told_once(robots: Path) -> None:
 
 
 def test_a_shared_file_is_known_by_whatever_name(robots: Path) -> None:
+    (robots / "package.xml").write_text("<package><name>p</name></package>")
     include = '<xacro:include filename="../shared.xacro"/>'
     other = write(robots, "inner/other.xacro", include)
     report = check(robots / "one.xacro", other, select=["TRE006"])

@@ -10,6 +10,7 @@ import pytest
 
 from tests.conftest import ROOT
 from urdfkit import rules
+from urdfkit.config import Config
 from urdfkit.engine import choose
 from urdfkit.errors import UnknownRule
 
@@ -70,14 +71,22 @@ def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_choose() -> None:
     assert choose([], []) == rules.codes()
-    assert choose(["TRE006", "xml001"], []) == ["TRE006", "XML001"]
-    assert choose(["XML"], ["XML001"]) == [c for c in rules.matching("XML") if c != "XML001"]
+    assert choose(["TRE006", "xml001"], ["CFG003"]) == ["TRE006", "XML001"]
+    some = choose(["XML"], ["XML001"])
+    assert some == ["CFG003", *(code for code in rules.matching("XML") if code != "XML001")]
     assert choose([], ["XML"]) == [c for c in rules.codes() if not c.startswith("XML")]
-    assert choose(["XML001"], ["XML"]) == []
+    assert choose(["XML001"], ["XML", "CFG"]) == []
     with pytest.raises(UnknownRule):
         choose(["XML001", "XMM"], [])
     with pytest.raises(UnknownRule):
         choose([], ["XML01"])
+
+
+def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> None:
+    assert choose(["TRE006"], []) == ["CFG003", "TRE006"]
+    config = Config(select=frozenset({"TRE006"}))
+    assert choose([], [], config) == ["CFG003", "TRE006"]
+    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE006"]
 
 
 def test_listing_the_rules_imports_none() -> None:

@@ -130,11 +130,11 @@ class Skipped(Record):
 
 
 class Launched(Record):
-    """A robot of a folder that was checked as a launch file of its package starts it.
+    """A robot that was checked with values for arguments that it lacks by itself.
 
     Attributes:
         path: of the robot.
-        launch: of the launch file.
+        launch: of the launch file that gives them, or of the xacro file or folder they are from.
         arguments: those that the robot lacks by itself.
     """
 
@@ -170,7 +170,7 @@ class Report(Record):
         errors: the codes of the errors of each description, in the order of the check; what
             several have in common is one diagnostic, but an error of each.
         proposals: the edits that the fixes of each description ask for.
-        launched: the robots that have their arguments from launch files.
+        launched: the robots that have their arguments from launch files, or from elsewhere.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
     """

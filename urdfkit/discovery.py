@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 from itertools import islice
 
@@ -18,6 +18,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
+from urdfkit.workspace.peek import peek
 from urdfkit.workspace.resolve import Resolver
 
 #: Files of one folder that are looked at.
@@ -26,15 +27,29 @@ MAX_FILES = 20_000
 SUFFIXES = (".urdf", ".xacro")
 #: Of files that descriptions include.
 _INCLUDED = (*SUFFIXES, ".gazebo", ".trans", ".xml")
+#: Of files that hold no robot; the others are looked into.
+_NO_ROBOTS = frozenset(
+    ".bmp .bt .c .cc .cfg .cmake .cpp .csv .dae .db3 .gif .glb .gltf .gz .h .hpp .htm .html .ipynb "
+    ".jpeg .jpg .js .json .launch .lua .material .mcap .md .mp4 .msg .mtl .obj .pcd .pdf .pgm .ply "
+    ".png .py .rst .rviz .sdf .sh .srdf .srv .step .stl .stp .svg .tga .toml .ttf .txt .usd .webp "
+    ".world .yaml .yml .zip".split()
+)
+#: Bytes of a file in which its root is looked for.
+_HEAD = 4096
 _PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
 #: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
 _COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
 _INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _ROBOT = re.compile(rb"<robot[\s>]")
+_ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
+_LINK = re.compile(rb"<link[\s>]")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
 _ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
 _DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
+_MARK = b"\xef\xbb\xbf"
+_NOT_CONFIGURED = "the configuration has no [[robot]] for it"
+_UNUSUAL = "has the root <robot>, but its suffix is not that of one, and no launch file names it"
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
 _CONTENT = re.compile(
@@ -49,11 +64,13 @@ class Found(Record):
         robots: the entry points, sorted by path.
         libraries: files of macros, properties or materials that no file includes.
         closed: descriptions that cannot be opened: links that lead nowhere, no permission.
+        others: files that look like robots and are none of these, by why they are left out.
     """
 
     robots: tuple[Robot, ...]
     libraries: tuple[str, ...]
     closed: tuple[str, ...] = ()
+    others: Mapping[str, str] = {}
 
 
 def discover(folder: str, config: Config, resolver: Resolver) -> Found:
@@ -62,15 +79,36 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
     Raises:
         UnreadableFile: the folder cannot be read, or holds no description.
     """
+    graph = _graph(folder, config, resolver)
+    found = graph.entry_points()
     configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
     if configured:
-        return Found(configured, ())
-    found = IncludeGraph(descriptions(folder, config), resolver).entry_points()
+        named = {os.path.realpath(robot.file) for robot in configured}
+        reached = {path for robot in named for path in graph.closure(robot)}
+        left = [one.file for one in found.robots if os.path.realpath(one.file) not in reached]
+        return Found(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
         raise UnreadableFile(
             f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
         )
     return found
+
+
+def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
+    """The descriptions of a folder, and what looks like one whatever it is called."""
+    files = [*descriptions(folder, config), *_lookalikes(folder, config)]
+    return IncludeGraph(files, resolver, launch_files(folder, config))
+
+
+def _lookalikes(folder: str, config: Config) -> Iterator[str]:
+    """The files with the root ``<robot>`` whose suffix is not that of a description."""
+    for path in islice(_below(folder), MAX_FILES):
+        suffix = os.path.splitext(path)[1].lower()
+        if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
+            continue
+        head = _COMMENT.sub(b"", peek(path, _HEAD)).removeprefix(_MARK)
+        if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
+            yield path
 
 
 def launch_files(folder: str, config: Config) -> Iterator[str]:
@@ -97,7 +135,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
     robots: list[Robot] = []
     libraries: list[str] = []
     for folder, here in sorted(changed.items()):
-        graph = IncludeGraph(descriptions(folder, config), resolver)
+        graph = _graph(folder, config, resolver)
         found = graph.entry_points()
         known = [robot for robot in config.robots if _is_within(robot.file, folder)]
         # A configuration names the robots below itself; it knows nothing of others beside it.
@@ -143,7 +181,8 @@ def descriptions(folder: str, config: Config) -> Iterator[str]:
         raise UnreadableFile(f"{folder}: no such folder")
     count = 0
     for path in _below(folder):
-        is_meant = path.endswith(_INCLUDED) and not matches(config.relative(path), config.exclude)
+        is_part = path.lower().endswith(_INCLUDED)
+        is_meant = is_part and not matches(config.relative(path), config.exclude)
         # A link to nothing is told; a pipe or a device may never end.
         if is_meant and (os.path.isfile(path) or not os.path.exists(path)):
             count += 1
@@ -162,14 +201,24 @@ def _below(folder: str) -> Iterator[str]:
 
 
 def _is_description(name: str) -> bool:
+    name = name.lower()  # SolidWorks writes .URDF
     return name.endswith(SUFFIXES) and not name.endswith((".srdf.xacro", ".sdf.xacro"))
 
 
 class IncludeGraph:
-    """Who includes whom among some files."""
+    """Who includes whom among some files.
 
-    def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
+    Args:
+        files: descriptions and parts of them.
+        resolver: finds packages, and reads files.
+        launches: paths of launch files; what they name is a robot, whatever its suffix.
+    """
+
+    def __init__(
+        self, files: Iterable[str], resolver: Resolver, launches: Iterable[str] = ()
+    ) -> None:
         self.resolver = resolver
+        self._launches = launches
         self._sources: dict[str, Source] = {}
         self._names: dict[str, str] = {}
         self.closed: list[str] = []
@@ -180,7 +229,7 @@ class IncludeGraph:
                 self.closed += [path] if _is_description(path) else []
                 continue
             # A .urdf is meant to be one whatever is in it: nothing, a pointer of Git LFS.
-            if _ROBOT.search(source.data) or path.endswith(".urdf"):
+            if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
                 real = os.path.realpath(path)
                 self._sources[real] = source
                 self._names[real] = path
@@ -241,9 +290,30 @@ class IncludeGraph:
         roots += self._in_rings(roots)
         libraries = tuple(filter(self.is_library, roots))
         outer = [path for path in roots if path not in libraries]
-        robots = sorted({*outer, *self._within(outer)})
+        unusual = [
+            name
+            for path, name in self._names.items()
+            if path not in included and not _is_description(name) and self._is_robot(path)
+        ]
+        started = self._launched(unusual)
+        robots = sorted({*outer, *self._within(outer), *started})
         named = tuple(Robot(path, "", {}) for path in robots)
-        return Found(named, libraries, tuple(self.closed))
+        others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
+        return Found(named, libraries, tuple(self.closed), others)
+
+    def _is_robot(self, path: str) -> bool:
+        """True for a file with the root ``<robot>`` that has links outside of macros."""
+        data = _COMMENT.sub(b"", self._sources[path].data)
+        return bool(_ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
+
+    def _launched(self, files: list[str]) -> list[str]:
+        """The files whose name stands in a launch file."""
+        texts = [self.resolver.read(path).data for path in self._launches] if files else []
+        return [
+            path
+            for path in files
+            if any(os.fsencode(os.path.basename(path)) in text for text in texts)
+        ]
 
     def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
         """One file of each ring of includes that no root leads to; its check tells of the ring."""
@@ -280,7 +350,7 @@ class IncludeGraph:
         closure = self.closure(os.path.realpath(root))
         if os.path.realpath(file) in closure:
             return True
-        if file.endswith(SUFFIXES):
+        if file.lower().endswith(SUFFIXES):
             return False
         packages = self.resolver.packages
         package = packages.enclosing(file)

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from urdfkit import rules as catalogue
 from urdfkit.diagnostic import Diagnostic, Report, Severity, Skipped
 from urdfkit.errors import UrdfkitError
-from urdfkit.judge import Verdict, crash, judge
+from urdfkit.judge import Verdict, crash, diagnose, is_readable, judge
 from urdfkit.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
-from urdfkit.source import Source, shown
+from urdfkit.source import Source, Span, shown
 from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
@@ -137,7 +137,8 @@ def check(
     else:
         resolver = resolver.with_texts(settings.texts)
     plan = planned(files, resolver, config, arguments, variant=variant, changed=changed)
-    return _report(plan, _judged(plan.jobs, settings, resolver, jobs, progress))
+    judged = _judged(plan.jobs, settings, resolver, jobs, progress)
+    return _report(plan, _launched_once(judged), _unopened(plan, settings))
 
 
 def subjects(
@@ -197,6 +198,9 @@ def choose(
 ) -> list[str]:
     """The codes that one of ``select`` means and none of ``ignore``.
 
+    ``CFG003`` is one of them unless it is ignored: of a robot that is not checked, no selection
+    of rules finds anything.
+
     Args:
         select: codes, beginnings of codes or names; all of urdfkit's and ``foreign`` if empty.
         ignore: likewise.
@@ -214,7 +218,7 @@ def choose(
         ignored |= config.ignore - selected
         selected = selected or set(config.select)
     chosen = selected or {*catalogue.codes(), *foreign}
-    return sorted(chosen - ignored)
+    return sorted((chosen | {catalogue.NOT_CHECKED}) - ignored)
 
 
 def _judged(
@@ -311,27 +315,67 @@ def _run(
 
 def _verdict(job: Job, subject: Subject, settings: Settings) -> Verdict:
     chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
-    verdict = _without_arguments(judge(subject, chosen, settings.config), job, subject)
+    # That a robot of a folder cannot be expanded by itself is no defect of it.
+    wants = job.found and missing_arguments(subject)
+    codes = [code for code in chosen if code != "XAC010"] if wants else chosen
+    verdict = _skipped_as_one(judge(subject, codes, settings.config), subject)
     unknown = unknown_arguments(subject, settings.given) if settings.given else {}
     return verdict._replace(unknown_arguments=unknown)
 
 
-def _without_arguments(verdict: Verdict, job: Job, subject: Subject) -> Verdict:
-    """A file that was found, not named, and cannot be expanded for want of arguments is skipped."""
-    names = missing_arguments(subject) if job.found else ()
-    if not names:
+def _skipped_as_one(verdict: Verdict, subject: Subject) -> Verdict:
+    """A description that cannot be read, of which no error says so, is skipped as a whole."""
+    errors = {d.code for d in verdict.diagnostics if d.severity is Severity.ERROR}
+    is_part = bool(subject.problems("XAC019"))
+    if is_readable(subject) or is_part or not errors <= {catalogue.NOT_CHECKED}:
         return verdict
-    needed = ", ".join(names)
-    reason = f"needs arguments ({needed}): give them in the configuration, as [[robot]]"
-    return verdict._replace(diagnostics=(), skipped=(Skipped("", job.source.path, reason),))
+    from urdfkit.argument_values import why_unchecked
+
+    why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
+    return verdict._replace(skipped=(Skipped("", subject.source.path, why),))
 
 
-def _report(plan: Plan, judged: list[Judged]) -> Report:
+def _unopened(plan: Plan, settings: Settings) -> Iterator[Diagnostic]:
+    """A finding for each file of a folder that is called like a robot and cannot be opened."""
+    code, config = catalogue.NOT_CHECKED, settings.config
+    for path in plan.closed if code in settings.chosen else ():
+        if config and config.ignores(code, path):
+            continue
+        at = catalogue.Written(Span(Source(path, b""), 0, 0))
+        message = "robot not checked: the file cannot be opened"
+        help = "see where the link leads, and the permissions of the file"
+        for found in diagnose(catalogue.get(code), [catalogue.Finding(at, message, help)]):
+            severity = config.severities.get(code) if config else None
+            yield found._replace(severity=severity or found.severity)
+
+
+def _launched_once(judged: list[Judged]) -> list[Judged]:
+    """The verdicts, without that a robot is not checked as a launch file starts it.
+
+    What a launch file gives it is not always known without running it. It is enough that the
+    robot is checked otherwise.
+    """
+    read = {
+        os.path.realpath(job.source.path)
+        for job, verdict in judged
+        if all(skip.code for skip in verdict.skipped)
+    }
+    return [
+        (job, verdict._replace(diagnostics=(), skipped=()))
+        if job.frame
+        and any(not skip.code for skip in verdict.skipped)
+        and os.path.realpath(job.source.path) in read
+        else (job, verdict)
+        for job, verdict in judged
+    ]
+
+
+def _report(plan: Plan, judged: list[Judged], unopened: Iterable[Diagnostic]) -> Report:
     verdicts = [verdict for _, verdict in judged]
     files = Counter(job.source.path for job in plan.jobs)
     return Report(
         tuple(files),
-        tuple(sorted(_distinct(judged), key=_reading_order)),
+        tuple(sorted((*_distinct(judged), *unopened), key=_reading_order)),
         (*plan.skipped, *(skip for verdict in verdicts for skip in verdict.skipped)),
         tuple(crash for verdict in verdicts for crash in verdict.crashed),
         tuple(sorted({code for verdict in verdicts for code in verdict.ran})),
@@ -349,7 +393,7 @@ def _report(plan: Plan, judged: list[Judged]) -> Report:
             tuple(edit for d in verdict.diagnostics if d.fix for edit in d.fix.edits)
             for verdict in verdicts
         ),
-        launched=tuple(job.launched for job, _ in judged if job.launched),
+        launched=tuple(one for job, _ in judged for one in job.launched),
         unknown_arguments=tuple(
             one
             for one in (verdicts[0].unknown_arguments.items() if verdicts else ())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
 from urdfkit import glance, libraries, rules
-from urdfkit.diagnostic import Call, Crashed, Diagnostic, Related, Skipped
+from urdfkit.diagnostic import Call, Crashed, Diagnostic, Related, Severity, Skipped
 from urdfkit.document import Attribute, Element, Step
 from urdfkit.reading import is_launch
 from urdfkit.record import Record
@@ -87,9 +87,19 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     run.rules(applicable(subject, [code for code in chosen if code not in own], run.guarded))
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
+    if rules.NOT_CHECKED in own:
+        own.remove(rules.NOT_CHECKED)
+        if unread(subject, chosen) and not run.has_errors():
+            run.rules([rules.get(rules.NOT_CHECKED)])
+            subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules([rules.get(code) for code in own])
     return run.verdict()
+
+
+def is_readable(subject: Subject) -> bool:
+    """False for a description that cannot be read, on which hardly any rule can run."""
+    return is_launch(subject.source.path) or subject.reading.document is not None
 
 
 class _Run:
@@ -162,14 +172,22 @@ class _Run:
         severity = self.config.severities.get(diagnostic.code) if self.config else None
         return diagnostic if severity is None else diagnostic._replace(severity=severity)
 
-    def verdict(self) -> Verdict:
-        diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
-        left_out = len(self.diagnostics) - len(diagnostics)
-        if self.ignores:
-            from urdfkit.suppress import sift
+    def has_errors(self) -> bool:
+        """True if there is an error that nothing suppresses."""
+        return any(found.severity is Severity.ERROR for found in self._kept())
 
-            sifted = sift(diagnostics, self.ignores)
-            diagnostics, left_out = sifted.kept, left_out + sifted.suppressed
+    def _kept(self) -> tuple[Diagnostic, ...]:
+        """The findings that neither the configuration nor a comment suppresses."""
+        diagnostics = tuple(d for d in self.diagnostics if not self._left_out(d))
+        if not self.ignores:
+            return diagnostics
+        from urdfkit.suppress import sift
+
+        return sift(diagnostics, self.ignores).kept
+
+    def verdict(self) -> Verdict:
+        diagnostics = self._kept()
+        left_out = len(self.diagnostics) - len(diagnostics)
         if any(diagnostic.code == _HIDES_PARTS for diagnostic in diagnostics):
             diagnostics = tuple(d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS)
         targets = self.subject.targets if "targets" in vars(self.subject) else None

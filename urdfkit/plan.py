@@ -38,7 +38,7 @@ class Job(Record):
         found: True if it was found in a folder, not named.
         frame: the launch file that asks for it, if one does.
         parameters: the files of parameters that this launch file loads.
-        launched: the arguments that it lacks by itself, if a launch file gives them.
+        launched: the arguments that it lacks by itself, and where their values are from.
         codes: of the rules that are asked; all if empty.
     """
 
@@ -48,7 +48,7 @@ class Job(Record):
     found: bool
     frame: Frame | None = None
     parameters: tuple[FileUse, ...] = ()
-    launched: Launched | None = None
+    launched: tuple[Launched, ...] = ()
     codes: frozenset[str] = frozenset()
 
 
@@ -98,6 +98,8 @@ class Plan:
         self.variant = variant
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
+        #: Descriptions of a folder that cannot be opened.
+        self.closed: list[str] = []
         #: The arguments with which the robots of a folder are checked, by path.
         self._launched: dict[str, list[dict[str, str]]] = {}
 
@@ -142,7 +144,9 @@ class Plan:
         for library in found.libraries:
             reason = "makes no link itself, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
+        self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
         for path in found.closed:
+            self.closed.append(path)
             self.skipped.append(
                 Skipped("", path, "cannot be opened; see where it leads, and its permissions")
             )
@@ -206,30 +210,57 @@ class Plan:
 def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
     """A job with its description.
 
-    A robot that was found in a folder, and cannot be expanded for want of arguments, comes with
-    those that the launch files of its package give it: once for each set of them.
+    A robot that cannot be expanded for want of arguments comes with those that launch files give
+    it: once for each set of them. Where none gives them all, it comes with the values that are
+    found otherwise and with which it expands.
 
     Args:
         job: one description.
         read: makes the description of a job.
     """
     subject = read(job)
-    if not job.found or not (names := missing_arguments(subject)):
+    if is_launch(job.source.path) or not (names := missing_arguments(subject)):
         return [(job, subject)]
     from urdfkit.launch.given import given
 
-    jobs = [
-        job._replace(
-            arguments={**one.arguments, **job.arguments},
-            frame=one.frame,
-            launched=Launched(
-                job.source.path, one.launch, {name: one.arguments[name] for name in names}
-            ),
-        )
-        for one in given(job.source.path, names, subject.resolver)
-    ]
-    found = [(one, read(one)) for one in jobs]
-    return [pair for pair in found if not missing_arguments(pair[1])] or [(job, subject)]
+    found = []
+    for one in given(job.source.path, names, subject.resolver):
+        values = {name: (one.arguments[name], one.launch) for name in names}
+        arguments = {**one.arguments, **job.arguments}
+        now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
+        found.append((now, read(now)))
+    found = [pair for pair in found if not missing_arguments(pair[1])]
+    return found or _as_found(job, read, subject, names) or [(job, subject)]
+
+
+def _as_found(
+    job: Job, read: Callable[[Job], Subject], subject: Subject, names: tuple[str, ...]
+) -> list[tuple[Job, Subject]]:
+    """A job with values that nobody starts it with; empty if it expands with none of them."""
+    from urdfkit.argument_values import combinations
+
+    xacro = subject.reading.xacro
+    assert xacro is not None, "only a xacro lacks arguments"
+    found: list[tuple[Job, Subject]] = []
+    more: tuple[str, ...] = ()
+    for values in combinations(names, xacro, subject.resolver):
+        given = {name: value for name, (value, _) in values.items()}
+        now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
+        pair = (now, read(now))
+        if pair[1].reading.document is not None:
+            found.append(pair)
+        more += missing_arguments(pair[1])
+    if found or set(more) <= set(names):
+        return found
+    return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+
+
+def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
+    """The values of arguments with where they are from, each place once."""
+    origins: dict[str, dict[str, str]] = {}
+    for name, (value, origin) in values.items():
+        origins.setdefault(origin, {})[name] = value
+    return tuple(Launched(job.source.path, *one) for one in origins.items())
 
 
 def missing_arguments(subject: Subject) -> tuple[str, ...]:
@@ -237,7 +268,7 @@ def missing_arguments(subject: Subject) -> tuple[str, ...]:
     problems = subject.problems("XAC010")
     if not problems:
         return ()
-    from urdfkit.launch.given import missing_argument
+    from urdfkit.argument_values import missing_argument
 
     return tuple(dict.fromkeys(map(missing_argument, problems)))
 

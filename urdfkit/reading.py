@@ -66,7 +66,7 @@ def is_xacro(source: Source) -> bool:
     namespace of the xacro it once came from, or holds a call that no macro answers any more:
     readers of URDF pass over those. A file whose name says xacro is taken at its word.
     """
-    if ".xacro" in os.path.basename(source.path):
+    if ".xacro" in os.path.basename(source.path).lower():
         return True
     data = source.data
     has_tags, has_namespace = b"<xacro:" in data, b"xmlns:xacro" in data

@@ -60,6 +60,10 @@ TOLD_BY_LIKENESSES = frozenset(("GEO004", "GEO016", "GEO017"))
 #: Rules that look at collisions, and need coal for it.
 TOLD_BY_COAL = frozenset("COL001 COL002 COL003 COL004 COL006".split())
 
+#: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
+#: it is ignored by name.
+NOT_CHECKED = "CFG003"
+
 #: Families of urdfkit's own rules, and what they are about; other packages take other letters.
 FAMILIES = {
     "CFG": "the checking itself",

@@ -126,9 +126,9 @@ class Subject:
         )
         met = xacro.problems
         if any(problem.code == "XAC010" for problem in met):
-            from urdfkit.launch.given import with_values
+            from urdfkit.argument_values import with_values
 
-            met = tuple(with_values(met, self.source.path, self.resolver))
+            met = tuple(with_values(met, xacro, self.resolver))
         return Reading(xacro.document, met, xacro)
 
     def problems(self, code: str) -> list[Problem]:

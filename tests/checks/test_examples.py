@@ -35,7 +35,7 @@ PARTS = {
 OPTIONAL = {"INE": {"files", "measured"}, "GEO": {"files", "measured"}}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
-OUR_OWN = {"CFG001", "CFG002", "MSH020", "MSH024", "MSH030"}
+OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH020", "MSH024", "MSH030"}
 
 pytestmark = pytest.mark.parametrize("code", rules.codes())
 

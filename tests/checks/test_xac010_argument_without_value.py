@@ -50,8 +50,7 @@ def test_inside_a_macro_that_is_not_called() -> None:
 
 def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     (tmp_path / "config" / "ur5e").mkdir(parents=True)
-    for file in ("a.yaml", "b.yaml"):
-        (tmp_path / "config" / "ur5e" / file).write_text("x: 1\n")
+    (tmp_path / "config" / "ur5e" / "a.yaml").write_text("x: 1\n")
     load = "${xacro.load_yaml('config/$(arg kind)/%s')['x']}"
     write(
         tmp_path,
@@ -62,7 +61,27 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     assert (found.span.line, found.span.text) == (2, "ur5x")
     assert found.message.startswith("argument 'kind' must be given")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
-    assert told_of("XAC010", tmp_path / "robot.xacro", kind="ur5e") == []
+    (tmp_path / "config" / "ur5e" / "b.yaml").write_text("x: 1\n")
+    for arguments in ({"kind": "ur5e"}, {}):  # a folder in which all files are there is a value
+        assert told_of("XAC010", tmp_path / "robot.xacro", **arguments) == []
+        assert told_of("XAC001", tmp_path / "robot.xacro", **arguments) == []
+
+
+def test_a_default_that_only_stands_in_for_the_file_to_include(tmp_path: Path) -> None:
+    """Kinova's ``arm`` is ``NO_ARM_TYPE_DEFINED`` unless given, and part of the path of a macro."""
+    write(
+        tmp_path,
+        robot='<xacro:arg name="arm" default="NO_ARM"/>\n'
+        '<xacro:macro name="load" params="arm"><xacro:include filename="arms/${arm}/arm.xacro"/>'
+        '</xacro:macro>\n<xacro:load arm="$(arg arm)"/>',
+    )
+    (tmp_path / "arms").mkdir()
+    (found,) = told_of("XAC010", tmp_path / "robot.xacro")
+    assert (found.span.line, found.span.text) == (2, "NO_ARM")
+    assert told_of("XAC001", tmp_path / "robot.xacro") == []
+    (tmp_path / "arms" / "NO_ARM").mkdir()  # the default is right, and a file is missing
+    assert told_of("XAC010", tmp_path / "robot.xacro") == []
+    assert [one.span.line for one in told_of("XAC001", tmp_path / "robot.xacro")] == [3]
 
 
 def test_a_default_that_needs_the_argument_itself() -> None:

@@ -256,3 +256,15 @@ def test_a_terminal_has_colours_and_its_own_width(bad: str) -> None:
     assert b"\x1b[1;31merror\x1b[0m" in text
     frame = next(line for line in text.decode().splitlines() if line.startswith("    3 | "))
     assert frame == '    3 | ...ent link="a"/><child link="a"/></joint>'
+
+
+def test_show_files_lists_and_checks_nothing(check: Screen, tmp_path: Path) -> None:
+    (tmp_path / "bad.URDF").write_text(LINK_TO_ITSELF, encoding="utf-8")
+    (tmp_path / "box.model").write_text(LINK_TO_ITSELF, encoding="utf-8")
+    code, out, _ = check(str(tmp_path), "--show-files", "side:=left")
+    assert code == 0
+    robot, left = out.splitlines()
+    assert robot == f"{tmp_path / 'bad.URDF'} side:=left"
+    assert left.startswith(f"not checked: {tmp_path / 'box.model'}: has the root <robot>, ")
+    said = " ".join(check(str(tmp_path))[1].split())
+    assert said.count("box.model skipped: has the root <robot>, but") == 1

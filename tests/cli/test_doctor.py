@@ -162,6 +162,7 @@ def test_a_folder_is_told_by_its_robots(doctor: Doctor, tmp_path: Path) -> None:
     )
     assert doctor(".").endswith(
         "\n.: 2 robots (named by the configuration)\n  lib.xacro side:=l\n  lib.xacro side:=r\n"
+        "  a.urdf: the configuration has no [[robot]] for it\n"
         "  packages are searched in . (because of urdfkit.toml)\n"
     )
 

@@ -239,7 +239,7 @@ def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> N
 def test_the_folders_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
     for arm in ("six_axes", "seven_axes"):
         (tmp_path / arm).mkdir()
-    body = '<xacro:arg name="arm" default="NONE"/><xacro:include filename="$(arg arm)/arm.xacro"/>'
+    body = '<xacro:property name="arm" value="NONE"/><xacro:include filename="${arm}/arm.xacro"/>'
     (problem,) = run(tmp_path, body).problems
     assert problem.help == (
         f"there is no folder 'NONE' in {tmp_path}; there are seven_axes, six_axes"

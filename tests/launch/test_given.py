@@ -105,28 +105,37 @@ def test_a_robot_that_none_starts_has_what_the_others_need(package: Path) -> Non
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        (PYTHON.replace("size:=", "length:="), "gives another argument"),
         (PYTHON.replace('"big", "small"', "*SIZES"), "choices that only running it tells"),
         (PYTHON.replace('choices=["big", "small"]', ""), "none"),
         ("def (", "no Python"),
     ],
 )
-def test_without_a_value_a_robot_is_skipped(package: Path, text: str, reason: str) -> None:
+def test_without_a_value_a_robot_is_not_checked(package: Path, text: str, reason: str) -> None:
     (package / "launch" / "arm.launch.py").write_text(text)
     report = check(package, ignore=["LAU"])
-    assert (report.launched, report.diagnostics) == ((), ()), reason
-    assert [skip.reason.partition(":")[0] for skip in report.skipped] == ["needs arguments (size)"]
+    assert report.launched == (), reason
+    assert [found.code for found in report.diagnostics] == ["CFG003"]
+    assert [skip.reason for skip in report.skipped] == ["it needs the argument 'size'"]
 
 
-def test_a_robot_that_was_named_is_told_what_they_give(
+def test_a_robot_that_was_named_is_checked_as_its_folder_is(package: Path) -> None:
+    (package / "launch" / "arm.launch.py").write_text(PYTHON)
+    alone, whole = check(package / "arm.xacro"), check(package, ignore=["LAU"])
+    assert alone.launched == whole.launched
+    assert [one.message for one in alone.diagnostics] == [one.message for one in whole.diagnostics]
+    (package / "launch" / "arm.launch.py").unlink()
+    (found,) = check(package / "arm.xacro").diagnostics
+    assert (found.code, found.help) == ("XAC010", "pass it: size:=VALUE")
+
+
+def test_other_commands_tell_what_they_give(
     package: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (package / "launch" / "arm.launch.py").write_text(PYTHON)
-    advice = "pass it: size:=VALUE; launch files give big, small (arm.launch.py)"
-    (found,) = check(package / "arm.xacro").diagnostics
-    assert (found.code, found.help) == ("XAC010", advice)
     assert main(["info", str(package / "arm.xacro")]) == 2
-    assert f"argument 'size' has no value and no default; {advice}" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "argument 'size' has no value and no default; pass it: size:=VALUE; " in said
+    assert "arm.launch.py gives big, small" in said
 
 
 def test_what_is_given_otherwise_wins(package: Path) -> None:

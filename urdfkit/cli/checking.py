@@ -10,8 +10,11 @@ from urdfkit import atomic, formats
 from urdfkit.cli import options, output, stdin
 from urdfkit.diagnostic import Report, Severity
 from urdfkit.engine import check
+from urdfkit.plan import planned
+from urdfkit.screen import printable
 from urdfkit.source import shown
 from urdfkit.static import TYPE_CHECKING, Any
+from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from collections import Counter
@@ -30,6 +33,9 @@ def run_check(values: Mapping[str, Any]) -> int:
     """
     outputs = options.outputs(values)
     chosen = choices(values)
+    if values["show_files"]:
+        output.write(_files(values, chosen))
+        return 0
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
         fixes = mend(values, chosen)
@@ -73,6 +79,20 @@ def choices(values: Mapping[str, Any]) -> Options:
         "jobs": options.jobs(values),
         "cache": not values["no_cache"],
     }
+
+
+def _files(values: Mapping[str, Any], chosen: Options) -> str:
+    """The descriptions that would be checked, with their arguments, and those that would not."""
+    config = chosen["config"]
+    resolver = Resolver({**(config.packages if config else {}), **(chosen["packages"] or {})})
+    files = options.files(values)
+    plan = planned(files, resolver, config, chosen["arguments"], changed=chosen["changed"])
+    lines = [
+        " ".join((job.source.path, *(f"{name}:={value}" for name, value in job.arguments.items())))
+        for job in plan.jobs
+    ]
+    lines += [f"not checked: {skip.path}: {skip.reason}" for skip in plan.skipped]
+    return "".join(f"{printable(line)}\n" for line in dict.fromkeys(lines))
 
 
 def fail_on(values: Mapping[str, Any], chosen: Options) -> Severity:

@@ -122,6 +122,8 @@ def _folder(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
         yield "  " + " ".join([shown(robot.file), *words])
     for library in found.libraries:
         yield f"  {shown(library)}: makes no link itself, and no file includes it"
+    for other, reason in found.others.items():
+        yield f"  {shown(other)}: {reason}"
     yield from _packages(os.path.join(path, "x"), resolver)
 
 

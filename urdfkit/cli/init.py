@@ -8,12 +8,13 @@ from collections.abc import Iterable, Iterator
 import click
 
 from urdfkit import atomic
+from urdfkit.argument_values import found_values
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.config import Config
 from urdfkit.discovery import Found, discover
 from urdfkit.errors import UnwritableFile
-from urdfkit.launch.given import given
+from urdfkit.expansion import Xacro
 from urdfkit.plan import missing_arguments
 from urdfkit.source import Source
 from urdfkit.subject import Subject
@@ -86,7 +87,7 @@ class _Robot:
         subject = Subject(Source.read(file), resolver)
         self._xacro = subject.reading.xacro
         self._needed = missing_arguments(subject)
-        self._started = given(file, self._needed, resolver) if self._needed else []
+        self._resolver = resolver
         is_readable = subject.reading.document is not None
         self.targets = subject.targets.names if is_readable else ()
 
@@ -97,17 +98,17 @@ class _Robot:
         if self._xacro is None:
             return
         for name in self._needed:
-            yield f"arguments.{_key(name)} = {self._given(name)}"
+            yield f"arguments.{_key(name)} = {self._value(name, self._xacro)}"
         for argument in dict.fromkeys(a.name for a in self._xacro.arguments):
             if argument not in self._needed:
                 yield f"# arguments.{_key(argument)} = {_quoted(self._default(argument))}"
 
-    def _given(self, name: str) -> str:
-        """A value that a launch file gives; the others, or what to do, as a comment."""
-        known = dict.fromkeys(_quoted(one.arguments[name]) for one in self._started)
-        if not known:
+    def _value(self, name: str, xacro: Xacro) -> str:
+        """A value that is found; the others, or what to do, as a comment."""
+        found = found_values(name, xacro, self._resolver)
+        if found is None:
             return '""  # it must be given: write the value'
-        first, *others = known
+        first, *others = map(_quoted, found.values)
         return f"{first}  # or {', '.join(others)}" if others else first
 
     def _default(self, name: str) -> str:

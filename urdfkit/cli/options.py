@@ -85,6 +85,7 @@ CHECK = (
         "NAMES",
         many=True,
     ),
+    Option("--show-files", "List the robots to check, and what is left out; check nothing."),
     Option("--exit-zero", "Exit with 0 whatever is found."),
     Option("--fix", "Mend what has a safe fix, in place, and report what is left."),
     Option("--unsafe-fixes", "Also apply fixes that may change what the robot does."),

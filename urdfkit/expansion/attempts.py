@@ -7,6 +7,7 @@ from xml.parsers.expat import ExpatError
 
 from urdfkit.expansion.budget import deadline
 from urdfkit.expansion.engine import load_engine
+from urdfkit.expansion.errors import root_cause
 from urdfkit.expansion.ledger import ANY, Ledger
 from urdfkit.expansion.reader import Reader
 from urdfkit.expansion.run import Run
@@ -95,6 +96,8 @@ def _failure(run: Run, error: BaseException) -> _Failure:
     while traceback is not None and traceback.tb_next is not None:
         traceback = traceback.tb_next
     node, _ = describe.node_in(traceback.tb_frame if traceback else None)
+    if wanting := describe.argument_of_missing_file(run, root_cause(error)):
+        return _Failure([wanting], node)
     code, message, help = describe.classify(run, error)
     if node is None:
         return _Failure([Problem(code, Span(run.source, 0, 0), message, help)], None)

@@ -64,7 +64,7 @@ def problem(
         used: the expression that needs it, which xacro is evaluating.
         frame: of the function that does.
     """
-    if wanting := _argument_of_missing_file(run, root_cause(error)):
+    if wanting := argument_of_missing_file(run, root_cause(error)):
         return wanting
     node, local = node_in(frame)
     if bare := bare_property(run, root_cause(error)):
@@ -122,17 +122,20 @@ def _without_prefix(run: Run, name: str, at: Span, use: Span | None) -> Problem:
     )
 
 
-def _argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
-    """A file that is missing because an argument has only a stand-in for a default.
+def argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
+    """A file that is missing because an argument has only a placeholder for a default.
 
     Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such folder exists.
     """
     if not isinstance(cause, FileNotFoundError) or not cause.filename:
         return None
-    parts = os.fspath(cause.filename).split(os.sep)
+    parts = os.path.dirname(os.path.abspath(cause.filename)).split(os.sep)
     for argument in run.declared:
         default = argument.attributes.get("default", "")
-        if default in parts and len(default) > 2 and argument.name not in run.arguments:
+        if len(default) <= 2 or default not in parts or argument.name in run.arguments:
+            continue
+        above = os.sep.join(parts[: parts.index(default)])
+        if os.path.isdir(above) and not os.path.exists(os.path.join(above, default)):
             at = argument.tag.attribute_spans().get("default", argument.tag.span)
             message = (
                 f"argument '{argument.name}' must be given: with its default '{default}' "

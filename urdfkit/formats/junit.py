@@ -1,7 +1,7 @@
 """JUnit XML for CI servers: one test case per rule and file, failed by its findings.
 
 Errors and warnings are failures, infos are output, rules that did not run are skipped, and a rule
-that crashed is an error of the test case.
+that crashed is an error of the test case. A robot that is not checked is a skipped test case.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from xml.etree.ElementTree import Element, SubElement
 from urdfkit.diagnostic import Diagnostic, Report, Severity
 from urdfkit.formats._paths import posix
 from urdfkit.formats._xml import xml_text
+from urdfkit.rules import NOT_CHECKED
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
@@ -32,14 +33,20 @@ def _suite(root: Element, path: str, report: Report) -> None:
     suite = SubElement(root, "testsuite", name=xml_text(path))
     by_rule: dict[str, list[Diagnostic]] = {}
     for diagnostic in report.diagnostics:
-        if posix(diagnostic.span.source.path) == path:
+        is_skipped = diagnostic.code == NOT_CHECKED  # it is in the list of these
+        if posix(diagnostic.span.source.path) == path and not is_skipped:
             by_rule.setdefault(f"{diagnostic.code} {diagnostic.name}", []).append(diagnostic)
     for name, diagnostics in sorted(by_rule.items()):
         _case(suite, path, name, diagnostics)
+    told = {
+        posix(one.span.source.path): f"{_line(one)}\n{one.help}"
+        for one in report.diagnostics
+        if one.code == NOT_CHECKED
+    }
     for skip in report.skipped:
         if posix(skip.path) == path:
             case = _new_case(suite, path, skip.code or "check")
-            SubElement(case, "skipped", message=xml_text(skip.reason))
+            SubElement(case, "skipped", message=xml_text(told.get(path, skip.reason)))
     for crash in report.crashed:
         if posix(crash.path) == path:
             case = _new_case(suite, path, crash.code or "check")

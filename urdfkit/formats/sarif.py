@@ -67,10 +67,14 @@ def _rule(rule: rules.Rule) -> dict[str, Any]:
 
 
 def _invocation(report: Report) -> dict[str, Any]:
+    found = [one for one in report.diagnostics if one.code == rules.NOT_CHECKED]
+    levels = {one.span.source.path: _LEVELS[one.severity] for one in found}
     notes = [
         {
-            "level": "note",
-            "message": {"text": f"{posix(skip.path)}: {skip.code} skipped: {skip.reason}"},
+            "level": levels.get(skip.path, "note"),
+            "message": {
+                "text": f"{posix(skip.path)}: {skip.code or 'file'} skipped: {skip.reason}"
+            },
         }
         for skip in report.skipped
     ]

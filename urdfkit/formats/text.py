@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from urdfkit.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
 from urdfkit.document import Step
 from urdfkit.gathering import gathered
-from urdfkit.rules import foreign
+from urdfkit.rules import NOT_CHECKED, foreign
 from urdfkit.screen import columns, frame, printable, wrap
 from urdfkit.source import Span, shown
 
@@ -62,6 +62,8 @@ def summary(report: Report, *, color: bool = False, width: int = 80) -> str:
     found = [_many(count, severity.value) for severity, count in counts.items() if count]
     text = f"{', '.join(found) or 'no findings'} in {_many(len(report.files), 'file')}"
     reasons = [*_launched(report)]
+    if unchecked := sum(found.code == NOT_CHECKED for found in report.diagnostics):
+        reasons.append(f"{_many(unchecked, 'robot')} not checked")
     reasons += [f"{what} skipped: {why}" for why, what in _skipped(report)]
     if crashed := {crash.code for crash in report.crashed if crash.code}:
         reasons.append(f"{_many(len(crashed), 'rule')} crashed")
@@ -107,7 +109,10 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
     """Reasons, and which files or how many rules were skipped for them."""
     codes: dict[str, set[str]] = {}
     files: dict[str, set[str]] = {}
+    told = {one.span.source.path for one in report.diagnostics if one.code == NOT_CHECKED}
     for skip in report.skipped:
+        if skip.path in told:
+            continue
         if skip.code:
             codes.setdefault(skip.reason, set()).add(skip.code)
         else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from functools import lru_cache
 from itertools import islice
 
@@ -16,7 +16,7 @@ from urdfkit.launch.found import Description
 from urdfkit.launch.markup import parsed
 from urdfkit.launch.signature import arguments_in
 from urdfkit.launch.values import argument, called
-from urdfkit.reading import Problem, is_launch
+from urdfkit.reading import is_launch
 from urdfkit.record import Record
 from urdfkit.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -44,9 +44,9 @@ class Given(Record):
 def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given]:
     """What launch files give to a robot that lacks arguments, each set of them once.
 
-    That is what the launch files of its package start it with. If none of them does, it is those
-    of the needed arguments that they give to the other robots of the package: a launch file may
-    be told which one to start.
+    That is what the launch files of its package start it with, else those of other packages of
+    the workspace. If none of them does, it is those of the needed arguments that they give to the
+    other robots of the package: a launch file may be told which one to start.
 
     Args:
         robot: path of the URDF or xacro.
@@ -57,57 +57,78 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
     own: dict[tuple[tuple[str, str], ...], Given] = {}
     others: dict[tuple[str, ...], Given] = {}
     package = resolver.packages.enclosing(robot)
-    for launch, description in _descriptions(package[1], resolver) if package else ():
-        arguments = description.arguments
-        if not arguments.keys() >= set(needed):
-            continue
-        if os.path.realpath(description.path) == real:
-            key = tuple(sorted(arguments.items()))
-            own.setdefault(key, Given(arguments, launch, description.frame))
-        else:
-            chosen = {name: arguments[name] for name in needed}
-            others.setdefault(tuple(chosen.values()), Given(chosen, launch, None))
+    for folder, name in _searched(robot, resolver):
+        for launch, description in _descriptions(folder, name, resolver):
+            arguments = description.arguments
+            if not arguments.keys() >= set(needed):
+                continue
+            if os.path.realpath(description.path) == real:
+                key = tuple(sorted(arguments.items()))
+                own.setdefault(key, Given(arguments, launch, description.frame))
+            elif resolver.packages.enclosing(description.path) == package:
+                chosen = {name: arguments[name] for name in needed}
+                others.setdefault(tuple(chosen.values()), Given(chosen, launch, None))
+        if own:
+            break
     return list(islice((own or others).values(), MAX_GIVEN))
 
 
-def with_values(problems: Iterable[Problem], robot: str, resolver: Resolver) -> Iterator[Problem]:
-    """What reading met; of arguments without a value it is told which ones launch files give.
+def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
+    """The values that launch files about the package of a robot declare for their own arguments.
 
     Args:
-        problems: of a description.
-        robot: its path.
+        robot: path of the URDF or xacro.
         resolver: finds packages, and reads files.
+
+    Yields:
+        The path of a launch file, and the choices or the default of each of its arguments.
     """
-    for problem in problems:
-        name = missing_argument(problem)
-        sets = given(robot, (name,), resolver) if name else []
-        values = ", ".join(dict.fromkeys(one.arguments[name] for one in sets))
-        files = ", ".join(dict.fromkeys(os.path.basename(one.launch) for one in sets))
-        more = f"; launch files give {values} ({files})" if sets else ""
-        yield problem._replace(help=problem.help + more)
+    for folder, name in _searched(robot, resolver):
+        yield from _declarations(folder, name, resolver)
 
 
-def missing_argument(problem: Problem) -> str:
-    """The argument without which a xacro cannot be expanded; empty if that is not the problem."""
-    return problem.message.split("'")[1] if problem.code == "XAC010" else ""
+def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
+    """Folders in which launch files may start a robot, with the package that they then mention."""
+    if package := resolver.packages.enclosing(robot):
+        yield package[1], ""
+        workspace = resolver.packages.workspace(robot)
+        if workspace != package[1]:
+            yield workspace, package[0]
 
 
-@lru_cache(maxsize=1)  # the robots of a package are asked for one after the other
-def _descriptions(folder: str, resolver: Resolver) -> tuple[tuple[str, Description], ...]:
-    """The robots that the launch files of a package start, with the path of the launch file."""
-    return tuple(_read(folder, resolver))
+@lru_cache(maxsize=2)  # the robots of a package are asked for one after the other
+def _descriptions(
+    folder: str, mentioned: str, resolver: Resolver
+) -> tuple[tuple[str, Description], ...]:
+    """The robots that launch files of a folder start, with the path of the launch file."""
+    return tuple(
+        (source.path, description)
+        for source in _launch_files(folder, mentioned, resolver)
+        for choice in _choices(source)
+        for description in read_launch(source, resolver, choice).descriptions
+    )
 
 
-def _read(folder: str, resolver: Resolver) -> Iterator[tuple[str, Description]]:
+@lru_cache(maxsize=2)
+def _declarations(
+    folder: str, mentioned: str, resolver: Resolver
+) -> tuple[tuple[str, dict[str, list[str]]], ...]:
+    return tuple(
+        (source.path, _declared(source, with_defaults=True))
+        for source in _launch_files(folder, mentioned, resolver)
+    )
+
+
+def _launch_files(folder: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
+    """The launch files of a folder in whose text a package is mentioned."""
     files = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
     for path in islice(files, MAX_FILES):
         try:
             source = resolver.read(path)
         except UnreadableFile:
             continue  # a dangling link, or no permission
-        for choice in _choices(source):
-            for description in read_launch(source, resolver, choice).descriptions:
-                yield path, description
+        if mentioned.encode() in source.data:
+            yield source
 
 
 def _choices(source: Source) -> Iterator[dict[str, str]]:
@@ -115,7 +136,7 @@ def _choices(source: Source) -> Iterator[dict[str, str]]:
 
     An argument without a default takes each of its choices; the others then their first one.
     """
-    choices = _of_python(source) if source.path.endswith(".py") else _of_xml(source)
+    choices = _declared(source, with_defaults=False)
     first = {name: values[0] for name, values in choices.items()}
     yield first
     for name, values in choices.items():
@@ -123,37 +144,69 @@ def _choices(source: Source) -> Iterator[dict[str, str]]:
             yield first | {name: value}
 
 
-def _of_python(source: Source) -> dict[str, list[str]]:
+class _Argument(Record):
+    """An argument that a launch file declares.
+
+    Attributes:
+        name: empty if only running the launch file would tell.
+        choices: each is empty if only running it would tell.
+        default: None if there is none, or only running it would tell.
+        is_open: True if there is none.
+    """
+
+    name: str
+    choices: tuple[str, ...]
+    default: str | None
+    is_open: bool
+
+
+def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
+    """The choices of the arguments of a launch file.
+
+    Args:
+        source: of the launch file.
+        with_defaults: also those of arguments with a default, and defaults without choices.
+    """
+    found: dict[str, list[str]] = {}
+    for one in _of_python(source) if source.path.endswith(".py") else _of_xml(source):
+        values = [choice for choice in one.choices if choice]
+        if with_defaults and not values and one.default is not None:
+            values = [one.default]
+        if one.name and values and (with_defaults or one.is_open):
+            found[one.name] = values
+    return found
+
+
+def _of_python(source: Source) -> Iterator[_Argument]:
     try:
         tree = pythontext.parse(source.data)
     except SyntaxError:
-        return {}  # which its own check tells
-    found: dict[str, list[str]] = {}
+        return  # which its own check tells
     for call in ast.walk(tree):
-        if not isinstance(call, ast.Call) or called(call) != "DeclareLaunchArgument":
-            continue
-        name, choices = argument(call, 0, "name"), argument(call, None, "choices")
-        if argument(call, 1, "default_value") is None and isinstance(
-            choices, (ast.List, ast.Tuple)
-        ):
-            values = [text for text in map(_constant, choices.elts) if text]
-            if values and (word := _constant(name)):
-                found[word] = values
-    return found
+        if isinstance(call, ast.Call) and called(call) == "DeclareLaunchArgument":
+            choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")
+            listed = choices.elts if isinstance(choices, (ast.List, ast.Tuple)) else ()
+            yield _Argument(
+                _constant(argument(call, 0, "name")) or "",
+                tuple(_constant(choice) or "" for choice in listed),
+                _constant(default),
+                default is None,
+            )
 
 
-def _constant(node: ast.expr | None) -> str:
+def _constant(node: ast.expr | None) -> str | None:
     value = node.value if isinstance(node, ast.Constant) else None
-    return value if isinstance(value, str) else ""
+    return value if isinstance(value, str) else None
 
 
-def _of_xml(source: Source) -> dict[str, list[str]]:
+def _of_xml(source: Source) -> Iterator[_Argument]:
     document, _ = parsed(source)
     declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
-    found: dict[str, list[str]] = {}
     for element in declared:
-        values = [child.get("value") or "" for child in element.children if child.tag == "choice"]
-        name = element.get("name")
-        if name and all(values) and values and not {"default", "value"} & set(element.attributes):
-            found[name] = values
-    return found
+        default = element.get("default") or element.get("value")
+        yield _Argument(
+            element.get("name") or "",
+            tuple(child.get("value") or "" for child in element.children if child.tag == "choice"),
+            None if default is None or "$" in default else default,
+            default is None,
+        )

@@ -51,7 +51,7 @@ def includer(path: str, packages: Packages) -> str | None:
         folders[:] = [] if deep_enough else sorted(n for n in folders if not n.startswith("."))
         entries += len(folders) + len(files)
         for file in sorted(files):
-            if file.endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
+            if file.lower().endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
                 searched += 1
                 if pattern.search(peek(there, MAX_BYTES)):
                     found.append(there)

@@ -1,0 +1,188 @@
+"""Green means checked: a robot that is found and cannot be checked is a finding of its own."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+import yaml
+
+from tests.conftest import CORPUS, ROOT, needs_corpus
+from urdfkit import check, formats
+from urdfkit.cli import main
+from urdfkit.config import load
+
+WANTING = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="$(arg side)_base"/>
+  <link name="tip"/>
+  <joint name="j" type="fixd"><parent link="$(arg side)_base"/><child link="tip"/></joint>
+</robot>
+"""
+BROKEN = '<robot name="broken"><link name="a"></robot>'
+
+
+def codes(folder: Path, **options: object) -> list[str]:
+    return [found.code for found in check(folder, **options).diagnostics]  # type: ignore[arg-type]
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    file = tmp_path / "arm.xacro"
+    file.write_text(WANTING)
+    return file
+
+
+def test_the_argument_is_named_and_how_to_give_it(robot: Path) -> None:
+    (found,) = check(robot.parent).diagnostics
+    assert found.message == "robot not checked: it needs the argument 'side'"
+    assert found.help == (
+        'pass side:=VALUE, or add to urdfkit.toml: [[robot]], file = "arm.xacro", '
+        'arguments.side = "VALUE"'
+    )
+    assert [note.span.line for note in found.related] == [2]
+    (robot.parent / "urdfkit.toml").write_text(
+        '[[robot]]\nfile = "arm.xacro"\narguments.side = "left"\n'
+    )
+    config = load(str(robot.parent / "urdfkit.toml"))
+    assert "CFG003" not in codes(robot.parent, config=config)
+    assert "CFG003" not in codes(robot.parent, arguments={"side": "left"})
+
+
+def test_selected_rules_that_found_nothing_did_not_look(robot: Path) -> None:
+    folder = robot.parent
+    assert codes(folder, select=["JNT"]) == ["CFG003"]
+    assert codes(folder, select=["LAU"]) == [], "rules that look at no robot"
+    assert codes(folder, select=["JNT"], ignore=["CFG003"]) == []
+    assert codes(folder, ignore=["CFG"]) == []
+    robot.write_text(BROKEN)
+    assert codes(robot, select=["JNT"]) == ["CFG003"]
+    assert codes(robot, select=["XML001"]) == ["XML001"], "whose error says enough"
+
+
+def test_what_accepts_it(robot: Path) -> None:
+    folder = robot.parent
+    config = folder / "urdfkit.toml"
+    config.write_text('[[per-file-ignores]]\nfiles = ["arm.xacro"]\ncodes = ["CFG003"]\n')
+    report = check(folder, config=load(str(config)))
+    assert (report.diagnostics, report.suppressed) == ((), 1)
+    config.write_text('[severity]\nCFG003 = "error"\n')
+    report = check(folder, config=load(str(config)))
+    assert [one.severity.value for one in report.diagnostics] == ["error"]
+    assert [one.code for one in report.skipped] == [""]
+    robot.write_text(f"<!-- urdfkit: ignore[CFG003] started with a side -->\n{WANTING}")
+    assert codes(folder) == []
+
+
+def test_an_error_says_enough(robot: Path) -> None:
+    robot.write_text(WANTING.replace("$(arg side)", "$(find no_such_package)"))
+    assert set(codes(robot.parent)) == {"XAC011"}
+    assert set(codes(robot.parent, ignore=["XAC"])) == {"CFG003"}
+
+
+def test_a_file_that_cannot_be_opened(tmp_path: Path) -> None:
+    (tmp_path / "good.urdf").write_text('<robot name="r"><link name="a"/></robot>')
+    (tmp_path / "gone.urdf").symlink_to(tmp_path / "nowhere.urdf")
+    assert codes(tmp_path, select=["XML"]) == ["CFG003"]
+    assert codes(tmp_path, select=["XML"], ignore=["CFG003"]) == []
+
+
+def test_a_robot_that_is_checked_otherwise(robot: Path) -> None:
+    """What a launch file that cannot be followed gives it is no defect."""
+    (robot.parent / "package.xml").write_text("<package><name>arms</name></package>")
+    (robot.parent / "arm.launch.py").write_text(
+        "def generate_launch_description():\n"
+        '    command = Command(["xacro ", PathJoinSubstitution([FindPackageShare("arms"),\n'
+        '                       "arm.xacro"]), " side:=", side_of_today()])\n'
+        '    return LaunchDescription([Node(package="p", parameters=[command])])\n'
+    )
+    config = robot.parent / "urdfkit.toml"
+    config.write_text('[[robot]]\nfile = "arm.xacro"\narguments.side = "left"\n')
+    assert "CFG003" in codes(robot.parent)
+    assert "CFG003" not in codes(robot.parent, config=load(str(config)))
+
+
+@pytest.mark.parametrize("name", formats.names())
+def test_every_format_tells_it(robot: Path, name: str) -> None:
+    told = formats.get(name)(check(robot.parent))
+    assert "CFG003" in told
+    assert "needs the argument" in " ".join(told.split()) or name == "statistics"
+
+
+def test_it_is_a_notification_and_a_skipped_test_case(robot: Path) -> None:
+    report = check(robot.parent)
+    (run,) = json.loads(formats.get("sarif")(report))["runs"]
+    assert [result["ruleId"] for result in run["results"]] == ["CFG003"]
+    (note,) = run["invocations"][0]["toolExecutionNotifications"]
+    assert (note["level"], "needs the argument 'side'" in note["message"]["text"]) == (
+        "warning",
+        True,
+    )
+    suites = ElementTree.fromstring(formats.get("junit")(report))
+    assert (suites.get("skipped"), suites.get("failures")) == ("1", "0")
+    assert "no findings" not in formats.get("text")(report)
+    assert formats.get("text")(report).endswith("1 warning in 1 file (1 robot not checked)\n")
+
+
+def hook(*changed: str) -> int:
+    """The exit code of what pre-commit runs."""
+    hooks = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
+    return main([*hooks[0]["entry"].split()[1:], *changed])
+
+
+@pytest.mark.parametrize("words", [["check", "."], ["check", ".", "--format", "github"]])
+def test_the_gate_fails(
+    robot: Path,
+    words: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(robot.parent)
+    assert main(words) == 1
+    assert "CFG003" in capsys.readouterr().out
+    assert hook("arm.xacro") == 1
+    assert main([*words, "--fail-on", "error"]) == 0
+
+
+@needs_corpus
+def test_the_gate_fails_for_an_arm_whose_launch_files_are_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Universal Robots' package without launch files, and with every moving joint misspelt."""
+    for variable in ("AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH"):
+        monkeypatch.delenv(variable, raising=False)
+    folder = tmp_path / "ur_description"
+    shutil.copytree(
+        CORPUS / "Universal_Robots_ROS2_Description",
+        folder,
+        ignore=shutil.ignore_patterns("launch"),
+    )
+    for path in (folder, *folder.rglob("*")):
+        os.chmod(path, 0o755)
+    macro = folder / "urdf" / "ur_macro.xacro"
+    text, count = re.subn(
+        r'type="(revolute|\$\{wrist_3_joint_type\})"', 'type="revolut"', macro.read_text()
+    )
+    assert count == 6
+    macro.write_text(text)
+    monkeypatch.chdir(folder)
+    assert main(["check", ".", "--select", "CFG,URD,JNT,XAC"]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "urdf/ur.urdf.xacro with ur_type ur10, ur10e, ur16e, " in said
+    assert "of config" in said
+    assert said.count("'revolut'") == 6
+    assert main(["check", ".", "--format", "github", "--select", "URD,JNT"]) == 1
+    assert capsys.readouterr().out.count("::error file=urdf/ur_macro.xacro") >= 6
+    assert hook("urdf/ur_macro.xacro", "--select", "URD,JNT") == 1
+    capsys.readouterr()
+    for arm in (folder / "config").glob("ur*"):  # nothing tells a value any more
+        shutil.rmtree(arm)
+    assert main(["check", "."]) == 1
+    assert "CFG003 robot not checked: it needs the argument" in " ".join(
+        capsys.readouterr().out.split()
+    )

@@ -1,0 +1,60 @@
+"""A robot was found and could not be checked.
+
+It wants arguments for which no file has values, or it cannot be read for a reason that this check
+was told to pass over. Nothing of the robot was looked at, and a report without findings would say
+otherwise. So this rule runs whatever `--select` names; `--ignore CFG003`, an ignore comment above
+the root element and `per-file-ignores` accept robots that are meant to stay unchecked.
+
+Values for arguments are taken from the launch files of the package and of the workspace, from the
+choices and defaults that launch files declare under the same name, from defaults in the files
+that the robot includes, and from the names of directories that a path with the argument leads to,
+as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `urdfkit.toml`:
+
+    [[robot]]
+    file = "urdf/arm.urdf.xacro"
+    arguments.prefix = "left_"
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.diagnostic import Related, Severity
+from urdfkit.rules import Finding, Written, rule
+from urdfkit.source import Span
+from urdfkit.static import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.subject import Subject
+
+BAD = """\
+<!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="$(arg prefix)base"/>
+</robot>
+"""
+GOOD = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="prefix" default=""/>
+  <link name="$(arg prefix)base"/>
+</robot>
+"""
+
+
+@rule("CFG003", "robot-not-checked", Severity.WARNING, needs=())
+def check(subject: Subject) -> Iterator[Finding]:
+    # A part of a robot is checked through the file that includes it, which XAC019 names.
+    if subject.reading.document is not None or subject.problems("XAC019"):
+        return
+    from urdfkit.argument_values import missing_argument, why_unchecked
+
+    why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
+    start = subject.source.data.find(b"<robot")
+    top = Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))
+    wanting = [one for one in subject.reading.problems if missing_argument(one)]
+    yield Finding(
+        Written(top),
+        f"robot not checked: {why}",
+        help,
+        related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),
+    )
