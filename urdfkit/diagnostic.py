@@ -162,8 +162,8 @@ class Report(Record):
         targets: per file, the consumers that severities were weighed for.
         tolerated: how many findings a baseline holds.
         suppressed: how many findings ignore comments or the configuration leave out.
-        errors: the codes of the errors of each description, in the order of the check; what
-            several have in common is one diagnostic, but an error of each.
+        errors: those of each description, in the order of the check; what several have in common
+            is one diagnostic, but an error of each.
         proposals: the edits that the fixes of each description ask for.
         launched: the robots that have their arguments from launch files.
         unknown_arguments: those given that no description mentions, each with the one that was
@@ -178,7 +178,7 @@ class Report(Record):
     targets: tuple[tuple[str, Targets], ...] = ()
     suppressed: int = 0
     tolerated: int = 0
-    errors: tuple[tuple[str, ...], ...] = ()
+    errors: tuple[tuple[Diagnostic, ...], ...] = ()
     proposals: tuple[tuple[Edit, ...], ...] = ()
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
