@@ -6,6 +6,7 @@ import os
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cached_property
 from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
@@ -33,7 +34,7 @@ Place = tuple[str, int, int, str]
 Robots = Callable[[], Iterable[Subject | None]]
 
 #: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.TOLD_BY_COAL | frozenset("SRD009 DYN002 DYN003 DYN004 DYN005".split())
+SLOW = rules.TOLD_BY_COAL | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
@@ -140,13 +141,12 @@ class Look:
 
     def guard(self, texts: Mapping[str, bytes]) -> Report:
         """What fixes start from and are judged by, without the rules that cannot matter."""
-        slow = SLOW - self._raised()
-        return self._check(self._files, texts, self._codes - slow)
+        raised = {code for code, one in self.config.severities.items() if one is Severity.ERROR}
+        return self._check(self._files, texts, self._codes - (SLOW - raised))
 
     def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
         """Whether robots that were not asked for have errors."""
-        slow = (SLOW | rules.TOLD_BY_MESHES | rules.TOLD_BY_LIKENESSES) - self._raised()
-        return self._check(files, texts, self._codes - slow)
+        return self._check(files, texts, self._errors)
 
     def proposals(
         self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
@@ -178,10 +178,16 @@ class Look:
     def _texts(self, texts: Mapping[str, bytes]) -> dict[str, bytes]:
         return {**(self._options.get("texts") or {}), **texts}
 
-    def _raised(self) -> set[str]:
-        """The rules whose findings are errors here, whatever they are elsewhere."""
-        severities = self.config.severities.items()
-        return {code for code, severity in severities if severity is Severity.ERROR}
+    @cached_property
+    def _errors(self) -> list[str]:
+        """The rules that may find errors."""
+
+        def severities(rule: rules.Rule) -> Iterable[Severity]:
+            configured = self.config.severities.get(rule.code)
+            return (configured,) if configured else (rule.severity, *rule.by_target.values())
+
+        found = map(rules.get, self._codes)
+        return [rule.code for rule in found if Severity.ERROR in severities(rule)]
 
 
 def subjects_of(
