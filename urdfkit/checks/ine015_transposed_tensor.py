@@ -16,12 +16,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.editing.edits import from_macro
-from urdfkit.inertials.diagnosis import as_solid, replacement, values, written
+from urdfkit.inertials.diagnosis import as_solid, of_wrong_axes, opposite, replacement, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from urdfkit.inertials.weighed import Weighed
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -47,13 +47,31 @@ FIXED = GOOD = BAD.replace('iyy="0.00158"', 'iyy="0.003"').replace('izz="0.003"'
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for weighed in subject.masses.claims.get("INE015", ()):
-        expected = weighed.expected
-        assert expected is not None
+        _, tensor = of_wrong_axes(weighed)
+        flipped = opposite(weighed.tensor, tensor)
+        fix = replacement(weighed, tensor)
         yield Finding(
             weighed.at,
-            f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
-            f" about x, y and z; {as_solid(weighed)} as it lies",
-            "" if from_macro(weighed.at) else f"write {written(expected)}, or turn the <inertial>",
-            replacement(weighed, expected),
+            _signs(weighed, flipped) if flipped else _moments(weighed),
+            f"{fix.title}, or turn the <inertial>" if fix else "",
+            fix,
             confidence=Confidence.INFERRED,
         )
+
+
+def _moments(weighed: Weighed) -> str:
+    return (
+        f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
+        f" about x, y and z; {as_solid(weighed)} as it lies"
+    )
+
+
+def _signs(weighed: Weighed, keys: list[str]) -> str:
+    """Products of inertia, of which only the sign differs from that of the shape."""
+    pairs = [(getattr(weighed.tensor, key), getattr(weighed.expected, key)) for key in keys]
+    return (
+        f"link '{weighed.link.name}' has "
+        + " and ".join(f"{key} {old:.3g}" for key, (old, _) in zip(keys, pairs, strict=True))
+        + f" kg m^2, with the sign opposite to that of the solid {weighed.solid}, which has "
+        + " and ".join(f"{new:.3g}" for _, new in pairs)
+    )
