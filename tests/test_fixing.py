@@ -236,7 +236,7 @@ def test_a_generated_file_is_refused_unless_forced(tmp_path: Path, comment: str)
     file = write(tmp_path, "r.urdf", f"<!-- {comment} -->\n{FIXED_JOINT}")
     assert fix(file).files == ()
     assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
-        "the file is generated: mend what it is made from"
+        "the file is generated: fix what it is made from"
     }
     assert len(fix(file, force=True).files) == 1
 

@@ -150,6 +150,22 @@ class Crashed(Record):
     traceback: str = ""
 
 
+class Fixable(Record):
+    """What ``urdfkit fix`` would do about the findings of a report.
+
+    Attributes:
+        safe: how many it fixes.
+        unsafe: how many more it may fix with ``--unsafe-fixes``.
+        infos: the codes of infos that it fixes where they are selected.
+        left: why others are left though they carry a fix, each with their number.
+    """
+
+    safe: int
+    unsafe: int
+    infos: tuple[str, ...]
+    left: tuple[tuple[str, int], ...]
+
+
 class Report(Record):
     """The outcome of a check.
 
@@ -168,6 +184,7 @@ class Report(Record):
         launched: the robots that have their arguments from launch files.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
+        fixable: what ``urdfkit fix`` would do; None where nobody asked.
     """
 
     files: tuple[str, ...]
@@ -182,6 +199,7 @@ class Report(Record):
     proposals: tuple[tuple[Edit, ...], ...] = ()
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
+    fixable: Fixable | None = None
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import os
 from bisect import bisect_left, insort
+from collections import Counter
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
 from urdfkit import rules as catalogue
-from urdfkit.diagnostic import Diagnostic, Edit, Report, Severity
+from urdfkit.diagnostic import Diagnostic, Edit, Fixable, Report, Severity
 from urdfkit.editing import rewriting
 from urdfkit.editing.fixer import apply_edits, encoded
 from urdfkit.editing.rewriting import Rewrite, on_disk
@@ -31,6 +31,7 @@ from urdfkit.harm import (
 )
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
 if TYPE_CHECKING:
@@ -190,6 +191,36 @@ def _with_meshes(
     return fixes._replace(left=left, meshes=meshes, unmade=unmade)
 
 
+def fixable(report: Report, *files: str | os.PathLike[str], **options: Unpack[Options]) -> Fixable:
+    """What ``fix`` would do about the findings of a check with the same arguments.
+
+    Safe fixes are tried, as ``fix`` does; how many of the others hold is known only then.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    if not any(one.fix for one in report.diagnostics):
+        return Fixable(0, 0, (), ())
+    session = _session(files, options, unsafe=False, force=False)
+    left = session.reasons(report)
+    if any(one.diagnostic.fix and not one.reason for one in left):
+        fixes = session.run()
+        return counted(fixes.left)._replace(safe=len(fixes.applied))
+    return counted(left)
+
+
+def counted(left: Iterable[Left]) -> Fixable:
+    """What could be done about findings that are left."""
+    with_fix = [one for one in left if one.diagnostic.fix]
+    reasons = Counter(one.reason for one in with_fix)
+    return Fixable(
+        reasons.pop("", 0),
+        reasons.pop("unsafe", 0),
+        tuple(sorted({one.diagnostic.code for one in with_fix if one.reason == "info"})),
+        tuple(sorted(item for item in reasons.items() if item[0] != "info")),
+    )
+
+
 def _named(words: Iterable[str]) -> set[str]:
     """The rules that somebody selected by code or name, not by the beginning of codes."""
     named: set[str] = set()
@@ -225,6 +256,11 @@ class _Session:
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[Key, str] = {}
         self._applied: list[Diagnostic] = []
+
+    def reasons(self, report: Report) -> tuple[Left, ...]:
+        """The findings of a report, and why their fixes are not applied."""
+        self._ownership = Ownership(report.files, self._look.resolver)
+        return tuple(Left(one, self._reason(one)) for one in report.diagnostics)
 
     def run(self) -> Fixes:
         """Apply what can be applied.
@@ -278,14 +314,14 @@ class _Session:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
         if diagnostic.fix is None:
             return ""
+        refusals = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
+        if refusal := next(filter(None, refusals), ""):
+            return refusal
         if diagnostic.severity is Severity.INFO and diagnostic.code not in self._named:
             return "info"
         if not (diagnostic.fix.safe or self._unsafe):
             return "unsafe"
-        if dropped := self._dropped.get(key_of(diagnostic)):
-            return dropped
-        reasons = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
-        return next(filter(None, reasons), "")
+        return self._dropped.get(key_of(diagnostic), "")
 
     def _refusal(self, source: Source) -> str:
         """Why a file is not edited; empty if it may be."""

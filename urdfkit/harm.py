@@ -8,7 +8,6 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import chain, zip_longest
-from typing import TYPE_CHECKING
 
 from urdfkit import rules
 from urdfkit.config import Config
@@ -17,6 +16,7 @@ from urdfkit.discovery import affected
 from urdfkit.engine import check, subjects
 from urdfkit.errors import UnreadableFile
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
 

@@ -6,7 +6,6 @@ import difflib
 import io
 from collections.abc import Iterable
 
-from urdfkit import atomic
 from urdfkit.errors import UnwritableFile
 from urdfkit.record import Record
 from urdfkit.source import Source
@@ -55,6 +54,8 @@ def write(rewrites: Iterable[Rewrite]) -> None:
     Raises:
         UnwritableFile: a file may not be written, or has changed since it was read.
     """
+    from urdfkit import atomic  # which a check that only counts fixes does without
+
     rewrites = tuple(rewrites)
     for one in rewrites:
         now = on_disk(one.path)
