@@ -68,7 +68,11 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[
         before = check(file, arguments=arguments)
         assert not _errors(fixes.report) - _errors(before)
         old, new = (_parts(file, arguments, some) for some in ({}, texts))
-        told = "".join(f"{call.message} {call.element}" for d in fixes.applied for call in d.calls)
+        told = "".join(
+            f"{call.message} {call.element} {[note.message for note in found.related]}"
+            for found in fixes.applied
+            for call in found.calls
+        )
         assert [
             name for name in old.keys() & new if old[name] != new[name] and name not in told
         ] == []
