@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import os
 import subprocess
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from tests.conftest import MODELS
+from urdfkit import rules
 from urdfkit.config import Config, Robot
 from urdfkit.diagnostic import Severity
 from urdfkit.engine import check
 from urdfkit.errors import UnwritableFile
-from urdfkit.fixing import fix
+from urdfkit.fixing import fix as fix_as_configured
+from urdfkit.harm import SLOW
+
+#: An axis on a fixed joint is an info otherwise, whose fix nobody applies unasked.
+SEVERITIES = {"JNT020": Severity.WARNING}
+fix = partial(fix_as_configured, config=Config(severities=SEVERITIES))
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 FIXED_JOINT = """\
@@ -66,7 +73,8 @@ def test_a_safe_fix_is_applied_and_nothing_is_written_before_it_is_asked_for(
 
 def test_the_diff_is_one_that_patch_takes(tmp_path: Path) -> None:
     write(tmp_path, "r.urdf", FIXED_JOINT)
-    done = "cd {} && python -m urdfkit check --diff r.urdf > r.diff; patch -p0 < r.diff"
+    shown = "python -m urdfkit check --diff --select JNT020 r.urdf"
+    done = f"cd {{}} && {shown} > r.diff; patch -p0 < r.diff"
     environment = {**os.environ, "PYTHONPATH": str(MODELS.parent)}
     subprocess.run(done.format(tmp_path), shell=True, check=True, env=environment)
     assert "axis" not in (tmp_path / "r.urdf").read_text()
@@ -231,7 +239,7 @@ def test_a_generated_file_is_refused_unless_forced(tmp_path: Path, comment: str)
     file = write(tmp_path, "r.urdf", f"<!-- {comment} -->\n{FIXED_JOINT}")
     assert fix(file).files == ()
     assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
-        "the file is generated: mend what it is made from"
+        "the file is generated: fix what it is made from"
     }
     assert len(fix(file, force=True).files) == 1
 
@@ -323,7 +331,7 @@ TYPED = """\
 def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agree: bool) -> None:
     file = str(write(tmp_path, "r.xacro", TYPED, XACRO))
     robots = (Robot(file, "one", {}), Robot(file, "two", {"type": other}))
-    fixes = fix(file, config=Config(robots=robots))
+    fixes = fix(file, config=Config(robots=robots, severities=SEVERITIES))
     assert [one.code for one in fixes.applied] == ["JNT020"] * agree
     reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}
     text = "dropped: another robot uses the text, and is right as it is"
@@ -365,3 +373,45 @@ def test_a_block_that_is_inserted_twice_is_edited_for_both(
     assert [one.code for one in fixes.applied] == ["JNT006"] * 2 * agree
     text = fixes.files[0].after.decode() if fixes.files else file.read_text()
     assert ('<axis xyz="0 0 1"/>' in text) is agree
+
+
+PREFIX = """\
+  <link name="base"/>
+  <xacro:macro name="arm" params="side">
+    <link name="${side}_arm"/>
+    <joint name="${side}" type="revolute">
+      <parent link="base"/><child link="${side}_arm"/>
+      <limit lower="0.5" upper="-0.5" effort="1" velocity="1"/>
+    </joint>
+  </xacro:macro>
+"""
+
+
+def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
+    """Without its prefix the macro was not called, so that nobody saw its limits."""
+    file = write(tmp_path, "r.xacro", f'{PREFIX}  <arm side="left"/>\n', XACRO)
+    assert {one.code for one in check(file).diagnostics if one.severity is Severity.ERROR} == {
+        "XAC002"
+    }
+    fixes = fix(file, unsafe=True)
+    assert [one.code for one in fixes.applied] == ["XAC002", "JNT003"]
+    assert fix(file, unsafe=True, texts={fixes.files[0].path: fixes.files[0].after}).files == ()
+    alone = fix(file, unsafe=True, select=["XAC002"])
+    assert [one.code for one in alone.applied] == ["XAC002"]
+
+
+def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: Path) -> None:
+    """Both names would be 'left_arm'."""
+    calls = '  <link name="left_arm"/>\n  <arm side="left"/>\n'
+    text = PREFIX.replace('"0.5" upper="-0.5"', '"-0.5" upper="0.5"')
+    fixes = fix(write(tmp_path, "r.xacro", text + calls, XACRO), unsafe=True)
+    assert [one.code for one in fixes.applied] == []
+    reasons = {left.diagnostic.code: left.reason for left in fixes.left}
+    assert reasons["XAC002"] == "dropped: it would add NAM001"
+
+
+def test_rules_that_are_left_out_of_the_guard_know_no_error_and_no_fix() -> None:
+    for rule in map(rules.get, SLOW):
+        severities = {rule.severity, *rule.by_target.values()}
+        assert Severity.ERROR not in severities
+        assert not rule.fixable

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
 from urdfkit.diagnostic import Severity
-from urdfkit.engine import check
+from urdfkit.engine import check, subjects
 from urdfkit.fixing import fix
 from urdfkit.source import Source
 
@@ -42,7 +42,7 @@ def test_safe_fixes_leave_nothing_new(copy: Path, entry: tuple[Path, dict[str, A
     folder, model = entry
     file, arguments = copy / folder.name / model["path"], corpus_findings.arguments_of(model)
     fixes = fix(file, arguments=arguments, force=True)
-    assert [one for one in fixes.report.diagnostics if one.fix and one.fix.safe] == []
+    assert [one for one in fixes.left if one.diagnostic.fix and not one.reason] == []
     if not fixes.files:
         return
     before = check(file, arguments=arguments)
@@ -67,8 +67,33 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[
     if texts:
         before = check(file, arguments=arguments)
         assert not _errors(fixes.report) - _errors(before)
+        old, new = (_parts(file, arguments, some) for some in ({}, texts))
+        told = "".join(
+            f"{call.message} {call.element} {[note.message for note in found.related]}"
+            for found in fixes.applied
+            for call in found.calls
+        )
+        assert [
+            name for name in old.keys() & new if old[name] != new[name] and name not in told
+        ] == []
         again = fix(file, arguments=arguments, force=True, unsafe=True, texts=texts)
         assert [one.code for one in again.applied] == []
+
+
+def _parts(file: Path, arguments: Any, texts: dict[str, bytes]) -> dict[str, tuple[Any, ...]]:
+    """What mechanics knows of each link and joint, by its name."""
+    (subject,) = subjects(file, arguments=arguments, texts=texts)
+    assert subject is not None
+    if subject.reading.document is None:
+        return {}
+    parts: dict[str, tuple[Any, ...]] = {}
+    for link in subject.model.links:
+        inertial = link.inertial
+        tensor = inertial.tensor.value if inertial and inertial.tensor else None
+        parts[link.name] = (link.mass, tensor, inertial and inertial.origin)
+    for joint in subject.model.joints:
+        parts[joint.name] = (joint.kind, joint.origin, joint.axis and joint.axis.value)
+    return parts
 
 
 def _codes(report: Any) -> Counter[str]:

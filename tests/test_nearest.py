@@ -96,3 +96,17 @@ def test_the_hint_of_a_speller() -> None:
     assert speller.hint("left_amr") == "; did you mean 'left_arm'?"
     assert speller.hint("rght_arm") == "; did you mean 'right_arm'?"
     assert speller.hint("head") == ""
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "meant"),
+    [
+        ("baseline", "hackBaseline", ""),
+        ("wheel_diameter", "left_wheel_diameter", ""),
+        ("updateRate", "updateRateHZ", "updateRateHZ"),
+        ("robotBaseFrme", "robotBaseFrame", "robotBaseFrame"),
+        ("imageTopic", "imageTopicName", "imageTopicName"),
+    ],
+)
+def test_a_word_in_front_changes_the_meaning(word: str, known: str, meant: str) -> None:
+    assert Speller([known]).meant(word) == meant

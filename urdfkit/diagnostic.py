@@ -155,6 +155,22 @@ class Crashed(Record):
     traceback: str = ""
 
 
+class Fixable(Record):
+    """What ``urdfkit fix`` would do about the findings of a report.
+
+    Attributes:
+        safe: how many it fixes.
+        unsafe: how many more it may fix with ``--unsafe-fixes``.
+        infos: the codes of infos that it fixes where they are selected.
+        left: why others are left though they carry a fix, each with their number.
+    """
+
+    safe: int
+    unsafe: int
+    infos: tuple[str, ...]
+    left: tuple[tuple[str, int], ...]
+
+
 class Report(Record):
     """The outcome of a check.
 
@@ -167,12 +183,13 @@ class Report(Record):
         targets: per file, the consumers that severities were weighed for.
         tolerated: how many findings a baseline holds.
         suppressed: how many findings ignore comments or the configuration leave out.
-        errors: the codes of the errors of each description, in the order of the check; what
-            several have in common is one diagnostic, but an error of each.
+        errors: those of each description, in the order of the check; what several have in common
+            is one diagnostic, but an error of each.
         proposals: the edits that the fixes of each description ask for.
         launched: the robots that have their arguments from launch files, or from elsewhere.
         unknown_arguments: those given that no description mentions, each with the one that was
             meant, or nothing.
+        fixable: what ``urdfkit fix`` would do; None where nobody asked.
     """
 
     files: tuple[str, ...]
@@ -183,10 +200,11 @@ class Report(Record):
     targets: tuple[tuple[str, Targets], ...] = ()
     suppressed: int = 0
     tolerated: int = 0
-    errors: tuple[tuple[str, ...], ...] = ()
+    errors: tuple[tuple[Diagnostic, ...], ...] = ()
     proposals: tuple[tuple[Edit, ...], ...] = ()
     launched: tuple[Launched, ...] = ()
     unknown_arguments: tuple[tuple[str, str], ...] = ()
+    fixable: Fixable | None = None
 
     def count(self, severity: Severity) -> int:
         """How many diagnostics have this severity."""

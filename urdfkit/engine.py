@@ -120,7 +120,7 @@ def check(
         UnknownTarget: a name is no target.
         RuleError: a package of rules is missing or cannot be used.
     """
-    foreign = (*(config.rules if config else ()), *_added(rules))
+    foreign = (*(config.rules if config else ()), *added_rules(rules))
     settings = Settings(
         tuple(choose(select, ignore, config, foreign)),
         {**(config.packages if config else {}), **(packages or {})},
@@ -153,7 +153,7 @@ def subjects(
 ) -> Iterator[Subject | None]:
     """The descriptions that ``check`` checks with the same arguments, in the same order.
 
-    None stands for a launch file, and for what cannot be read.
+    None stands for a launch file. Nothing is read before it is asked for.
     """
     known = {**(config.packages if config else {}), **(packages or {})}
     resolver = Resolver(known, texts=texts)
@@ -166,12 +166,11 @@ def subjects(
         files, resolver, config, arguments, variant=variant, changed=changed
     ).jobs:
         for job, subject in as_launched(planned_job, read):
-            is_robot = not is_launch(job.source.path) and subject.reading.document is not None
-            yield subject if is_robot else None
+            yield None if is_launch(job.source.path) else subject
 
 
-def _added(packages: Iterable[str]) -> list[str]:
-    """The codes of packages of rules."""
+def added_rules(packages: Iterable[str]) -> list[str]:
+    """The codes of packages of rules, which are known from now on."""
     names = tuple(packages)
     if not names:
         return []
@@ -386,7 +385,7 @@ def _report(plan: Plan, judged: list[Judged], unopened: Iterable[Diagnostic]) ->
         ),
         sum(verdict.suppressed for verdict in verdicts),
         errors=tuple(
-            tuple(d.code for d in verdict.diagnostics if d.severity is Severity.ERROR)
+            tuple(d for d in verdict.diagnostics if d.severity is Severity.ERROR)
             for verdict in verdicts
         ),
         proposals=tuple(

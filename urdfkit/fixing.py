@@ -8,27 +8,37 @@ from __future__ import annotations
 
 import os
 from bisect import bisect_left, insort
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections import Counter
+from collections.abc import Iterable, Mapping
 
-from urdfkit.diagnostic import Diagnostic, Edit, Report
+from urdfkit import rules as catalogue
+from urdfkit.diagnostic import Diagnostic, Edit, Fixable, Report, Severity
 from urdfkit.editing import rewriting
 from urdfkit.editing.fixer import apply_edits, encoded
 from urdfkit.editing.rewriting import Rewrite, on_disk
-from urdfkit.engine import check, subjects
+from urdfkit.engine import added_rules, choose
 from urdfkit.errors import UrdfkitError
-from urdfkit.harm import Key, Watch, harm, key_of, real_path, useless
+from urdfkit.harm import (
+    Key,
+    Look,
+    Robots,
+    Watch,
+    harm,
+    key_of,
+    real_path,
+    subjects_of,
+    useless,
+)
 from urdfkit.record import Record
 from urdfkit.source import Source, shown
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
-from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from urdfkit.assets.stand_ins import StandIn, Undone
     from urdfkit.engine import Options
-    from urdfkit.subject import Subject
 
 MAX_ROUNDS = 10
 
@@ -51,7 +61,8 @@ class Left(Record):
 
     Attributes:
         diagnostic: as the last check found it.
-        reason: why its fix was not applied; empty if it has none.
+        reason: why its fix was not applied, ``unsafe``, ``info`` or a sentence; empty if it has
+            none.
     """
 
     diagnostic: Diagnostic
@@ -101,11 +112,12 @@ def fix(
 ) -> Fixes:
     """Mend what has a remedy in descriptions of robots and in the files that they include.
 
-    >>> fixes = fix("models/gazebo_pkg/urdf/waking_robot_new.xacro")
+    >>> fixes = fix("models/gazebo_pkg/urdf/waking_robot_new.xacro", select=["JNT020"])
     >>> [(one.code, one.span.line) for one in fixes.applied]
     [('JNT020', 203), ('JNT020', 234), ('JNT020', 265)]
 
-    Fixes that overlap are applied one after the other. A fix that adds an error, makes a
+    The fix of an info is applied only where ``select`` has its code or name, not just the beginning
+    of it. Fixes that overlap are applied one after the other. A fix that adds an error, makes a
     description unreadable, edits what another robot uses and is right about, or leaves its finding
     as it was, is dropped.
 
@@ -121,29 +133,24 @@ def fix(
     Raises:
         UrdfkitError: as of ``check``.
     """
-    every: Options = {**options, "select": (), "ignore": ()}
-    given = options.get("texts") or {}
-
-    def checked(texts: Mapping[str, bytes]) -> Report:
-        now: Options = {**options, "texts": {**given, **texts}}
-        return check(*files, **now)
-
-    def watched(texts: Mapping[str, bytes], others: Iterable[str]) -> Report:
-        now: Options = {**every, "texts": {**given, **texts}}
-        return check(*files, *others, **now)
-
-    def robots(texts: Mapping[str, bytes], others: Iterable[str]) -> Iterator[Subject | None]:
-        now: Options = {**options, "texts": {**given, **texts}}
-        return _subjects((*files, *others), now)
-
-    resolver = Resolver(options.get("packages"), texts=given)
-    is_partial = bool(options.get("select") or options.get("ignore"))
-    watch = Watch(watched, robots, resolver, options.get("config"), is_partial)
-    fixes = _Session(checked, watch, resolver, unsafe=unsafe, force=force).run()
+    session = _session(files, options, unsafe=unsafe, force=force)
+    fixes = session.run()
     if not generate_meshes:
         return fixes
+    given = options.get("texts") or {}
     texts = {**given, **{file.path: file.after for file in fixes.files}}
     return _with_meshes(fixes, files, {**options, "texts": texts}, force=force)
+
+
+def _session(
+    files: Iterable[str | os.PathLike[str]], options: Options, *, unsafe: bool, force: bool
+) -> _Session:
+    select, ignore = options.get("select", ()), options.get("ignore", ())
+    config = options.get("config")
+    foreign = (*(config.rules if config else ()), *added_rules(options.get("rules", ())))
+    asked = choose(select, ignore, config, foreign)
+    look = Look(files, options, {*asked, *choose((), (), config, foreign)})
+    return _Session(look, asked, _named(select), unsafe=unsafe, force=force)
 
 
 def _with_meshes(
@@ -160,7 +167,9 @@ def _with_meshes(
         text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
     found: dict[str, StandIn | Undone] = {}
-    for robot in filter(None, _subjects(files, options)):
+    for robot in filter(None, subjects_of(files, options)):
+        if robot.reading.document is None:
+            continue
         ours = Ownership([robot.source.path], robot.resolver)
         stand_ins = generate_missing(robot)
         for undone in stand_ins.undone:
@@ -182,73 +191,114 @@ def _with_meshes(
     return fixes._replace(left=left, meshes=meshes, unmade=unmade)
 
 
-def _subjects(
-    files: Iterable[str | os.PathLike[str]], options: Options
-) -> Iterator[Subject | None]:
-    """The descriptions that a check with some options looks at, in its order."""
-    return subjects(
-        *files,
-        arguments=options.get("arguments"),
-        packages=options.get("packages"),
-        trust=options.get("trust", False),
-        config=options.get("config"),
-        variant=options.get("variant", ""),
-        changed=options.get("changed", False),
-        texts=options.get("texts"),
+def fixable(report: Report, *files: str | os.PathLike[str], **options: Unpack[Options]) -> Fixable:
+    """What ``fix`` would do about the findings of a check with the same arguments.
+
+    Safe fixes are tried, as ``fix`` does; how many of the others hold is known only then.
+
+    Raises:
+        UrdfkitError: as of ``check``.
+    """
+    if not any(one.fix for one in report.diagnostics):
+        return Fixable(0, 0, (), ())
+    session = _session(files, options, unsafe=False, force=False)
+    left = session.reasons(report)
+    if any(one.diagnostic.fix and not one.reason for one in left):
+        fixes = session.run()
+        return counted(fixes.left)._replace(safe=len(fixes.applied))
+    return counted(left)
+
+
+def counted(left: Iterable[Left]) -> Fixable:
+    """What could be done about findings that are left."""
+    with_fix = [one for one in left if one.diagnostic.fix]
+    reasons = Counter(one.reason for one in with_fix)
+    return Fixable(
+        reasons.pop("", 0),
+        reasons.pop("unsafe", 0),
+        tuple(sorted({one.diagnostic.code for one in with_fix if one.reason == "info"})),
+        tuple(sorted(item for item in reasons.items() if item[0] != "info")),
     )
+
+
+def _named(words: Iterable[str]) -> set[str]:
+    """The rules that somebody selected by code or name, not by the beginning of codes."""
+    named: set[str] = set()
+    for word in words:
+        found = catalogue.matching(word)
+        if word.upper() in found or word.lower() in catalogue.names():
+            named.update(found)
+    return named
 
 
 class _Session:
     """The texts as they are after some rounds.
 
     Args:
-        check: the robots, with some texts in the place of those on disk.
-        watch: looks at everything else.
-        resolver: knows workspaces.
+        look: checks the robots.
+        asked: codes of the rules whose findings are to be fixed.
+        named: those that somebody selected one by one.
         unsafe, force: as of ``fix``.
     """
 
     def __init__(
-        self,
-        check: Callable[[Mapping[str, bytes]], Report],
-        watch: Watch,
-        resolver: Resolver,
-        *,
-        unsafe: bool,
-        force: bool,
+        self, look: Look, asked: Iterable[str], named: Iterable[str], *, unsafe: bool, force: bool
     ) -> None:
-        self._check = check
-        self._watch = watch
+        self._look = look
+        self._watch = Watch(look)
+        self._asked = frozenset(asked)
+        self._named = frozenset(named)
         self._unsafe = unsafe
         self._force = force
-        self._resolver = resolver
-        self._ownership = Ownership((), resolver)
+        self._ownership = Ownership((), look.resolver)
         self._refusals: dict[Source, str] = {}
         self._originals: dict[str, Rewrite] = {}
         self._texts: dict[str, bytes] = {}
         self._dropped: dict[Key, str] = {}
         self._applied: list[Diagnostic] = []
 
+    def reasons(self, report: Report) -> tuple[Left, ...]:
+        """The findings of a report, and why their fixes are not applied."""
+        self._ownership = Ownership(report.files, self._look.resolver)
+        return tuple(Left(one, self._reason(one)) for one in report.diagnostics)
+
     def run(self) -> Fixes:
-        """Round after round, as long as there is something to mend."""
-        report = self._check({})
-        self._ownership = Ownership(report.files, self._resolver)
-        for _ in range(MAX_ROUNDS):
-            chosen = self._chosen(report)
-            if not chosen:
-                break
-            report = self._round(report, chosen)
-        files = [
+        """Apply what can be applied.
+
+        Other robots that include the files are checked once, at the end; only if that shows harm,
+        they are checked with every step, to find the fix that does it.
+        """
+        files = self._fix(is_careful=False)
+        if self._watch.harm({}, self._texts, files):
+            self._texts, self._dropped, self._applied = {}, {}, []
+            self._fix(is_careful=True)
+        report = self._look.report(self._texts)
+        changed = [
             original._replace(after=self._texts[real])
             for real, original in self._originals.items()
             if self._texts.get(real, original.before) != original.before
         ]
         left = tuple(Left(one, self._reason(one)) for one in report.diagnostics)
-        return Fixes(tuple(sorted(files)), tuple(self._applied), left, report)
+        return Fixes(tuple(sorted(changed)), tuple(self._applied), left, report)
+
+    def _fix(self, *, is_careful: bool) -> tuple[str, ...]:
+        """Round after round, as long as there is something to fix; the files of the robots."""
+        report = self._look.guard({})
+        self._ownership = Ownership(report.files, self._look.resolver)
+        for _ in range(MAX_ROUNDS):
+            chosen = self._chosen(report)
+            if not chosen:
+                break
+            report = self._round(report, chosen, is_careful=is_careful)
+        return report.files
 
     def _chosen(self, report: Report) -> list[Diagnostic]:
         """The findings to mend in one round: of fixes that overlap, the first."""
-        ready = [one for one in report.diagnostics if one.fix and not self._reason(one)]
+        ready = [
+            one
+            for one in report.diagnostics
+            if one.fix and one.code in self._asked and not self._reason(one)
+        ]
         settled = [one for one in ready if not one.code.startswith(_LAST)]
         chosen: list[Diagnostic] = []
         taken: dict[str, list[_Piece]] = {}
@@ -264,12 +314,14 @@ class _Session:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
         if diagnostic.fix is None:
             return ""
+        refusals = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
+        if refusal := next(filter(None, refusals), ""):
+            return refusal
+        if diagnostic.severity is Severity.INFO and diagnostic.code not in self._named:
+            return "info"
         if not (diagnostic.fix.safe or self._unsafe):
             return "unsafe"
-        if dropped := self._dropped.get(key_of(diagnostic)):
-            return dropped
-        reasons = (self._refusal(edit.span.source) for edit in diagnostic.fix.edits)
-        return next(filter(None, reasons), "")
+        return self._dropped.get(key_of(diagnostic), "")
 
     def _refusal(self, source: Source) -> str:
         """Why a file is not edited; empty if it may be."""
@@ -280,7 +332,7 @@ class _Session:
     def _judge(self, source: Source) -> str:
         real = real_path(source)
         if real not in self._originals:
-            before = self._resolver.text(source.path)
+            before = self._look.resolver.text(source.path)
             before = on_disk(source.path) if before is None else before
             if before is None:
                 return "there is no such file"
@@ -293,7 +345,7 @@ class _Session:
             return f"its encoding, {source.encoding}, cannot be kept"
         return "" if self._force else self._ownership.refusal(source)
 
-    def _round(self, report: Report, chosen: list[Diagnostic]) -> Report:
+    def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply as many fixes as do no harm; the report on the texts after them."""
         disputed = self._watch.disputes(chosen, self._texts, report)
         self._dropped.update(dict.fromkeys(disputed, _DISPUTED))
@@ -304,12 +356,12 @@ class _Session:
         while batches:
             batch = batches.pop()
             trial = {**self._texts, **self._edited([*kept, *batch])}
-            after = self._check(trial)
-            reason = (
-                harm(report, after)
-                or useless(report, after, [*kept, *batch])
-                or self._watch.harm(self._texts, trial, report.files)
+            after = self._look.guard(trial)
+            reason = harm(report, after, *map(self._robots, (self._texts, trial))) or useless(
+                report, after, [*kept, *batch]
             )
+            if is_careful:
+                reason = reason or self._watch.harm(self._texts, trial, report.files)
             if not reason:
                 kept += batch
                 texts, latest = trial, after
@@ -321,6 +373,9 @@ class _Session:
         self._texts = texts
         self._applied += kept
         return latest
+
+    def _robots(self, texts: Mapping[str, bytes]) -> Robots:
+        return lambda: self._look.robots(texts)
 
     def _edited(self, diagnostics: Iterable[Diagnostic]) -> dict[str, bytes]:
         """The bytes of the files that some fixes edit, after them."""

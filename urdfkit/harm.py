@@ -5,16 +5,24 @@ from __future__ import annotations
 import os
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
-from itertools import zip_longest
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cached_property
+from itertools import chain, zip_longest
 
+from urdfkit import rules
 from urdfkit.config import Config
-from urdfkit.diagnostic import Diagnostic, Edit, Report
+from urdfkit.diagnostic import Diagnostic, Edit, Report, Severity
 from urdfkit.discovery import affected
+from urdfkit.engine import check, subjects
 from urdfkit.errors import UnreadableFile
 from urdfkit.source import Source
+from urdfkit.static import TYPE_CHECKING
 from urdfkit.subject import Subject
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.document import Element
+    from urdfkit.engine import Options
 
 #: A finding in any round: its code, its file and its message, since places move.
 Key = tuple[str, str, str]
@@ -22,11 +30,24 @@ Key = tuple[str, str, str]
 #: An edit, known in every robot that includes its file: real path, first and last byte, new text.
 Place = tuple[str, int, int, str]
 
+#: Reads the robots of a report, in its order.
+Robots = Callable[[], Iterable[Subject | None]]
 
-def harm(before: Report, after: Report) -> str:
-    """What forbids the fixes between two checks; empty if nothing does.
+#: Rules that simulate the robot and so take long; they know no error, and have no fix.
+SLOW = rules.TOLD_BY_COAL | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
 
-    Errors of rules that could not look before were there, but hidden.
+
+def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
+    """What forbids the fixes between two checks of the same robots; empty if nothing does.
+
+    Only what both versions can see is compared. Errors of rules that could not look before were
+    there, but hidden, and so were those of elements that the document did not have before.
+
+    Args:
+        before: the check without the fixes.
+        after: the check with them.
+        old: the subjects of the first, which are read only where an error is new.
+        new: the subjects of the second.
     """
     if lost := {(s.path, s.code) for s in after.skipped} - {
         (s.path, s.code) for s in before.skipped
@@ -34,12 +55,55 @@ def harm(before: Report, after: Report) -> str:
         path = min(lost)[0]
         return f"dropped: with it, {path} could not be checked any more"
     hidden = {skipped.code for skipped in before.skipped}
-    for now, old in zip_longest(after.errors, before.errors, fillvalue=()):
-        if added := sorted((Counter(now) - Counter(old)).keys() - hidden):
-            return f"dropped: it would add {added[0]}"
-    if len(after.crashed) > len(before.crashed):
-        return f"dropped: with it, {after.crashed[-1].code or 'the check'} fails"
+    added = [
+        {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
+        for now, then in zip_longest(after.errors, before.errors, fillvalue=())
+    ]
+    if any(added):
+        robots = zip_longest(added, after.errors, old(), new())
+        for codes, errors, then, now in robots:
+            revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
+            visible = Counter(codes) - _codes(one for one in errors or () if _is_at(one, revealed))
+            if visible:
+                return f"dropped: it would add {min(visible)}"
+    crashed = {(crash.path, crash.code) for crash in before.crashed}
+    if failed := {(crash.path, crash.code) for crash in after.crashed} - crashed:
+        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
     return ""
+
+
+def _codes(diagnostics: Iterable[Diagnostic]) -> Counter[str]:
+    return Counter(one.code for one in diagnostics)
+
+
+def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
+    """True if a finding is about elements with these paths only, or about their attributes."""
+    places = [call.element for call in diagnostic.calls]
+    return bool(places) and all(
+        place in paths or place.rpartition("@")[0] in paths for place in places
+    )
+
+
+def _revealed(before: Subject, after: Subject) -> frozenset[str]:
+    """The paths of the elements that a document has only after a fix.
+
+    An element with a new name in the place of one with the old is the same one.
+    """
+    if before.reading.document is None or after.reading.document is None:
+        return frozenset()
+    old = {element.path: element for element in before.document.root.walk()}
+    new = {element.path: element for element in after.document.root.walk()}
+    renamed = {_kind(element) for path, element in old.items() if path not in new}
+    found: set[str] = set()
+    for path, element in new.items():  # parents first
+        is_below = element.parent is not None and element.parent.path in found
+        if is_below or (path not in old and _kind(element) not in renamed):
+            found.add(path)
+    return frozenset(found)
+
+
+def _kind(element: Element) -> tuple[str, str]:
+    return (element.parent.path if element.parent else "", element.tag)
 
 
 def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
@@ -51,32 +115,102 @@ def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
     return "dropped: the finding stays" if stays else ""
 
 
-class Watch:
-    """Looks at what fixes may break beyond the findings that they are for.
-
-    That is other robots of the workspace that include a file, and what the rules say that were
-    not asked for.
+class Look:
+    """Checks robots with some texts in the place of those on disk.
 
     Args:
-        check: all rules over the robots and some others.
-        subjects: the same descriptions, in the same order.
-        resolver, config: of the check.
-        is_partial: True if the findings to fix are those of some rules only.
+        files: that somebody wants fixed.
+        options: of ``check``.
+        codes: of all rules that fixes are to answer or must not offend.
     """
 
     def __init__(
-        self,
-        check: Callable[[Mapping[str, bytes], Iterable[str]], Report],
-        subjects: Callable[[Mapping[str, bytes], Iterable[str]], Iterable[Subject | None]],
-        resolver: Resolver,
-        config: Config | None,
-        is_partial: bool,
+        self, files: Iterable[str | os.PathLike[str]], options: Options, codes: Iterable[str]
     ) -> None:
-        self._check = check
-        self._subjects = subjects
-        self._resolver = resolver
-        self._config = config or Config()
-        self._is_partial = is_partial
+        self._files = tuple(files)
+        self._options = options
+        self._codes = frozenset(codes)
+        self.config = options.get("config") or Config()
+        packages = {**self.config.packages, **(options.get("packages") or {})}
+        self.resolver = Resolver(packages, texts=self._texts({}))
+
+    def report(self, texts: Mapping[str, bytes]) -> Report:
+        """What is reported to people: the rules that they asked for."""
+        now: Options = {**self._options, "texts": self._texts(texts)}
+        return check(*self._files, resolver=self.resolver, **now)
+
+    def guard(self, texts: Mapping[str, bytes]) -> Report:
+        """What fixes start from and are judged by, without the rules that cannot matter."""
+        raised = {code for code, one in self.config.severities.items() if one is Severity.ERROR}
+        return self._check(self._files, texts, self._codes - (SLOW - raised))
+
+    def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
+        """Whether robots that were not asked for have errors."""
+        return self._check(files, texts, self._errors)
+
+    def proposals(
+        self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
+    ) -> tuple[tuple[Edit, ...], ...]:
+        """The edits that each of some robots asks for by some rules."""
+        return self._check(files, texts, codes).proposals
+
+    def robots(
+        self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
+    ) -> Iterator[Subject | None]:
+        """The robots of a check, in its order."""
+        now: Options = {**self._options, "texts": self._texts(texts)}
+        return subjects_of(self._files if files is None else files, now)
+
+    def _check(
+        self,
+        files: Iterable[str | os.PathLike[str]],
+        texts: Mapping[str, bytes],
+        codes: Iterable[str],
+    ) -> Report:
+        now: Options = {
+            **self._options,
+            "texts": self._texts(texts),
+            "select": tuple(codes),
+            "ignore": (),
+        }
+        return check(*files, resolver=self.resolver, **now)
+
+    def _texts(self, texts: Mapping[str, bytes]) -> dict[str, bytes]:
+        return {**(self._options.get("texts") or {}), **texts}
+
+    @cached_property
+    def _errors(self) -> list[str]:
+        """The rules that may find errors."""
+
+        def severities(rule: rules.Rule) -> Iterable[Severity]:
+            configured = self.config.severities.get(rule.code)
+            return (configured,) if configured else (rule.severity, *rule.by_target.values())
+
+        found = map(rules.get, self._codes)
+        return [rule.code for rule in found if Severity.ERROR in severities(rule)]
+
+
+def subjects_of(
+    files: Iterable[str | os.PathLike[str]], options: Options
+) -> Iterator[Subject | None]:
+    """The descriptions that a check with some options looks at, in its order."""
+    return subjects(
+        *files,
+        arguments=options.get("arguments"),
+        packages=options.get("packages"),
+        trust=options.get("trust", False),
+        config=options.get("config"),
+        changed=options.get("changed", False),
+        texts=options.get("texts"),
+    )
+
+
+class Watch:
+    """Looks at what fixes may break in other robots of the workspace that include a file."""
+
+    def __init__(self, look: Look) -> None:
+        self._look = look
+        self._found: dict[frozenset[str], list[str]] = {}
 
     def disputes(
         self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
@@ -88,20 +222,27 @@ class Watch:
             texts: in the place of those on disk.
             report: that they are from.
         """
+        chosen = tuple(chosen)
         edits = {key_of(one): [place_of(e) for e in one.fix.edits] for one in chosen if one.fix}
         files = {place[0] for places in edits.values() for place in places}
         others = self._others(files, report.files)
-        if others:
-            report = self._check(texts, others)
-        if len(report.proposals) < 2:
+        if not others and len(report.proposals) < 2:
             return set()
+        robots, proposals = self._look.robots(texts), report.proposals
+        if others:
+            robots = chain(robots, self._look.robots(texts, others))
+            codes = {one.code for one in chosen}
+            proposals += self._look.proposals(texts, others, codes)
         found: set[Key] = set()
-        for subject, proposed in zip(self._subjects(texts, others), report.proposals, strict=True):
-            tags = _tags(subject, files) if subject is not None else {}
+        for subject, proposed in zip(robots, proposals, strict=True):
             asked = set(map(place_of, proposed))
-            for key, places in edits.items():
-                if any(one not in asked and _is_used(one, tags) for one in places):
-                    found.add(key)
+            missing = {key: set(places) - asked for key, places in edits.items()}
+            if subject is None or not any(missing.values()):
+                continue
+            tags = _tags(subject, files)
+            found |= {
+                key for key, places in missing.items() if any(_is_used(one, tags) for one in places)
+            }
         return found
 
     def harm(
@@ -112,27 +253,40 @@ class Watch:
         Args:
             before: texts in the place of those on disk.
             after: likewise.
-            known: the descriptions that were checked already, with the rules asked for.
+            known: the descriptions that were checked already.
         """
-        changed = [path for path, text in after.items() if before.get(path) != text]
-        others = self._others(changed, known)
-        if not others and not self._is_partial:
+        look = self._look
+        others = self._others((p for p, text in after.items() if before.get(p) != text), known)
+        if not others:
             return ""
-        return harm(self._check(before, others), self._check(after, others))
+        now = look.guard_others(after, others)
+        if not (any(now.errors) or now.skipped or now.crashed):
+            return ""
+        return harm(
+            look.guard_others(before, others),
+            now,
+            lambda: look.robots(before, others),
+            lambda: look.robots(after, others),
+        )
 
     def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
         """Robots that changed files are part of, and that were not asked for."""
-        try:
-            found = affected(changed, self._config, self._resolver)
-        except UnreadableFile:  # a folder with too many files to look at
-            return []
-        asked = set(map(os.path.realpath, known))
-        others = dict.fromkeys(os.path.relpath(robot.file) for robot in found.robots)
-        return [file for file in others if os.path.realpath(file) not in asked]
+        files = frozenset(changed)
+        if files not in self._found:
+            try:
+                found = affected(files, self._look.config, self._look.resolver).robots
+            except UnreadableFile:  # a directory with too many files to look at
+                found = ()
+            asked = set(map(os.path.realpath, known))
+            others = dict.fromkeys(os.path.relpath(robot.file) for robot in found)
+            self._found[files] = [f for f in others if os.path.realpath(f) not in asked]
+        return self._found[files]
 
 
 def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]:
     """First and last byte of the start tags that a robot uses of some files, in their order."""
+    if subject.reading.document is None:
+        return {}
     real = {source.path: os.path.realpath(source.path) for source in subject.document.sources}
     found: dict[str, set[tuple[int, int]]] = {}
     for element in subject.document.root.walk():

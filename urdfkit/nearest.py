@@ -13,7 +13,10 @@ _LONGEST = 200
 _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
 
 #: What a name may say of the thing that has it, and people leave out.
-_KINDS = frozenset(("link", "joint", "frame"))
+_KINDS = frozenset(("link", "joint", "frame", "name"))
+
+#: A word in a name, as in base_link or hackBaseline.
+_WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
 
 def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
@@ -94,7 +97,8 @@ class Speller:
 
     Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4`` or
     ``wheel_b``, nor ``left_arm`` to be ``right_arm``; nor is ``base_imu_link`` the ``base_link``
-    that it is on.
+    that it is on. A word in front gives a name another meaning, too: ``baseline`` is not meant
+    to be ``hackBaseline``.
     """
 
     #: Unknown names that are looked at, and known ones that each is compared with.
@@ -131,9 +135,17 @@ def _are_siblings(word: str, other: str) -> bool:
 
 
 def _has_more_words(word: str, other: str) -> bool:
-    """True if a name is another one with more words than those that say what has it."""
-    words, others = (set(name.casefold().split("_")) for name in (word, other))
-    return len(others) > 1 and others < words and not words - others <= _KINDS
+    """True if one name is the other with more words than those that say what has it."""
+    words, others = _words(word), _words(other)
+    if len(others) > 1 and others < words:
+        return not words - others <= _KINDS
+    is_cut_short = other.casefold().startswith(word.casefold())
+    return words < others and not (others - words <= _KINDS or is_cut_short)
+
+
+def _words(name: str) -> set[str]:
+    parts = name.split("_") if name.islower() or name.isupper() else re.findall(_WORD, name)
+    return {part.casefold() for part in parts}
 
 
 def _numbers(sides: list[str]) -> list[str]:

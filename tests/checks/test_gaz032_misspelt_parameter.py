@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.gazebos import BASE, plugin
+from tests.gazebos import BASE, plugin, sensor
 from tests.told import fixed, messages, told
 
 MOVE = "libgazebo_ros_planar_move.so"
@@ -20,6 +20,14 @@ def test_a_tag_that_is_there_already_is_not_meant() -> None:
 def test_left_is_no_slip_of_right() -> None:
     tags = "<frontLeftJoint>a</frontLeftJoint>"
     assert told("GAZ032", BASE + plugin("libgazebo_ros_diff_drive.so", tags)) == []
+
+
+def test_a_tag_of_another_meaning_is_not_made_active() -> None:
+    """Taken for <hackBaseline>, it would move the second camera of a stereo pair."""
+    camera = '<plugin name="c" filename="libgazebo_ros_camera.so"><{0}>0.2</{0}></plugin>'
+    for tag, meant in (("baseline", []), ("hackBaselin", ["did you mean <hackBaseline>?"])):
+        text = BASE + sensor("camera", camera.format(tag))
+        assert [found.help for found in told("GAZ032", text)] == meant
 
 
 def test_other_generations_and_vendors() -> None:

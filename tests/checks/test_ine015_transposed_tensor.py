@@ -6,6 +6,7 @@ import pytest
 
 from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
 from tests.told import fixed, messages, told
+from urdfkit.examples import whole_robot
 
 ACROSS, ALONG = 0.5 * (3 * 0.06**2 + 0.05**2) / 12, 0.5 * 0.06**2 / 2
 LYING = shape("collision", WHEEL, rpy=f"{pi / 2!r} 0 0")
@@ -19,10 +20,20 @@ def test_a_wheel_that_lies_along_y() -> None:
         "z; a solid cylinder of radius 0.06 m and length 0.05 m has 0.000554, 0.0009, 0.000554 "
         "kg m^2 as it lies"
     )
-    assert found.help == (
-        'write ixx="0.000554167" iyy="0.0009" izz="0.000554167", or turn the <inertial>'
-    )
+    assert found.help == ('write iyy="0.0009" izz="0.0005541666666666667", or turn the <inertial>')
     assert messages("INE015", fixed("INE015", robot)) == []
+
+
+def test_the_sign_of_one_product_is_all_that_is_edited() -> None:
+    turned = shape("collision", BOX, rpy="0 0 0.4")
+    robot = link("wrist", turned, inertial(12, (0.0923, -0.0178, 0, 0.0576, 0, 0.1303)))
+    (found,) = told("INE015", robot)
+    assert found.message == (
+        "link 'wrist' has ixy -0.0178 kg m^2, with the sign opposite to that of the solid box of "
+        "0.2 x 0.3 x 0.1 m, which has 0.0179"
+    )
+    assert found.help == 'write ixy="0.0178", or turn the <inertial>'
+    assert fixed("INE015", robot) == whole_robot(robot.replace("-0.0178", "0.0178"))
 
 
 def test_turned_with_the_shape_it_is_right() -> None:

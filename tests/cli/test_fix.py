@@ -23,29 +23,64 @@ def robot(tmp_path: Path) -> Path:
 def test_the_summary_says_what_was_fixed_what_is_left_and_why(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["fix", str(robot), "--select", "JNT,INE008,XAC007"]) == 0
+    words = ["fix", str(robot), "--select", "JNT,JNT020,INE008,GAZ045,XAC007"]
+    assert main([*words, "--check"]) == 1
+    assert "would fix in" in capsys.readouterr().out
+    assert main(words) == 0
     out = capsys.readouterr().out
     assert out.replace(str(robot), "r.xacro") == (
         "fixed in r.xacro:\n"
         "  JNT020  remove the axis: lines 190, 220, 252\n"
         "\n"
         "left in r.xacro:\n"
+        "  warning  GAZ045  lidar-full-circle (its fix is unsafe: --unsafe-fixes): line\n"
+        "      317\n"
         "  info     INE008  inertia-differs-from-geometry: line 15\n"
         "  info     INE008  inertia-differs-from-geometry (its fix is unsafe:\n"
         "      --unsafe-fixes): lines 214, 243, 269\n"
         "  info     JNT021  no-limit-on-continuous: lines 158, 174, 181\n"
         "  info     XAC007  own-pi (its fix is unsafe: --unsafe-fixes): line 9\n"
         "\n"
-        "3 fixed in 1 file, 8 left, 4 of them with an unsafe fix\n"
+        "3 fixed in 1 file, 9 left, 5 of them with an unsafe fix\n"
     )
+    assert main([*words, "--check"]) == 0
+    capsys.readouterr()
     assert main(["fix", str(robot), "--select", "JNT", "--fail-on", "info"]) == 1
     assert "0 fixed in 0 files, 3 left\n" in capsys.readouterr().out
+
+
+def test_an_info_is_fixed_only_where_its_code_is_given(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for words in ([], ["--select", "JNT"], ["--select", "JNT,INE", "--unsafe-fixes"]):
+        assert main(["fix", str(robot), "--check", *words]) == 0
+        out = " ".join(capsys.readouterr().out.split())
+        assert "JNT020 axis-on-fixed (fixed with --select JNT020): lines 190, 220, 252" in out
+    for name in ("JNT020", "jnt020", "axis-on-fixed"):
+        assert main(["fix", str(robot), "--check", "--select", name]) == 1
+        assert "3 would be fixed in 1 file, 0 left" in capsys.readouterr().out
+    assert main(["check", str(robot), "--select", "JNT020"]) == 0
+    assert "3 fixable with --fix\n" in capsys.readouterr().out
+    assert main(["check", str(robot), "--select", "JNT"]) == 0
+    out = capsys.readouterr().out
+    assert "fixable" not in out
+    assert "Fixes of infos are applied only with --select JNT020\n" in out
+
+
+def test_a_check_counts_what_fix_would_write(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot.write_text(robot.read_text().replace("<robot", "<!-- do not edit -->\n<robot", 1))
+    assert main(["check", str(robot), "--select", "JNT020,GAZ045"]) == 1
+    out = capsys.readouterr().out
+    assert "fixable with" not in out
+    assert "Not fixable: 4 (the file is generated: fix what it is made from)\n" in out
 
 
 def test_a_diff_writes_nothing(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     before = robot.read_bytes()
     for words in (["check", "--diff"], ["fix", "--diff"], ["check", "--fix", "--diff"]):
-        assert main([*words, str(robot)]) == 1
+        assert main([*words, str(robot), "--select", "JNT020"]) == 1
         out = capsys.readouterr().out
         assert [line for line in out.splitlines() if line[:2] in ("- ", "+ ")] == [
             f"-{AXIS}".rstrip("\n")
@@ -59,7 +94,8 @@ def test_check_fixes_and_reports_what_is_left(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     before = robot.read_text()
-    assert main(["check", "--fix", str(robot), "--select", "JNT", "--format", "statistics"]) == 0
+    words = ["--select", "JNT,JNT020", "--format", "statistics"]
+    assert main(["check", "--fix", str(robot), *words]) == 0
     captured = capsys.readouterr()
     assert captured.err == f"fixed {robot}\n"
     assert "JNT021" in captured.out
@@ -93,7 +129,7 @@ def test_a_file_that_may_not_be_written_is_an_error(
 
     monkeypatch.setattr("os.replace", full)
     before = robot.read_bytes()
-    assert main(["fix", str(robot)]) == 2
+    assert main(["fix", str(robot), "--select", "JNT020"]) == 2
     assert "No space left on device" in capsys.readouterr().err
     assert robot.read_bytes() == before
     assert [path.name for path in robot.parent.iterdir()] == [robot.name]
@@ -121,6 +157,6 @@ def test_meshes_of_other_workspaces_are_not_made(
     other.mkdir(parents=True)
     (other / "package.xml").write_text("<package><name>gazebo_pkg</name></package>")
     words = ["fix", str(robot), "--generate-meshes", "--package", f"gazebo_pkg={other}"]
-    assert main(words) == 1
+    assert main(words) == 0
     assert "cannot make" in capsys.readouterr().out
     assert [path.name for path in other.iterdir()] == ["package.xml"]

@@ -220,10 +220,66 @@ def test_a_replacement_edits_what_is_different_only() -> None:
     (found,) = masses(part("a", 12, (0.1, 7, 0.13), BOX)).weighed
     fix = replacement(found, Tensor(0.1, 0, 0, 0.05, 0, 0.13))
     assert fix is not None
-    assert fix.title == 'write ixx="0.1" iyy="0.05" izz="0.13"'
+    assert fix.title == 'write iyy="0.05"'
     assert [(edit.span.text, edit.text) for edit in fix.edits] == [("7", "0.05")]
     assert replacement(found, Tensor(0.1, 0, 0, 7, 0, 0.13)) is None
     assert replacement(found, None) is None
+
+
+def replaced(robot: str) -> list[tuple[str, str]]:
+    """The old and new texts of what a fix writes instead of a tensor that is not of the shape."""
+    (found,) = masses(robot).weighed
+    fix = replacement(found, of_unlike_shape(found, masses(robot)).tensor)
+    return [(edit.span.text, edit.text) for edit in fix.edits] if fix else []
+
+
+def test_a_tensor_that_may_be_published_is_not_replaced_by_that_of_a_placeholder() -> None:
+    """RotorS' hummingbird: measured, in a box that is no more than its battery."""
+    box = '<box size="0.1 0.1 0.12"/>'
+    published = (0.007, 0.007, 0.012)
+    assert unlike(part("base", 0.68, published, box)) == Diagnosis("", None, Confidence.INFERRED)
+    assert replaced(part("base", 0.68, (0.01, 0.01, 0.01), box)) != []
+
+
+def test_one_sign_is_all_that_is_changed() -> None:
+    """As on the wrists of Kinova's arms."""
+    turned = shape("collision", BOX, rpy="0 0 0.4")
+    robot = link("wrist", turned, inertial(12, BOX_MOMENTS))
+    (box,) = masses(robot).weighed
+    assert box.expected is not None
+    moments = Tensor(0.0923, -0.0178, 0, 0.0576, 0, 0.1303)
+    assert box.expected == pytest.approx((0.0924, 0.0179, 0, 0.0576, 0, 0.13), abs=1e-4)
+    wrong = link("wrist", turned, inertial(12, moments))
+    (found,) = masses(wrong).weighed
+    assert found.is_at_wrong_axes
+    assert replaced(wrong) == [("-0.0178", "0.0178")]
+
+
+def test_entries_that_are_right_keep_their_digits() -> None:
+    assert replaced(part("a", 12, (0.0995, 0.13, 0.0505), BOX)) == [
+        ("0.13", "0.0505"),
+        ("0.0505", "0.13"),
+    ]
+
+
+def test_a_product_that_an_angle_of_1_57_leaves_is_not_written() -> None:
+    lying = link("a", shape("collision", BOX, rpy="1.57 0 0"), inertial(12, (7, 7, 7)))
+    (found,) = masses(lying).weighed
+    assert found.expected is not None
+    assert abs(found.expected.iyz) > 1e-5
+    assert [old for old, _ in replaced(lying)] == ["7", "7", "7"]
+
+
+def test_of_the_signs_that_are_possible_that_of_the_shape_is_meant() -> None:
+    thin = shape("collision", '<box size="0.02 0.02 1"/>', rpy="0.5 0.6 0")
+    (rod,) = masses(link("a", thin, inertial(1, (7, 7, 7)))).weighed
+    assert rod.expected is not None
+    wrong = link("a", thin, inertial(1, rod.expected._replace(ixz=-rod.expected.ixz)))
+    found = masses(wrong)
+    assert [*found.claims] == ["INE003"]
+    diagnosis = of_impossible(found.weighed[0], found)
+    assert diagnosis.cause == "has ixz with the opposite sign"
+    assert diagnosis.tensor == pytest.approx(rod.expected)
 
 
 def findings(found: Masses) -> list[Finding]:

@@ -16,14 +16,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.editing.edits import from_macro
-from urdfkit.inertials.diagnosis import as_solid, replacement, values, written
+from urdfkit.inertials.diagnosis import as_solid, of_wrong_axes, opposite, replacement, values
 from urdfkit.rules import Finding, rule
 from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from urdfkit.inertials.weighed import Weighed
-    from urdfkit.model import Tensor
     from urdfkit.subject import Subject
 
 BAD = """\
@@ -52,32 +50,31 @@ _SAME = 1.2
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for weighed in subject.masses.claims.get("INE015", ()):
-        expected = weighed.expected
-        assert expected is not None
+        _, tensor = of_wrong_axes(weighed)
+        flipped = opposite(weighed.tensor, tensor)
+        fix = replacement(weighed, tensor)
         yield Finding(
             weighed.at,
-            f"link '{weighed.link.name}' has {_difference(weighed, expected)} as it lies",
-            "" if from_macro(weighed.at) else f"write {written(expected)}, or turn the <inertial>",
-            replacement(weighed, expected),
+            _signs(weighed, flipped) if flipped else _moments(weighed),
+            f"{fix.title}, or turn the <inertial>" if fix else "",
+            fix,
             confidence=Confidence.INFERRED,
         )
 
 
-def _difference(weighed: Weighed, expected: Tensor) -> str:
-    """What is not that of the shape: the moments, or else the products of inertia."""
-    if not weighed.fits(expected, _SAME):
-        return (
-            f"moments of inertia of {values(weighed.diagonal)} about x, y and z; "
-            f"{as_solid(weighed)}"
-        )
-    keys = [key for key in ("ixy", "ixz", "iyz") if _differs(key, weighed, expected)]
-    there, right = (
-        ", ".join(f"{key} = {getattr(tensor, key):.3g}" for key in keys)
-        for tensor in (weighed.tensor, expected)
+def _moments(weighed: Weighed) -> str:
+    return (
+        f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
+        f" about x, y and z; {as_solid(weighed)} as it lies"
     )
-    return f"{there} kg m^2; the solid {weighed.solid} has {right}"
 
 
-def _differs(key: str, weighed: Weighed, expected: Tensor) -> bool:
-    apart: float = abs(getattr(weighed.tensor, key) - getattr(expected, key))
-    return apart > (_SAME - 1) * weighed.moments[2]
+def _signs(weighed: Weighed, keys: list[str]) -> str:
+    """Products of inertia, of which only the sign differs from that of the shape."""
+    pairs = [(getattr(weighed.tensor, key), getattr(weighed.expected, key)) for key in keys]
+    return (
+        f"link '{weighed.link.name}' has "
+        + " and ".join(f"{key} {old:.3g}" for key, (old, _) in zip(keys, pairs, strict=True))
+        + f" kg m^2, with the sign opposite to that of the solid {weighed.solid}, which has "
+        + " and ".join(f"{new:.3g}" for _, new in pairs)
+    )

@@ -38,15 +38,19 @@ def run_check(values: Mapping[str, Any]) -> int:
         return 0
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
+        from urdfkit.fixing import counted
+
         fixes = mend(values, chosen)
         if values["diff"]:
             return int(bool(fixes.files))
         _tell(fixes)
-        report = fixes.report
+        report = fixes.report._replace(fixable=counted(fixes.left))
     elif values["unsafe_fixes"] or values["force"]:
         raise options.UsageError("--unsafe-fixes and --force need --fix or --diff")
     else:
         report = _check(values, chosen)
+        if any(name == "text" for name, _ in outputs) and any(d.fix for d in report.diagnostics):
+            report = _with_fixable(report, values, chosen)
     report = _with_baseline(report, known, values)
     _show_crashes(report)
     # Files first: if one cannot be written, standard output stays empty.
@@ -114,8 +118,16 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
             progress.wipe()
 
 
+def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
+    """The report with what ``--fix`` would do; of standard input nothing can be fixed in place."""
+    from urdfkit.fixing import fixable
+
+    files = options.files(values)
+    return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
+
+
 def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
-    """Fix the files in place, or show the changes as a diff."""
+    """Fix the files in place, show the changes as a diff, or only find them."""
     from urdfkit.fixing import fix
 
     files = options.files(values)
@@ -128,6 +140,8 @@ def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = 
         fixes = fix(*files, unsafe=unsafe, force=force, generate_meshes=generate_meshes, **now)
         if values["diff"]:
             output.write(fixes.diff())
+            return fixes
+        if values.get("check"):
             return fixes
         fixes.write()
         if not fixes.meshes:
@@ -153,7 +167,7 @@ def _tell(fixes: Fixes) -> None:
         return
     for file in fixes.files:
         print(f"fixed {shown(file.path)}", file=sys.stderr)
-    refused = {left.reason for left in fixes.left} - {"", "unsafe"}
+    refused = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
     for reason in sorted(refused):
         count = sum(left.reason == reason for left in fixes.left)
         print(f"not fixed ({count}): {reason}", file=sys.stderr)

@@ -30,8 +30,13 @@ def _fix(**values: Any) -> int:
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would make")))
         return int(bool(fixes.files or fixes.meshes))
-    output.write("".join(f"{line}\n" for line in render(fixes)))
-    return fixes.report.exit_code(fail_on(values, chosen))
+    is_dry = values["check"]
+    output.write("".join(f"{line}\n" for line in render(fixes, is_dry=is_dry)))
+    if fixes.report.crashed:
+        return 3
+    if values["fail_on"]:
+        return fixes.report.exit_code(fail_on(values, chosen))
+    return int(is_dry and bool(fixes.files or fixes.meshes))
 
 
 command = click.Command(
@@ -44,16 +49,20 @@ command = click.Command(
             is_flag=True,
             help="Make meshes for files that are missing, empty or broken.",
         ),
+        click.Option(
+            ["--check"], is_flag=True, help="Write nothing; exit with 1 if a file would change."
+        ),
         *(click_option(one) for one in options.CHECK if one.flag[2:] in _OPTIONS),
     ],
     help="""Mend what has a remedy, in the files as people wrote them.
 
     FILE is a URDF, a xacro or a folder of them. Comments, quotes, indentation and line ends stay
     as they are; files are replaced whole or not at all. Without --unsafe-fixes only those fixes
-    are applied that cannot change what the robot does.
+    are applied that cannot change what the robot does. The fixes of infos are applied only with
+    --select CODE.
 
-    Exit codes: 0 nothing is left that --fail-on counts, 1 something is left (with --diff:
-    something would change), 2 it cannot be done, 3 a bug of urdfkit.
+    Exit codes: 0 done, whatever is left; 1 a file would change (--check, --diff), or findings of
+    --fail-on are left, if it is given; 2 usage or input error; 3 a bug of urdfkit.
     """,
     epilog=examples(
         "urdfkit fix . --unsafe-fixes --diff",
@@ -62,23 +71,23 @@ command = click.Command(
 )
 
 
-def render(fixes: Fixes) -> Iterator[str]:
+def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
     """The lines of the summary."""
-    yield from _applied(fixes)
-    made = list(_meshes(fixes, "made"))
+    yield from _applied(fixes, "would fix" if is_dry else "fixed")
+    made = list(_meshes(fixes, "would make" if is_dry else "made"))
     yield from (*made, "") if made else ()
     yield from _left(fixes)
-    yield _total(fixes)
+    yield _total(fixes, "would be fixed" if is_dry else "fixed")
 
 
-def _applied(fixes: Fixes) -> Iterator[str]:
+def _applied(fixes: Fixes, verb: str) -> Iterator[str]:
     groups: dict[str, dict[tuple[str, str], list[Diagnostic]]] = {}
     for one in fixes.applied:
         assert one.fix is not None
         path = shown(one.fix.edits[0].span.source.path)
         groups.setdefault(path, {}).setdefault((one.code, one.fix.title), []).append(one)
     for path, kinds in sorted(groups.items()):
-        yield f"fixed in {printable(path)}:"
+        yield f"{verb} in {printable(path)}:"
         for (code, title), found in kinds.items():
             yield _row(f"{code}  {printable(title)}", found)
         yield ""
@@ -101,11 +110,14 @@ def _left(fixes: Fixes) -> Iterator[str]:
     for path, kinds in sorted(groups.items()):
         yield f"left in {printable(path)}:"
         for (_, what, reason), found in sorted(kinds.items(), key=lambda kind: kind[0]):
-            yield _row(what + (f" ({_why(reason)})" if reason else ""), found)
+            yield _row(what + (f" ({_why(reason, found[0])})" if reason else ""), found)
         yield ""
 
 
-def _why(reason: str) -> str:
+def _why(reason: str, diagnostic: Diagnostic) -> str:
+    if reason == "info":
+        is_safe = diagnostic.fix is not None and diagnostic.fix.safe
+        return f"fixed with --select {diagnostic.code}" + " --unsafe-fixes" * (not is_safe)
     return "its fix is unsafe: --unsafe-fixes" if reason == "unsafe" else printable(reason)
 
 
@@ -117,9 +129,9 @@ def _row(text: str, found: Iterable[Diagnostic]) -> str:
     return f"  {wrap(row, output.width() - 2, indent=6)}"
 
 
-def _total(fixes: Fixes) -> str:
+def _total(fixes: Fixes, verb: str) -> str:
     unsafe = sum(left.reason == "unsafe" for left in fixes.left)
-    text = f"{len(fixes.applied)} fixed in {_count(len(fixes.files), 'file')}, "
+    text = f"{len(fixes.applied)} {verb} in {_count(len(fixes.files), 'file')}, "
     text += f"{len(fixes.left)} left"
     return text + (f", {unsafe} of them with an unsafe fix" if unsafe else "")
 

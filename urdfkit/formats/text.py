@@ -32,7 +32,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     blocks = [page.diagnostic(diagnostic) for diagnostic in gathered(report.diagnostics)]
     blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
-    hints += _mendable(report)
+    hints += (page.wrap(hint, indent=2) for hint in _fixable(report))
     for name, meant in report.unknown_arguments:
         hint = f"; did you mean '{meant}'?" if meant else ""
         hints.append(printable(f"No robot here has an argument '{name}'{hint}"))
@@ -45,14 +45,21 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     return "\n".join(blocks) + summary(report, color=color, width=width)
 
 
-def _mendable(report: Report) -> Iterator[str]:
-    """How many findings a fix would mend, and how to let it."""
-    safe = [found.fix.safe for found in report.diagnostics if found.fix]
-    careful, bold = safe.count(True), safe.count(False)
-    if careful:
-        yield f"Mended by --fix: {careful}" + (f"; with --unsafe-fixes: {bold} more" * bool(bold))
-    elif bold:
-        yield f"Mended by --fix --unsafe-fixes: {bold}"
+def _fixable(report: Report) -> Iterator[str]:
+    """How many findings would be fixed, what lets more be fixed, and why some are left."""
+    fixable = report.fixable
+    if fixable is None:
+        return
+    safe, unsafe, infos, left = fixable
+    if safe:
+        more = f" (up to {unsafe} more with --unsafe-fixes)" if unsafe else ""
+        yield f"{safe} fixable with --fix{more}"
+    elif unsafe:
+        yield f"Up to {unsafe} fixable with --fix --unsafe-fixes"
+    if infos:
+        yield f"Fixes of infos are applied only with --select {','.join(infos)}"
+    for reason, count in left:
+        yield f"Not fixable: {count} ({printable(reason)})"
 
 
 def summary(report: Report, *, color: bool = False, width: int = 80) -> str:

@@ -6,11 +6,12 @@ of the link, or become possible at all. It says how sure it is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import permutations, product
 
 from urdfkit.diagnostic import Confidence, Fix, Related
 from urdfkit.editing.edits import all_or_none, from_macro, replace_value
-from urdfkit.inertials.claims import HEAVIEST
+from urdfkit.inertials.claims import HEAVIEST, TOO_SMALL
 from urdfkit.inertials.weighed import EXACT, ROUNDING, Weighed
 from urdfkit.mechanics import inertia
 from urdfkit.model import Tensor, number
@@ -35,8 +36,15 @@ UNITS = (
 #: Put right, the moments must be this near to those of the shape, as a factor.
 NEAR = 1.5
 
-#: Products of inertia below this part of the largest moment come from angles such as 1.5708.
-CLEAR = 1e-4
+#: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
+CLEAR = 2e-3
+
+#: A tensor whose entries stand elsewhere, or have other signs, agrees with that of the shape if
+#: they differ by no more than this part of the largest moment.
+_ALIKE = 0.05
+
+#: ``ixx`` is the entry of row 0 and column 0, ``ixy`` that of row 0 and column 1, and so on.
+_CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 #: Moments nearer to one another than this factor are as good as equal.
 _EVEN = 1.01
@@ -77,7 +85,23 @@ def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
         return Diagnosis(cause, tensor, Confidence.INFERRED)
     other = masses.of_their_shape.get(weighed.tensor)
     cause = f"is that of link '{other.link.name}', which it fits" if other else ""
-    return Diagnosis(cause, _of_shape(weighed), Confidence.INFERRED)
+    is_wrong = bool(other) or _is_invented(weighed, expected)
+    return Diagnosis(cause, _of_shape(weighed) if is_wrong else None, Confidence.INFERRED)
+
+
+def _is_invented(weighed: Weighed, expected: Tensor) -> bool:
+    """True if nobody measured a tensor, so that even the rough shape of the link tells more.
+
+    Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
+    proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.
+    Others may be published for the real robot, beside which the shape may be a placeholder.
+    """
+    moment = weighed.tensor.ixx
+    if weighed.is_diagonal and {*weighed.diagonal} == {moment}:
+        return not _is_even(expected) or float(f"{moment:.0e}") == moment
+    ratios = weighed.ratios(expected)
+    is_scaled = min(ratios) > 0 and max(ratios) <= EXACT * min(ratios)
+    return is_scaled or max(ratios) < TOO_SMALL or min(ratios) > 1 / TOO_SMALL
 
 
 def _of_shape(weighed: Weighed) -> Tensor | None:
@@ -89,7 +113,7 @@ def _of_shape(weighed: Weighed) -> Tensor | None:
 def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Slips without which the tensor agrees with the shape, each with the tensor meant."""
     if weighed.is_at_wrong_axes:
-        yield "has its moments at the wrong axes", expected
+        yield of_wrong_axes(weighed)
     # Three equal moments of a shape that has none were made up, in whatever unit they fit.
     if not weighed.is_placeholder and (_is_even(expected) or not _is_even(weighed.tensor)):
         for unit, factor in UNITS:
@@ -111,8 +135,61 @@ def _is_even(tensor: Tensor) -> bool:
     return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
 
 
+def of_wrong_axes(weighed: Weighed) -> tuple[str, Tensor]:
+    """Why a tensor with the moments of the shape has other axes, and the tensor meant.
+
+    Its own entries, as far as possible: moved as little as needed, or with other signs.
+    """
+    expected = weighed.expected
+    assert expected is not None
+    if meant := _rearranged(weighed, expected, list(permutations(range(3)))):
+        if keys := opposite(weighed.tensor, meant):
+            return f"has {' and '.join(keys)} with the opposite sign", meant
+        return "has its moments at the wrong axes", meant
+    return "has its moments at the wrong axes", expected
+
+
+def _rearranged(
+    weighed: Weighed, expected: Tensor, orders: Iterable[Sequence[int]]
+) -> Tensor | None:
+    """The entries of a tensor in other places or with other signs, nearest to those of the shape.
+
+    None if none of these agrees. Of those that do, the one with the fewest changes.
+    """
+    found = []
+    for order, signs in product(orders, product((1, -1), repeat=3)):
+        tensor = _permuted(weighed.tensor, order, signs)
+        pairs = zip(tensor, expected, strict=True)
+        if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(weighed.moments[2]):
+            changes = sum(a != b for a, b in zip(tensor, weighed.tensor, strict=True))
+            found.append((changes, tensor))
+    return min(found)[1] if found else None
+
+
+def _permuted(tensor: Tensor, order: Sequence[int], signs: Sequence[int]) -> Tensor:
+    """A tensor about its axes in another order, with signs for ``ixy``, ``ixz`` and ``iyz``."""
+    of_cell = dict(zip(_CELLS, tensor, strict=True))
+    xx, xy, xz, yy, yz, zz = (
+        of_cell[min(order[i], order[j]), max(order[i], order[j])] for i, j in _CELLS
+    )
+    return Tensor(xx, signs[0] * xy or 0.0, signs[1] * xz or 0.0, yy, signs[2] * yz or 0.0, zz)
+
+
+def opposite(tensor: Tensor, other: Tensor) -> list[str]:
+    """The entries that differ between two tensors by their sign; none if others differ, too."""
+    rows = zip(Tensor._fields, tensor, other, strict=True)
+    different = [(key, a, b) for key, a, b in rows if a != b]
+    keys = [key for key, a, b in different if a == -b]
+    return keys if len(keys) == len(different) else []
+
+
 def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:
     """Why no body can have a tensor, and which was meant if the numbers tell it."""
+    if weighed.is_measured and weighed.expected:
+        meant = _rearranged(weighed, weighed.expected, [range(3)])
+        if meant and is_possible(meant) and (keys := opposite(weighed.tensor, meant)):
+            cause = f"has {' and '.join(keys)} with the opposite sign"
+            return Diagnosis(cause, meant, Confidence.INFERRED)
     for cause, tensor in _rewritten(weighed):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     for twin in _twins(weighed, masses):
@@ -189,16 +266,48 @@ def _digits(tensor: Tensor) -> list[str]:
 
 
 def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
-    """A fix that writes a tensor in the place of one that stands in the file as numbers."""
+    """A fix that writes a tensor in the place of one that stands in the file as numbers.
+
+    Entries that are right stay as they are written; one that stood elsewhere, or had the other
+    sign, keeps its digits.
+    """
     if tensor is None:
         return None
-    attributes = [weighed.at.attributes[key] for key in Tensor._fields]
-    edits = all_or_none(
-        replace_value(attribute, text)
-        for attribute, text in zip(attributes, _digits(tensor), strict=True)
-        if number(attribute.value) != float(text)
+    changed = _changed(weighed, tensor)
+    attributes = weighed.at.attributes
+    edits = all_or_none(replace_value(attributes[key], text) for key, text in changed.items())
+    title = " ".join(f'{key}="{text}"' for key, text in changed.items())
+    return Fix.of(f"write {title}", edits)
+
+
+def _changed(weighed: Weighed, tensor: Tensor) -> dict[str, str]:
+    """The new texts of the entries that are wrong, by their names."""
+    texts = {key: weighed.at.attributes[key].value.strip() for key in Tensor._fields}
+    written_as = {-old: _negated(texts[key]) for key, old in weighed.tensor._asdict().items()}
+    written_as |= {old: texts[key] for key, old in weighed.tensor._asdict().items()}
+    new = {
+        key: (written_as.get(value) if value else None) or text
+        for (key, value), text in zip(tensor._asdict().items(), _digits(tensor), strict=True)
+    }
+    wrong = [key for key in Tensor._fields if number(texts[key]) != number(new[key])]
+    worse = [
+        key for key in wrong if new[key] in written_as.values() or _differs(key, weighed, tensor)
+    ]
+    mixed = tensor._replace(
+        **{key: old for key, old in weighed.tensor._asdict().items() if key not in worse}
     )
-    return Fix.of(f"write {written(tensor)}", edits)
+    return {key: new[key] for key in (worse if is_possible(mixed) else wrong)}
+
+
+def _negated(text: str) -> str:
+    return text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
+
+
+def _differs(key: str, weighed: Weighed, tensor: Tensor) -> bool:
+    """True if an entry differs from the one computed by more than its digits are worth."""
+    old, value, largest = getattr(weighed.tensor, key), getattr(tensor, key), max(map(abs, tensor))
+    bound = CLEAR * largest if key[1] != key[2] else (EXACT - 1) * abs(value)
+    return bool(abs(old - value) > bound)
 
 
 def as_solid(weighed: Weighed) -> str:

@@ -12,10 +12,11 @@ from urdfkit.editing.edits import all_or_none, from_macro, insert_first, insert_
 from urdfkit.editing.fixer import apply_edits, encoded
 from urdfkit.editing.rewriting import Rewrite, on_disk
 from urdfkit.errors import UrdfkitError
+from urdfkit.inertials.diagnosis import CLEAR
 from urdfkit.inertials.matter import Matter, matter
 from urdfkit.mechanics.inertia import ZERO, MassProperties, combined, principal_moments, rotated
 from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.model import Inertial, Link, Tensor
+from urdfkit.model import Inertial, Link, Tensor, numbers
 from urdfkit.nearest import did_you_mean
 from urdfkit.record import Record
 from urdfkit.spatial import IDENTITY, Frame, Vector
@@ -31,7 +32,7 @@ SAME = 1.03
 NEAR = 3.0
 #: Tensors of the same moments that are farther apart, as a part of the greatest, have other axes.
 _TURNED = 0.1
-#: Products of inertia and offsets below this part of the whole are rounding.
+#: Offsets and moments below this part of the whole are rounding.
 _NOISE = 1e-6
 
 
@@ -276,7 +277,7 @@ def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit
             if value not in ("0", "0 0 0"):
                 return None
             continue
-        if attribute.value.split() == value.split():
+        if [f"{one:.6g}" for one in numbers(attribute.value) or ()] == value.split():
             continue
         piece = replace_value(attribute, value)
         if piece is None:
@@ -291,7 +292,11 @@ def _rounded(properties: MassProperties) -> MassProperties:
     largest = max(map(abs, tensor), default=0.0)
     reach = (largest / mass) ** 0.5 if mass > 0 else 0.0
     x, y, z = (0.0 if abs(value) < _NOISE * reach else value for value in center)
-    moments = (0.0 if abs(value) < _NOISE * largest else value for value in tensor)
+    products = CLEAR * largest
+    moments = (
+        value if abs(value) > (products if key[1] != key[2] else _NOISE * largest) else 0.0
+        for key, value in zip(Tensor._fields, tensor, strict=True)
+    )
     return MassProperties(mass, (x, y, z), Tensor(*moments) if largest else ZERO)
 
 

@@ -69,7 +69,7 @@ class Ownership:
         if not self.owns(path):
             return OUTSIDE
         if is_generated(source):
-            return "the file is generated: mend what it is made from"
+            return "the file is generated: fix what it is made from"
         if is_ignored(path):
             return "git ignores the file, as it does what programs make"
         if not _may_be_written(path):

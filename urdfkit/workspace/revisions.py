@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import subprocess
-import tempfile
 
 from urdfkit.errors import UrdfkitError
 
@@ -36,6 +35,8 @@ def check_out(path: str, revision: str, folder: str, largest: int = MAX_BYTES) -
     commit = _commit(top, revision)
     tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
     names = b"\0".join(_name(entry) for entry in tree.split(b"\0") if _is_wanted(entry, largest))
+    import tempfile  # which a check that asks git about ignored files does without
+
     with tempfile.TemporaryDirectory() as scratch:
         index = os.path.join(scratch, "index")
         _git(top, "read-tree", commit, index=index)
