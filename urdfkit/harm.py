@@ -200,6 +200,7 @@ def subjects_of(
         packages=options.get("packages"),
         trust=options.get("trust", False),
         config=options.get("config"),
+        variant=options.get("variant", ""),
         changed=options.get("changed", False),
         texts=options.get("texts"),
     )
