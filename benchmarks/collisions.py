@@ -22,12 +22,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import pinocchio as pin
 
-from urdfkit.collision.chain import chain
-from urdfkit.collision.sampling import collisions
-from urdfkit.loading import read
-from urdfkit.mechanics.adjacency import Adjacency
-from urdfkit.meshes.geometry import Floats
-from urdfkit.subject import Subject
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.mesh.geometry import Floats
+from urdfkit.physics.collision.batch_kinematics import chain
+from urdfkit.physics.collision.sampling import collisions
+from urdfkit.robot.adjacency import Adjacency
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = 10_000

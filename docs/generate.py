@@ -13,9 +13,9 @@ from itertools import groupby
 from pathlib import Path
 
 from urdfkit.cli.explain import severities
-from urdfkit.examples import FOLDER as FOLDER_OF_EXAMPLES
-from urdfkit.examples import diagnose_example
-from urdfkit.rules import FAMILIES, Rule, all_rules
+from urdfkit.lint.rule_examples import FOLDER as FOLDER_OF_EXAMPLES
+from urdfkit.lint.rule_examples import diagnose_example
+from urdfkit.lint.rules import FAMILIES, Rule, all_rules
 
 FOLDER = Path(__file__).resolve().parent / "rules"
 

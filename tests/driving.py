@@ -7,7 +7,7 @@ from pathlib import Path
 from tests.controls import plugin
 from tests.gazebos import WHEELS
 from urdfkit import Diagnostic, check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 DRIVE = """\
 controller_manager:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit.examples import whole_robot
-from urdfkit.inertials.masses import Masses
-from urdfkit.inertials.weighed import Weighed
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.robot.inertials.link_comparison import Weighed
+from urdfkit.robot.inertials.masses import Masses
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 BOX = '<box size="0.2 0.3 0.1"/>'

@@ -7,10 +7,10 @@ from pathlib import Path
 
 from tests import told as one_text
 from tests.workspaces import add_file, mesh_link
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.examples import whole_robot
-from urdfkit.meshes import samples
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.mesh import samples
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 #: A solid that nothing is wrong with.
 SOUND = samples.stl(samples.box((0, 0, 0), (0.1, 0.1, 0.3)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit import Diagnostic, check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 ROBOT = """<robot name="r">
 <link name="base"><inertial><mass value="1"/>

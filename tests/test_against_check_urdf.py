@@ -13,11 +13,11 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.urdfdom import needs_check_urdf, urdfdom
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.schema import JOINT_TYPES
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.lint import engine
+from urdfkit.lint.context import Subject
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.schema import JOINT_TYPES
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'

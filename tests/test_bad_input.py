@@ -19,14 +19,14 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from tests.conftest import CORPUS, MODELS, ROOT
-from tests.expansion import stock
+from tests.xacro import stock
 from tests.xacros import NAMESPACE, xacro
-from urdfkit import engine
-from urdfkit.diagnostic import Report, Severity
 from urdfkit.errors import UrdfkitError
-from urdfkit.expansion import run
-from urdfkit.reading import is_xacro
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Report, Severity
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_xacro
+from urdfkit.xacro import expansion
 
 resource = pytest.importorskip("resource", reason="memory is limited on Unix only")
 
@@ -244,7 +244,7 @@ class TestHostile:
         monkeypatch: pytest.MonkeyPatch,
         tmp_path: Path,
     ) -> None:
-        monkeypatch.setattr(run, "MAX_CALLS", 2000)
+        monkeypatch.setattr(expansion, "MAX_CALLS", 2000)
         path = tmp_path / "robot.xacro"
         path.write_text(xacro(body), encoding="utf-8")
         report = examine(path, path.read_bytes())

@@ -10,11 +10,11 @@ import pytest
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
 from urdfkit.errors import UrdfkitError
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.lint import engine
+from urdfkit.lint.context import Subject
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 pytestmark = needs_corpus

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tests.conftest import manifest, needs_corpus
-from urdfkit import engine
+from urdfkit.lint import engine
 
 #: Each was looked at: the numbers and names are as told.
 EXPECTED = {

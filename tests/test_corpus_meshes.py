@@ -15,8 +15,8 @@ from typing import Any
 import pytest
 
 from tests.conftest import CORPUS, manifest, model_id, needs_corpus
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.lint.context import Subject
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 #: Its package.xml exports the folder to Gazebo's model path.

@@ -13,15 +13,17 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.xacros import xacro
-from urdfkit import Source, check, examples, formats, glance, judge, rules
-from urdfkit.assets.files import Files
-from urdfkit.assets.likeness import Likenesses
-from urdfkit.assets.measured import Measured
+from urdfkit import Source, check
 from urdfkit.cli import main
-from urdfkit.diagnostic import Report
-from urdfkit.gazebo import silence
-from urdfkit.inertials.masses import Masses
-from urdfkit.subject import Subject
+from urdfkit.lint import glance, rule_examples, rules, runner
+from urdfkit.lint.context import Subject
+from urdfkit.output import formats
+from urdfkit.robot.assets.measured_meshes import Measured
+from urdfkit.robot.assets.mesh_files import Files
+from urdfkit.robot.assets.visual_collision import Likenesses
+from urdfkit.robot.inertials.masses import Masses
+from urdfkit.ros.gazebo import silence
+from urdfkit.text.diagnostic import Report
 
 #: Something to say for rules of many kinds: a tensor, a mesh, a plugin, an unlike collision.
 ROBOT = """\
@@ -101,9 +103,9 @@ LOOKS = [
     (silence, "about_plugins"),
     (silence, "about_sensors"),
     (silence, "about_tags"),
-    (judge, "_silent_families"),
-    (judge, "unmeasured"),
-    (judge, "without_library"),
+    (runner, "_silent_families"),
+    (runner, "unmeasured"),
+    (runner, "without_library"),
 ]
 
 
@@ -160,7 +162,7 @@ def test_a_launch_file_that_fails_costs_no_robot(robots: list[Path], monkeypatch
     launch = robots[0].with_name("r.launch")
     launch.write_text("<launch/>")
     before = told(check(*robots))
-    monkeypatch.setattr("urdfkit.launch.read_launch", fail)
+    monkeypatch.setattr("urdfkit.ros.launch.read_launch", fail)
     report = check(launch, *robots)
     assert told(report) == before
     assert {crash.path for crash in report.crashed} == {str(launch)}
@@ -197,8 +199,8 @@ def test_no_rule_fails_on_an_example_that_lacks_something(family: str) -> None:
     for rule in map(rules.get, codes):
         texts = list(lacking(rule.example("BAD") or ""))
         for text in random.sample(texts, min(len(texts), 2)):
-            with examples.laid_out(rule, text) as source:
-                verdict = judge.judge(examples.subject_of(rule, source), codes)
+            with rule_examples.laid_out(rule, text) as source:
+                verdict = runner.judge(rule_examples.subject_of(rule, source), codes)
             assert verdict.crashed == (), text
 
 

@@ -14,8 +14,8 @@ import pytest
 import urdfkit
 from docs import generate, transcripts
 from tests.conftest import ROOT
-from urdfkit import rules
 from urdfkit.cli.group import COMMANDS
+from urdfkit.lint import rules
 
 WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
 

@@ -15,15 +15,15 @@ import pytest
 
 from tests.workspaces import add_file, mesh_link
 from urdfkit import check
-from urdfkit.config import Config
-from urdfkit.discovery import discover
-from urdfkit.meshes.salvage import salvage
-from urdfkit.meshes.sniff import sniff
-from urdfkit.reading import is_xacro
-from urdfkit.source import Source
-from urdfkit.suppress import ignores
+from urdfkit.lint.config import Config
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.suppress import ignores
+from urdfkit.mesh.io.salvage import salvage
+from urdfkit.mesh.io.sniff import sniff
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_xacro
 from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.mentions import mentions
+from urdfkit.workspace.package_references import mentions
 from urdfkit.workspace.resolve import Resolver
 
 MANY = 40_000

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 
 from tests import update_corpus_findings as corpus_findings
 from tests.conftest import CORPUS, MODELS, manifest, model_id, needs_corpus
-from urdfkit.diagnostic import Severity
-from urdfkit.engine import check, subjects
-from urdfkit.fixing import fix
-from urdfkit.source import Source
+from urdfkit.lint.engine import check, subjects
+from urdfkit.lint.fix import fix
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 ENTRIES = list(manifest())
 

@@ -9,8 +9,8 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Report, check
-from urdfkit.libraries import missing_for_meshes
-from urdfkit.rules import TOLD_BY_COAL, TOLD_BY_MESHES
+from urdfkit.core.libraries import missing_for_meshes
+from urdfkit.lint.rules import TOLD_BY_COAL, TOLD_BY_MESHES
 
 PACKAGE = MODELS / "gazebo_pkg"
 MODEL = PACKAGE / "urdf" / "waking_robot_new.xacro"

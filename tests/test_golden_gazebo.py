@@ -7,9 +7,9 @@ from collections import Counter
 import pytest
 
 from tests.conftest import MODELS, SHARED, manifest
-from urdfkit import engine, rules
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.source import Source
+from urdfkit.lint import engine, rules
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import Source
 
 ROBOT = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 FAMILY = [code for code in rules.codes() if "GAZ001" <= code <= "GAZ034"]

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Diagnostic
 
 BAD = MODELS / "bad" / "meshes"
 

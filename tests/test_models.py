@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.conftest import MODELS, SEED, needs_seed
-from urdfkit.engine import check
+from urdfkit.lint.engine import check
 
 PACKAGE = MODELS / "gazebo_pkg"
 MISSION = PACKAGE / "urdf" / "waking_robot_new.xacro"

@@ -14,9 +14,10 @@ import yaml
 
 from docs import transcripts
 from tests.conftest import MODELS, ROOT
-from urdfkit import config, formats
 from urdfkit.cli import main
-from urdfkit.targets import TARGETS
+from urdfkit.lint import config
+from urdfkit.output import formats
+from urdfkit.ros.targets import TARGETS
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -139,7 +140,8 @@ def test_every_format_and_target_is_documented() -> None:
 
 def test_every_fixture_assertion_and_setting_is_documented() -> None:
     page = (DOCS / "pytest.md").read_text(encoding="utf-8")
-    from urdfkit import pytest_plugin, testing
+    from urdfkit import testing
+    from urdfkit.testing import pytest_plugin
 
     fixtures = re.findall(r"@pytest.fixture\ndef (\w+)", Path(pytest_plugin.__file__).read_text())
     settings = re.findall(r'addini\(\s*"(\w+)"', Path(pytest_plugin.__file__).read_text())

@@ -14,7 +14,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit import Diagnostic, Severity, check
-from urdfkit.record import Record
+from urdfkit.core.record import Record
 
 HERE = Path(__file__).parent
 CARRIERS = HERE / "carriers"

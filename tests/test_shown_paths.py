@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from tests.xacros import xacro
-from urdfkit import formats
 from urdfkit.cli import main
-from urdfkit.engine import check
-from urdfkit.source import shown, shown_text
+from urdfkit.lint.engine import check
+from urdfkit.output import formats
+from urdfkit.text.source import shown, shown_text
 
 #: A file that is named, one beside it, and one that is found by its package, each with a defect.
 PARTS = {

@@ -12,8 +12,8 @@ import pytest
 
 import urdfkit
 from tests.conftest import ROOT
-from urdfkit import rules
 from urdfkit.cli.group import COMMANDS
+from urdfkit.lint import rules
 
 pytest.importorskip("mkdocs")
 pytest.importorskip("mkdocstrings")

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.testing import (
     Description,
@@ -21,6 +20,7 @@ from urdfkit.testing import (
     assert_unchanged_since,
     variants,
 )
+from urdfkit.text.diagnostic import Severity
 
 ARM = """\
 <robot name="arm">

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.editing.fixer import apply_edits
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.source import Source
 
 
 def told(

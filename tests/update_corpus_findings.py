@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from tests.conftest import CORPUS, manifest, model_id
-from urdfkit import engine
-from urdfkit.diagnostic import Report
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Report
 
 FILE = Path(__file__).with_name("corpus_findings.json")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 CHECK_URDF = shutil.which("check_urdf")
 needs_check_urdf = pytest.mark.skipif(CHECK_URDF is None, reason="check_urdf is not installed")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import Source
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

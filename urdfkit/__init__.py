@@ -61,9 +61,27 @@ __all__ = [
 TYPE_CHECKING = False  # type checkers take it for True; importing typing costs 8 ms
 
 if TYPE_CHECKING:
-    from urdfkit.collision.sampling import collisions
-    from urdfkit.comparison import Comparison, compare
-    from urdfkit.diagnostic import (
+    from urdfkit.errors import UnreadableRobot, UrdfkitError
+    from urdfkit.lint.context import Subject
+    from urdfkit.lint.engine import check
+    from urdfkit.lint.fix import Fixes, fix
+    from urdfkit.lint.formatting import Formatted, format_files
+    from urdfkit.lint.loading import expand, load, read
+    from urdfkit.lint.rules import Rule, all_rules, find_rule
+    from urdfkit.output.comparison import Comparison, compare
+    from urdfkit.output.comparison.differences import Tolerances
+    from urdfkit.output.exchange import to_yourdfpy
+    from urdfkit.output.mass_table import mass_properties
+    from urdfkit.output.overview import summarise
+    from urdfkit.output.report.writing import report
+    from urdfkit.physics.collision.sampling import collisions
+    from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.dynamics.statics import statics
+    from urdfkit.physics.poses import pose
+    from urdfkit.robot.kinematics import frames, transform
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.robot.stability import stand
+    from urdfkit.text.diagnostic import (
         Call,
         Confidence,
         Diagnostic,
@@ -73,51 +91,33 @@ if TYPE_CHECKING:
         Report,
         Severity,
     )
-    from urdfkit.differences import Tolerances
-    from urdfkit.dynamics.robot import Dynamics
-    from urdfkit.dynamics.statics import statics
-    from urdfkit.engine import check
-    from urdfkit.errors import UnreadableRobot, UrdfkitError
-    from urdfkit.exchange import to_yourdfpy
-    from urdfkit.expansion import Xacro
-    from urdfkit.fixing import Fixes, fix
-    from urdfkit.formatting import Formatted, format_files
-    from urdfkit.loading import expand, load, read
-    from urdfkit.mass_table import mass_properties
-    from urdfkit.mechanics.kinematics import frames, transform
-    from urdfkit.mechanics.stability import stand
-    from urdfkit.model import RobotModel
-    from urdfkit.overview import summarise
-    from urdfkit.page.writing import report
-    from urdfkit.poses import pose
-    from urdfkit.rules import Rule, all_rules, find_rule
-    from urdfkit.source import Source, Span
-    from urdfkit.subject import Subject
+    from urdfkit.text.source import Source, Span
+    from urdfkit.xacro import Xacro
 
 _HOMES = {
-    "collision.sampling": "collisions",
-    "comparison": "Comparison compare",
-    "diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
-    "differences": "Tolerances",
-    "dynamics.robot": "Dynamics",
-    "dynamics.statics": "statics",
-    "engine": "check",
+    "physics.collision.sampling": "collisions",
+    "output.comparison": "Comparison compare",
+    "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
+    "output.comparison.differences": "Tolerances",
+    "physics.dynamics.robot": "Dynamics",
+    "physics.dynamics.statics": "statics",
+    "lint.engine": "check",
     "errors": "UnreadableRobot UrdfkitError",
-    "exchange": "to_yourdfpy",
-    "expansion": "Xacro",
-    "fixing": "Fixes fix",
-    "formatting": "Formatted format_files",
-    "loading": "expand load read",
-    "mass_table": "mass_properties",
-    "mechanics.kinematics": "frames transform",
-    "mechanics.stability": "stand",
-    "model": "RobotModel",
-    "overview": "summarise",
-    "page.writing": "report",
-    "poses": "pose",
-    "rules": "Rule all_rules find_rule",
-    "source": "Source Span",
-    "subject": "Subject",
+    "output.exchange": "to_yourdfpy",
+    "xacro": "Xacro",
+    "lint.fix": "Fixes fix",
+    "lint.formatting": "Formatted format_files",
+    "lint.loading": "expand load read",
+    "output.mass_table": "mass_properties",
+    "robot.kinematics": "frames transform",
+    "robot.stability": "stand",
+    "robot.model": "RobotModel",
+    "output.overview": "summarise",
+    "output.report.writing": "report",
+    "physics.poses": "pose",
+    "lint.rules": "Rule all_rules find_rule",
+    "text.source": "Source Span",
+    "lint.context": "Subject",
 }
 
 

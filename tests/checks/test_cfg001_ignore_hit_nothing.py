@@ -1,7 +1,7 @@
 """CFG001: see the rule; ``tests/test_suppress.py`` has what comments do."""
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 ROBOT = """<robot name="r">
   <!-- urdfkit: ignore[{codes}] reason -->

@@ -3,7 +3,7 @@
 import pytest
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize("word", ["TRE0066", "missing-fil", "XYZ001"])

@@ -13,9 +13,10 @@ import pytest
 import yaml
 
 from tests.conftest import CORPUS, ROOT, needs_corpus
-from urdfkit import check, formats
+from urdfkit import check
 from urdfkit.cli import main
-from urdfkit.config import load
+from urdfkit.lint.config import load
+from urdfkit.output import formats
 
 WANTING = """\
 <robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">

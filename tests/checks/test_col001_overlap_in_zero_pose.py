@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.collision.robots import box, joint, link, revolute, sphere
+from tests.physics.collision.robots import box, joint, link, revolute, sphere
 from tests.told import messages, places
-from urdfkit import engine, libraries
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.core import libraries
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.source import Source
 
 SWING = revolute(-2, 2, "0 1 0")
 
@@ -79,7 +80,7 @@ def test_neighbours_and_rigid_links_are_no_matter() -> None:
 def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
     original = libraries.find
     monkeypatch.setattr(libraries, "find", lambda name: None if name == "coal" else original(name))
-    for module in [name for name in sys.modules if name.startswith("urdfkit.collision")]:
+    for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
         monkeypatch.delitem(sys.modules, module)
     source = Source("r.urdf", whole_robot(bent(0.02)).encode())
     report = engine.check(source, select=["COL"])
@@ -90,7 +91,7 @@ def test_without_coal_it_is_skipped_with_the_remedy(monkeypatch: pytest.MonkeyPa
     assert {skip.reason for skip in report.skipped} == {
         "coal is not installed: pip install 'urdfkit[dynamics]'"
     }
-    assert not any(name.startswith("urdfkit.collision") for name in sys.modules)
+    assert not any(name.startswith("urdfkit.physics.collision") for name in sys.modules)
 
 
 def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:

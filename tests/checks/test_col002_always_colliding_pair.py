@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import box, cylinder, joint, link, revolute, sphere
+from tests.physics.collision.robots import box, cylinder, joint, link, revolute, sphere
 from tests.told import messages
 
 NECK = '<axis xyz="0 0 1"/>'

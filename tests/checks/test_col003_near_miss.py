@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import box, joint, link, revolute
+from tests.physics.collision.robots import box, joint, link, revolute
 from tests.told import messages
 
 CUBE = box(0.1, 0.1, 0.1)

@@ -8,7 +8,7 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
+from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
 from tests.told import messages
 
 CHASSIS = link("chassis", box(0.6, 0.4, 0.3))

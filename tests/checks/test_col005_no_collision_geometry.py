@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.collision.robots import box, joint, link
+from tests.physics.collision.robots import box, joint, link
 from tests.told import messages
 
 MASS = '<inertial><mass value="{}"/></inertial>'

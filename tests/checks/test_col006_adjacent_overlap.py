@@ -8,7 +8,7 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import box, cube, joint, link, mesh
+from tests.physics.collision.robots import box, cube, joint, link, mesh
 from tests.told import messages, places
 
 

@@ -6,9 +6,9 @@ import pytest
 
 from tests.jointed import joint, robot
 from tests.told import told
-from urdfkit import engine
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.source import Source
 
 pytest.importorskip("pinocchio")
 FOR = ("pinocchio",)
@@ -48,7 +48,7 @@ def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    monkeypatch.setattr("urdfkit.libraries.find", lambda name: None)
+    monkeypatch.setattr("urdfkit.core.libraries.find", lambda name: None)
     text = whole_robot(robot(NO_EFFORT)).encode()
     report = engine.check(Source("r.urdf", text), select=["DYN001"], targets=FOR)
     assert report.diagnostics == ()

@@ -5,7 +5,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import inertial, link
 from tests.told import told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 pytest.importorskip("pinocchio")
 FOR = ("pinocchio",)

@@ -6,11 +6,11 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, link
-from tests.mechanics.test_loads import pendulum, swinging
+from tests.robot.test_joint_loads import pendulum, swinging
 from tests.told import messages, places
-from urdfkit import engine
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.source import Source
 
 pytest.importorskip("pinocchio")
 
@@ -61,7 +61,7 @@ def test_without_pinocchio_it_is_skipped_where_it_matters_only(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    monkeypatch.delitem(sys.modules, "urdfkit.physics.dynamics.robot", raising=False)
     reports = [
         engine.check(Source("r.urdf", whole_robot(pendulum(effort)).encode()), select=["DYN003"])
         for effort in ("30", "3")

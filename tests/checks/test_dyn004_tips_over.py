@@ -7,9 +7,9 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import MESH, inertial, joint, link, shape
 from tests.told import messages, told
-from urdfkit import engine
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.source import Source
 
 BALL = shape("collision", '<sphere radius="0.05"/>')
 
@@ -90,7 +90,7 @@ def test_without_the_readers_of_meshes_it_is_skipped_where_it_matters(
     def lean(*_: object) -> None:
         raise ImportError("numpy")
 
-    monkeypatch.setattr("urdfkit.assets.triangles.Meshes.mesh", lean)
+    monkeypatch.setattr("urdfkit.robot.assets.triangles.Meshes.mesh", lean)
     mesh = tmp_path / "part.stl"
     mesh.write_bytes(b"what is in it is not read")
     part = shape("collision", f'<mesh filename="{mesh}"/>')

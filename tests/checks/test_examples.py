@@ -9,11 +9,11 @@ from typing import Any, NoReturn
 
 import pytest
 
-from urdfkit import engine, examples, rules
-from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.libraries import missing_for_meshes
-from urdfkit.rules import Need, Rule
-from urdfkit.subject import Subject
+from urdfkit.core.libraries import missing_for_meshes
+from urdfkit.lint import engine, rule_examples, rules
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Need, Rule
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 HERE = Path(__file__).parent
 
@@ -87,7 +87,7 @@ def test_the_sources_of_a_rule_are_named(code: str) -> None:
 
 def test_bad_is_found(code: str) -> None:
     rule = rules.get(code)
-    found = examples.diagnose_example(rule, example(rule, "BAD"))
+    found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
     assert found
     assert {(one.code, one.name) for one in found} == {(code, rule.name)}
     assert all(one.message and one.help for one in found), "a message and what to do"
@@ -95,9 +95,9 @@ def test_bad_is_found(code: str) -> None:
 
 def test_the_engine_does_not_pass_over_bad(code: str) -> None:
     rule = rules.get(code)
-    alone = examples.diagnose_example(rule, example(rule, "BAD"))
-    with examples.laid_out(rule, example(rule, "BAD")) as source:
-        report = engine.check(source, targets=examples.targets_of(rule))
+    alone = rule_examples.diagnose_example(rule, example(rule, "BAD"))
+    with rule_examples.laid_out(rule, example(rule, "BAD")) as source:
+        report = engine.check(source, targets=rule_examples.targets_of(rule))
     among_others = [found for found in report.diagnostics if found.code == code]
     assert places(among_others) == sorted(places(alone))
     assert report.crashed == ()
@@ -105,9 +105,9 @@ def test_the_engine_does_not_pass_over_bad(code: str) -> None:
 
 def test_good_is_good(code: str) -> None:
     rule = rules.get(code)
-    assert examples.diagnose_example(rule, example(rule, "GOOD")) == []
-    with examples.laid_out(rule, example(rule, "GOOD")) as source:
-        report = engine.check(source, targets=examples.targets_of(rule))
+    assert rule_examples.diagnose_example(rule, example(rule, "GOOD")) == []
+    with rule_examples.laid_out(rule, example(rule, "GOOD")) as source:
+        report = engine.check(source, targets=rule_examples.targets_of(rule))
     assert [found for found in report.diagnostics if found.severity is Severity.ERROR] == []
     assert report.crashed == ()
 
@@ -115,30 +115,30 @@ def test_good_is_good(code: str) -> None:
 def test_the_fix_gives_fixed(code: str) -> None:
     rule = rules.get(code)
     if not rule.fixable:
-        found = examples.diagnose_example(rule, example(rule, "BAD"))
+        found = rule_examples.diagnose_example(rule, example(rule, "BAD"))
         assert [one.fix for one in found] == [None] * len(found)
         assert rule.example("FIXED") is None
         return
     fixed = rule.example("FIXED")
-    after = examples.apply_fixes(rule, example(rule, "BAD"))
-    assert after.pop("", None) == (examples.whole_robot(fixed) if fixed else None)
+    after = rule_examples.apply_fixes(rule, example(rule, "BAD"))
+    assert after.pop("", None) == (rule_examples.whole_robot(fixed) if fixed else None)
     files = getattr(sys.modules[rule.module], "FIXED_FILES", {})
     assert after == {name: data.decode() for name, data in files.items()}
     assert after or fixed
     if fixed:
-        assert examples.diagnose_example(rule, fixed) == []
+        assert rule_examples.diagnose_example(rule, fixed) == []
 
 
 def test_the_rule_needs_no_more_than_it_declares(
     code: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rule = rules.get(code)
-    honest = places(examples.diagnose_example(rule, example(rule, "BAD")))
+    honest = places(rule_examples.diagnose_example(rule, example(rule, "BAD")))
     allowed = {part for need in rule.needs for part in PARTS[need]}
     allowed |= OPTIONAL.get(code[:3], set())
     for part in {part for parts in PARTS.values() for part in parts} - allowed:
         monkeypatch.setattr(Subject, part, property(refuse(code, part)))
-    assert places(examples.diagnose_example(rule, example(rule, "BAD"))) == honest
+    assert places(rule_examples.diagnose_example(rule, example(rule, "BAD"))) == honest
 
 
 def places(diagnostics: list[Diagnostic]) -> list[tuple[int, int]]:

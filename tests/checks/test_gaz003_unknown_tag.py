@@ -4,7 +4,7 @@ import pytest
 
 from tests.gazebos import BASE, block
 from tests.told import fixed, messages, told
-from urdfkit.catalog.extensions import extensions, meant
+from urdfkit.ros.catalog.extensions import extensions, meant
 
 
 @pytest.mark.parametrize(("wrong", "right"), [*meant().items(), ("selfcollide", "selfCollide")])

@@ -4,7 +4,7 @@ import pytest
 
 from tests.gazebos import BASE, block
 from tests.told import fixed, messages, told
-from urdfkit.catalog.materials import materials
+from urdfkit.ros.catalog.materials import materials
 
 
 @pytest.mark.parametrize(

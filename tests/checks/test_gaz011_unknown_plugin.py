@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from tests.gazebos import BASE, plugin
 from tests.told import places, told
-from urdfkit.catalog import plugins
+from urdfkit.ros.catalog import plugins
 
 
 def test_a_vendors_library_is_told_once() -> None:

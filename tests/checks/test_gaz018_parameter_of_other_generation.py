@@ -4,7 +4,7 @@ import pytest
 
 from tests.gazebos import BASE, plugin
 from tests.told import told
-from urdfkit.editing.fixer import apply_edits
+from urdfkit.text.editing.apply import apply_edits
 
 MOVE = "libgazebo_ros_planar_move.so"
 

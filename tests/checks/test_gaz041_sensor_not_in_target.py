@@ -3,7 +3,7 @@
 import pytest
 
 from tests.sensing import findings
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 ROBOT = """<robot name="r"><link name="eye"/><link name="{link}"/>
 <joint name="j" type="fixed"><origin rpy="{rpy}"/><parent link="eye"/><child link="{link}"/></joint>

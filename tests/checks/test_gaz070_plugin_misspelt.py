@@ -4,8 +4,8 @@ import pytest
 
 from tests.gazebos import BASE, plugin
 from tests.told import fixed, messages, told
-from urdfkit.catalog import plugins
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.ros.catalog import plugins
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 

@@ -5,10 +5,10 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import BALL, joint, link, shape
 from tests.told import messages, places
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 SEEN, TOUCHED = shape("visual", BALL), shape("collision", BALL)
 BASE = link("base", SEEN, TOUCHED)

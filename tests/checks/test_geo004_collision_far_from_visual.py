@@ -9,8 +9,8 @@ from tests import meshed
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, link, shape
 from tests.told import messages, told
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
 
 CUBE = '<box size="1 1 1"/>'
 HEAD = "the bounding boxes of collision and visual have only"

@@ -4,10 +4,10 @@ import pytest
 
 from tests.massive import link, shape
 from tests.told import messages, places
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 EMPTY = link("tool", shape("collision", '<box size="0 0 0"/>'))
 

@@ -10,7 +10,7 @@ import pytest
 from tests import meshed
 from tests.massive import link, shape
 from tests.told import messages, places
-from urdfkit.meshes import samples
+from urdfkit.mesh import samples
 
 ROD = '<cylinder radius="0.04" length="0.5"/>'
 BAR = '<box size="0.08 0.08 0.5"/>'

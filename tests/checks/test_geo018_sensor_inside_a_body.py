@@ -9,7 +9,7 @@ import pytest
 
 from tests.told import messages, places
 from urdfkit import check
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 BASE = '<link name="base"><visual><geometry><box size="0.4 0.3 0.2"/></geometry></visual></link>\n'
 SENSOR = """\
@@ -87,7 +87,7 @@ def test_a_mesh_as_a_chassis(z: float, found: int, tmp_path: Path) -> None:
 
 def test_a_chassis_that_is_open_above(tmp_path: Path) -> None:
     """A lidar stands in a tub, below its rim, and sees its walls; above it is nothing."""
-    from urdfkit.meshes.samples import BOX
+    from urdfkit.mesh.samples import BOX
 
     sides = [face for face in BOX if not all(number & 1 for number in face)]
     (tmp_path / "base.stl").write_bytes(stl(box((-0.2, -0.15, -0.1), (0.2, 0.15, 0.1), sides)))

@@ -4,10 +4,10 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, inertial, joint, link, shape
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import Source
 
 HEAVY = inertial(1, (0.1, 0.1, 0.1))
 SEEN = shape("visual", BALL)

@@ -5,8 +5,8 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import BALL, MESH, WHEEL, inertial, joint, link, part, shape
 from tests.told import fixed, messages, places, told
-from urdfkit import engine
-from urdfkit.diagnostic import Confidence, Severity
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Confidence, Severity
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 

@@ -5,8 +5,8 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.told import fixed, messages, told
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 

@@ -5,7 +5,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.told import fixed, messages, places, told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 
 def box(mass: float) -> str:

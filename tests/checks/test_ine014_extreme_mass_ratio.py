@@ -5,10 +5,10 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import inertial, joint, link
 from tests.told import messages, places
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 MOMENTS = (0.1, 0.1, 0.1)
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
 from tests.told import fixed, messages, told
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 ACROSS, ALONG = 0.5 * (3 * 0.06**2 + 0.05**2) / 12, 0.5 * 0.06**2 / 2
 LYING = shape("collision", WHEEL, rpy=f"{pi / 2!r} 0 0")

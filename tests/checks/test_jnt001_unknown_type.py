@@ -7,7 +7,7 @@ import pytest
 from tests.jointed import joint, robot
 from tests.told import fixed, messages, places, told
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
-from urdfkit.schema import JOINT_TYPES
+from urdfkit.text.schema import JOINT_TYPES
 
 LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
 

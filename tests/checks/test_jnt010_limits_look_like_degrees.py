@@ -6,7 +6,7 @@ import pytest
 
 from tests.jointed import joint, limit, of_xacro, robot
 from tests.told import fixed, messages, places, told
-from urdfkit.diagnostic import Confidence
+from urdfkit.text.diagnostic import Confidence
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import pytest
 
 from tests.jointed import joint, of_xacro, robot
 from tests.told import fixed, messages, places, told
-from urdfkit.diagnostic import Confidence
+from urdfkit.text.diagnostic import Confidence
 
 
 def turned(rpy: str) -> str:

@@ -4,7 +4,7 @@ import pytest
 
 from tests.jointed import joint, robot
 from tests.told import messages, places, told
-from urdfkit.diagnostic import Confidence
+from urdfkit.text.diagnostic import Confidence
 
 
 def at(name: str, xyz: str) -> str:

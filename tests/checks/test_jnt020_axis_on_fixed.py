@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.told import fixed, messages, places, told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 JOINT = (
     '<link name="a"/><link name="b"/>\n<joint name="j" type="{}">\n'

@@ -5,7 +5,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.jointed import joint, mimic, robot
 from tests.told import messages, places, told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 LIMIT = '<limit effort="100" velocity="20"/>'
 

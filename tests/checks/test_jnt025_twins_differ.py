@@ -4,7 +4,7 @@ import pytest
 
 from tests.jointed import joint, limit, robot
 from tests.told import messages, places, told
-from urdfkit.diagnostic import Confidence
+from urdfkit.text.diagnostic import Confidence
 
 REVOLUTE = limit("-1", "2", "80", "11")
 

@@ -4,11 +4,11 @@ import pytest
 
 from tests.jointed import joint, mimic, robot
 from tests.told import messages, places, told
-from urdfkit import engine
-from urdfkit.diagnostic import Diagnostic, Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
-from urdfkit.targets import GAZEBO, TARGETS
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.ros.targets import GAZEBO, TARGETS
+from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.source import Source
 
 HAND = robot(
     joint("a", "continuous"),

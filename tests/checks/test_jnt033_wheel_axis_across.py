@@ -6,7 +6,7 @@ import pytest
 
 from tests import meshed
 from tests.told import messages
-from urdfkit.meshes import samples
+from urdfkit.mesh import samples
 
 WHEEL = """\
 <link name="base"/><link name="{name}"><collision><origin rpy="{rpy}"/>

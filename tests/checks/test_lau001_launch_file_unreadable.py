@@ -1,7 +1,7 @@
 """LAU001: see the rule."""
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 
 def test_the_place_is_that_of_the_open_tag():

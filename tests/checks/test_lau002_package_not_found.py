@@ -1,8 +1,8 @@
 """LAU002: see the rule."""
 
 from urdfkit import check
-from urdfkit.gathering import gathered
-from urdfkit.source import Source
+from urdfkit.lint.grouping import gathered
+from urdfkit.text.source import Source
 
 
 def launch(package: str) -> bytes:

@@ -6,7 +6,7 @@ import pytest
 
 from tests.launched import told
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 
 def test_the_nearest_file_is_named(tmp_path):

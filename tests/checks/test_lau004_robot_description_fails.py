@@ -1,7 +1,7 @@
 """LAU004: see the rule."""
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n<link name="{}"/>\n</robot>'
 LAUNCH = (

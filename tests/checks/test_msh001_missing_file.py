@@ -6,8 +6,8 @@ import pytest
 
 from tests.told import fixed, messages, places, told
 from tests.workspaces import add_file, add_package, mesh_link
-from urdfkit.diagnostic import Severity
-from urdfkit.gathering import gathered
+from urdfkit.lint.grouping import gathered
+from urdfkit.text.diagnostic import Severity
 
 CODE = "MSH001"
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.told import fixed, told
 from tests.workspaces import add_file, add_package, mesh_link
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 CODE = "MSH003"
 

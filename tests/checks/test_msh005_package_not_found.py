@@ -6,10 +6,10 @@ import pytest
 
 from tests.told import fixed, messages, places, told
 from tests.workspaces import add_file, add_package, mesh_link
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.examples import whole_robot
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 CODE = "MSH005"
 

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.meshes import made
+from tests.mesh import made
 from tests.told import told
 from tests.workspaces import add_file, mesh_link
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 CODE = "MSH007"
 

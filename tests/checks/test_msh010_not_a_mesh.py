@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.mesh import made
 from tests.meshed import reasons
-from tests.meshes import made
 
 CODE = "MSH010"
 

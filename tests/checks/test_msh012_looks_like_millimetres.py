@@ -9,8 +9,8 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages, told
-from urdfkit.editing.fixer import apply_edits
-from urdfkit.meshes.samples import box, collada, stl
+from urdfkit.mesh.samples import box, collada, stl
+from urdfkit.text.editing.apply import apply_edits
 
 HUGE = stl(box((0, 0, 0), (80, 60, 300)))
 JOINT = (

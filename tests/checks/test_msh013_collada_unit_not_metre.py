@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import link, mesh, messages, told
-from urdfkit.meshes.samples import collada
+from urdfkit.mesh.samples import collada
 
 INCH = collada('<unit name="inch" meter="0.0254"/>')
 TAIL = "RViz and Gazebo multiply by it, MoveIt, Pinocchio and coal do not"

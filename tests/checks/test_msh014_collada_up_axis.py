@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import link, mesh, messages
-from urdfkit.meshes.samples import collada
+from urdfkit.mesh.samples import collada
 
 TAIL = ": Bullet turns it by 90 degrees, RViz, Gazebo, MoveIt and Pinocchio do not"
 

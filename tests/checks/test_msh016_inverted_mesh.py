@@ -9,8 +9,8 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages
-from urdfkit.meshes.samples import BOX, box, stl
-from urdfkit.spatial import Vector
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.samples import BOX, box, stl
 
 
 def inside_out(low: Vector, high: Vector) -> list[list[Vector]]:

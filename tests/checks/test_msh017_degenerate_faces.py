@@ -9,8 +9,8 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages
-from urdfkit.meshes.samples import box, stl
-from urdfkit.spatial import Vector
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.samples import box, stl
 
 CUBE = box((0, 0, 0), (1, 1, 1))
 NEEDLE: list[Vector] = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.5, 0.0, 0.0)]

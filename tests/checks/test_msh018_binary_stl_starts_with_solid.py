@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.mesh import made
 from tests.meshed import SOUND, link, mesh, messages
-from tests.meshes import made
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 MISLEADING = stl(box((0, 0, 0), (1, 1, 1)), b"solid part")
 TEXT = made.ascii_stl()

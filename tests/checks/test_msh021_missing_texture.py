@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages
-from urdfkit.meshes.samples import collada
+from urdfkit.mesh.samples import collada
 
 WOOD = collada(look='<diffuse><texture texture="image" texcoord="UV"/></diffuse>')
 

@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages
-from urdfkit.meshes.samples import collada
+from urdfkit.mesh.samples import collada
 
 LINES = '<lines count="1"><input semantic="VERTEX" source="#corners" offset="0"/><p>0 1</p></lines>'
 

@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import link, mesh, messages
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 
 def at(x: float) -> bytes:

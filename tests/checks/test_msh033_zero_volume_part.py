@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages
-from urdfkit.meshes.samples import BOX, box, stl
+from urdfkit.mesh.samples import BOX, box, stl
 
 FLAT = stl(box((0, 0, 0), (1, 1, 1), BOX[:2]))
 

@@ -9,7 +9,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages
-from urdfkit.meshes.samples import collada
+from urdfkit.mesh.samples import collada
 
 
 def test_a_bad_colour(tmp_path: Path) -> None:

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tests.mesh.made import glb
 from tests.meshed import link, mesh, messages
-from tests.meshes.made import glb
-from urdfkit.meshes.samples import collada, gltf
+from urdfkit.mesh.samples import collada, gltf
 
 TAIL = (
     ", where y points upwards: RViz from 15.1.4 on and Drake turn it by 90 degrees, "

@@ -11,7 +11,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 FILES = {"a.stl": SOUND, "mm.stl": stl(box((0, 0, 0), (1.5, 2, 3)))}
 

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.told import told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 ROBOT = """\
 <link name="a"/>

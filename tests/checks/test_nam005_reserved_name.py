@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.told import messages, told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 BODY = '<visual><geometry><sphere radius="1"/></geometry></visual>'
 JOINT = '<joint name="{}" type="fixed"><parent link="{}"/><child link="{}"/></joint>'

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.told import messages, told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 ROBOT = '<link name="2nd"/><link name="arm2"/><joint name="1_2" type="fixed"/><link name="\u0662"/>'
 

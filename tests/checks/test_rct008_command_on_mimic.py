@@ -4,7 +4,7 @@ import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven
 from tests.told import messages, places, told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 BAD = ROBOT + control(driven("swing"), driven("follow", "velocity"))
 

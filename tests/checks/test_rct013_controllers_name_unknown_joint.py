@@ -4,7 +4,7 @@ from pathlib import Path
 
 from tests.controls import GZ, ROBOT, control, driven, plugin
 from urdfkit import Diagnostic, check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 

@@ -7,7 +7,7 @@ import pytest
 from tests.checks.test_rct013_controllers_name_unknown_joint import controller
 from tests.controls import plugin
 from urdfkit import Diagnostic, check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 DIFF = "diff_drive_controller/DiffDriveController"
 ACKERMANN = "ackermann_steering_controller/AckermannSteeringController"

@@ -4,7 +4,7 @@ import pytest
 
 from tests.controls import NEXT, ROBOT, transmission
 from tests.told import messages, places, told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 GOOD = ROBOT + transmission("swing")
 TYPE = "<type>transmission_interface/SimpleTransmission</type>"

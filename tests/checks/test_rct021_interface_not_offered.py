@@ -7,7 +7,7 @@ import pytest
 from tests.checks.test_rct013_controllers_name_unknown_joint import TRAJECTORY, controller
 from tests.controls import GZ, ROBOT, control, driven, plugin, transmission
 from urdfkit import Diagnostic, check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 OFFERED = control(driven("swing", "velocity"), driven("slide", "position"), plugin=GZ)
 

@@ -9,8 +9,8 @@ import pytest
 from tests.checks.test_rct013_controllers_name_unknown_joint import controller
 from tests.controls import GZ, ROBOT, control, driven, plugin
 from urdfkit import Diagnostic, check
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Confidence, Severity
 
 SENSOR = '<sensor name="imu"><state_interface name="orientation.x"/></sensor>'
 OFFERED = control(driven("swing"), SENSOR, plugin=GZ)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.srdfs import findings
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 BAD = [
     (

@@ -9,10 +9,10 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import joint, link, revolute, sphere
+from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import Diagnostic, check
-from urdfkit.collision.still import Still
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.physics.collision.sampled_poses import Still
 
 TURN = revolute(-3, 3, "0 1 0")
 ARM = whole_robot(

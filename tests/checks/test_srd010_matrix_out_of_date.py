@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import joint, link, revolute, sphere
+from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import Diagnostic, check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 
 def told(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:

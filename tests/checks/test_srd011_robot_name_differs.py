@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from tests.srdfs import findings
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 
 def test_both_names_are_told(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.told import fixed, messages, told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 BASE = f'<link name="base">\n  <inertial><mass value="{{}}"/>{INERTIA}</inertial>\n</link>\n'

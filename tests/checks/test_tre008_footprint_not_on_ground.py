@@ -6,7 +6,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.told import messages, places, told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 LINK = (
     '<link name="{}"><collision><origin xyz="{}" rpy="{}"/><geometry>{}</geometry></collision>'

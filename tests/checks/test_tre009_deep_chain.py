@@ -6,8 +6,8 @@ import pytest
 
 from tests.told import messages, told
 from urdfkit.checks.tre009_deep_chain import MAX_DEPTH
-from urdfkit.judge import MAX_FINDINGS
-from urdfkit.mechanics.tree import MAX_LOOPS
+from urdfkit.lint.runner import MAX_FINDINGS
+from urdfkit.robot.tree import MAX_LOOPS
 
 
 def chain(depth: int) -> str:

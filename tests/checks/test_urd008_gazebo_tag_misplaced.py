@@ -6,8 +6,8 @@ import pytest
 
 from tests.conftest import MODELS, SHARED
 from tests.told import places, told
-from urdfkit import engine
-from urdfkit.schema import GAZEBO_TAGS
+from urdfkit.lint import engine
+from urdfkit.text.schema import GAZEBO_TAGS
 
 
 @pytest.mark.parametrize(

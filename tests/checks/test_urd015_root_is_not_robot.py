@@ -1,8 +1,8 @@
 from __future__ import annotations
 
 from tests.told import fixed, messages, told
-from urdfkit import engine
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.source import Source
 
 
 def test_another_format_is_one_error_and_no_more() -> None:

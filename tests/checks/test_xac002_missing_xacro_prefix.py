@@ -3,9 +3,9 @@ from __future__ import annotations
 import pytest
 
 from tests.xacros import marked, told, xacro
-from urdfkit import engine
-from urdfkit.schema import XACRO_TAGS
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.schema import XACRO_TAGS
+from urdfkit.text.source import Source
 
 ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro>\n'
 

@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 
 from tests.told import told
-from urdfkit import engine
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.source import Source
 
 
 def test_in_an_attribute_and_in_a_text() -> None:

@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 
 from tests.xacros import told, xacro
-from urdfkit import engine
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.xacros import codes, told, told_of, write
-from urdfkit import engine
-from urdfkit.gathering import gathered
+from urdfkit.lint import engine
+from urdfkit.lint.grouping import gathered
 
 
 def test_what_was_searched_and_how_to_name_it() -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.xacros import told, told_of, write
-from urdfkit import engine
+from urdfkit.lint import engine
 
 
 def package(folder: Path, name: str) -> Path:

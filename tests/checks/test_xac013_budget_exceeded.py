@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.xacros import codes, told, told_of, write
-from urdfkit.expansion import run
+from urdfkit.xacro import expansion
 
 COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n-1}"/></xacro:if>'
 
@@ -34,7 +34,7 @@ def test_more_than_any_robot_needs(body: str, message: str) -> None:
 
 
 def test_macros_that_double(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(run, "MAX_CALLS", 2000)  # 50 000 take ten seconds
+    monkeypatch.setattr(expansion, "MAX_CALLS", 2000)  # 50 000 take ten seconds
     levels = "".join(
         f'<xacro:macro name="m{n}" params=""><xacro:m{n - 1}/><xacro:m{n - 1}/></xacro:macro>'
         for n in range(1, 40)

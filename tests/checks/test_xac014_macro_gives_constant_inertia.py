@@ -6,7 +6,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.xacros import told, told_of, write
-from urdfkit import engine
+from urdfkit.lint import engine
 
 TENSOR = '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.3"/>'
 MACRO = (

@@ -7,9 +7,9 @@ import pytest
 from tests.told import told
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from tests.xacros import NAMESPACE
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source
 
 CALLS = '<link name="a"/>\n<xacro:camera name="c"/>\n<xacro:lidar/>'
 

@@ -3,8 +3,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.xacros import told_of, write
-from urdfkit import engine
-from urdfkit.diagnostic import Severity
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Severity
 
 PART = '<xacro:wheel name="${side}_wheel"/><link name="$(arg prefix)axle"/>'
 

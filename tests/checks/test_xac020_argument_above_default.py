@@ -1,7 +1,7 @@
 """XAC020: xacro stops at such a use; here the default counts, so that the rest is checked."""
 
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 ROBOT = b"""<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:arg name="name" default="arm"/>

@@ -4,7 +4,7 @@ import pytest
 
 from tests.told import fixed, messages
 from urdfkit import check
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 MACRO = (

@@ -6,7 +6,7 @@ import pytest
 
 from tests.xacros import marked, told
 from urdfkit import expand
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize(

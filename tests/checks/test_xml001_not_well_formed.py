@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.told import told
-from urdfkit import engine
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.source import Source
 
 # What is said of each slip, and where, is tests/test_malformed.py.
 

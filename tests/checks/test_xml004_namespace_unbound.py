@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.told import fixed, told
-from urdfkit import engine
+from urdfkit.lint import engine
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

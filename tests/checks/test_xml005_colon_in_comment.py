@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit import engine
-from urdfkit.diagnostic import Confidence, Diagnostic
+from urdfkit.lint import engine
+from urdfkit.text.diagnostic import Confidence, Diagnostic
 
 AMENT = "<package><name>a</name><build_type>ament_cmake</build_type></package>"
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'

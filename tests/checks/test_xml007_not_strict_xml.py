@@ -6,8 +6,8 @@ import pytest
 
 from tests.told import fixed, told
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
-from urdfkit import engine
-from urdfkit.source import Source
+from urdfkit.lint import engine
+from urdfkit.text.source import Source
 
 REST = '<robot name="r"><link name="a"/></robot>'
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import SOUND, link, mesh
-from urdfkit.examples import whole_robot
-from urdfkit.libraries import why_unmeasured
-from urdfkit.meshes import store
+from urdfkit.core.libraries import why_unmeasured
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.mesh import measure_cache
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def entries(
 ) -> int:
     """How many measures a command has kept."""
     folder = robot.parent / "cache"
-    monkeypatch.setenv(store.VARIABLE, str(folder))
+    monkeypatch.setenv(measure_cache.VARIABLE, str(folder))
     line = [sys.executable, "-m", "urdfkit", command, str(robot), "--select", "MSH", *words]
     subprocess.run(line, check=True, capture_output=True)
     return sum(path.is_file() for path in folder.rglob("*"))

@@ -109,7 +109,7 @@ def test_what_cannot_be_done_is_said(
 def test_without_coal_it_says_what_is_missing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for module in [name for name in sys.modules if name.startswith("urdfkit.collision")]:
+    for module in [name for name in sys.modules if name.startswith("urdfkit.physics.collision")]:
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "coal", None)
     assert main(["collisions", ARM]) == 2

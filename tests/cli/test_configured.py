@@ -11,8 +11,8 @@ import pytest
 from tests.xacros import xacro
 from urdfkit.cli import main, view
 from urdfkit.lsp.workspace import Workspace
-from urdfkit.page import state
-from urdfkit.page.document import describe
+from urdfkit.output.report.document import describe
+from urdfkit.viewer import state
 
 ARM = xacro(
     """<link name="$(arg side)_base"><inertial><mass value="1"/>

@@ -4,9 +4,9 @@ import re
 
 import pytest
 
-from urdfkit import rules
 from urdfkit.cli import main
 from urdfkit.cli.explain import render
+from urdfkit.lint import rules
 
 
 @pytest.mark.parametrize("word", ["TRE006", "tre006", "joint-to-itself", "Joint-To-Itself"])

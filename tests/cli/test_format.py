@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.test_formatting import NEAT, UGLY
+from tests.lint.test_formatting import NEAT, UGLY
 from urdfkit.cli import main
 
 

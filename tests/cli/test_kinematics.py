@@ -14,7 +14,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import inertial, joint, link
 from urdfkit.cli import main
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 TWO = whole_robot(link("a") + link("b") + joint("a", "b") + link("c"))
 ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
@@ -100,7 +100,7 @@ def test_without_pinocchio_frames_are_there_and_matrices_say_what_is_missing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    monkeypatch.delitem(sys.modules, "urdfkit.physics.dynamics.robot", raising=False)
     assert main(["kinematics", ARM]) == 0
     capsys.readouterr()
     assert main(["kinematics", ARM, "--mass-matrix"]) == 2

@@ -15,7 +15,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import checking, main, output
-from urdfkit.libraries import missing_for_meshes
+from urdfkit.core.libraries import missing_for_meshes
 
 GOOD = str(MODELS / "good" / "gripper.urdf")
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")

@@ -12,7 +12,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import inertial, link
 from urdfkit.cli import main
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 GRIPPER = str(MODELS / "good" / "gripper.urdf")
 MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")

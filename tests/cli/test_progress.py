@@ -14,7 +14,7 @@ import pytest
 from tests.conftest import MODELS, ROOT
 from urdfkit.cli import progress
 from urdfkit.cli.progress import Progress, on_terminal
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no pseudo-terminal on Windows")
 

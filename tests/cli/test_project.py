@@ -159,7 +159,7 @@ def test_what_is_wrong_with_a_baseline(project: Project) -> None:
 
 
 def test_a_baseline_hides_no_crash(project: Project, monkeypatch) -> None:
-    from urdfkit import rules
+    from urdfkit.lint import rules
 
     def crash(_: object) -> NoReturn:
         raise ValueError("boom")

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from urdfkit import rules
 from urdfkit.cli import main
+from urdfkit.lint import rules
 
 
 def test_a_line_for_every_rule(capsys: pytest.CaptureFixture[str]) -> None:

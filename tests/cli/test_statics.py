@@ -70,7 +70,7 @@ def test_without_pinocchio_it_says_what_is_missing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    monkeypatch.delitem(sys.modules, "urdfkit.dynamics.robot", raising=False)
+    monkeypatch.delitem(sys.modules, "urdfkit.physics.dynamics.robot", raising=False)
     assert main(["statics", ARM]) == 2
     assert "pip install 'urdfkit[dynamics]'" in capsys.readouterr().err
 

@@ -8,7 +8,7 @@ import pytest
 
 from tests.conftest import MODELS
 from urdfkit.cli import main
-from urdfkit.diagrams import FORMATS
+from urdfkit.output.diagrams import FORMATS
 
 GRIPPER = str(MODELS / "good" / "gripper.urdf")
 

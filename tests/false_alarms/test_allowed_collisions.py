@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import joint, link, revolute, sphere
+from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import check
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 TURN = revolute(-3, 3, "0 1 0")
 

@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("coal")
 
-from tests.collision.robots import box, cylinder, joint, revolute, sphere
+from tests.physics.collision.robots import box, cylinder, joint, revolute, sphere
 from tests.told import messages
 
 PALM = box(0.1, 0.1, 0.05)

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.engine import check
-from urdfkit.fixing import fix
+from urdfkit.lint.engine import check
+from urdfkit.lint.fix import fix
 
 #: RotorS' hummingbird: a published tensor; cylinder and box only stand for the body between arms.
 DRONE = """\

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebo.test_conversion import convert, sdformat  # noqa: F401
 from tests.massive import inertial, joint, link
+from tests.ros.gazebo.test_conversion import convert, sdformat  # noqa: F401
 from urdfkit.cli import main
-from urdfkit.examples import whole_robot
+from urdfkit.lint.rule_examples import whole_robot
 
 BODY = inertial(1, (1, 1, 1))
 PAIR = link("a", BODY) + link("b", BODY) + joint("a", "b", "revolute")

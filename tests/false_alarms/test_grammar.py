@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.told import told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 JOINT = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import link
-from tests.mechanics.test_loads import pendulum
+from tests.robot.test_joint_loads import pendulum
 from tests.told import messages
 
 pytest.importorskip("pinocchio")

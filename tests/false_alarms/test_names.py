@@ -6,7 +6,7 @@ import pytest
 
 from tests.gazebos import BASE, block, child
 from tests.told import told
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 KEPT = block("<preserveFixedJoint>true</preserveFixedJoint>", "hand")
 

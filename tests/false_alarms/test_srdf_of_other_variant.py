@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import Diagnostic, check
-from urdfkit.gathering import gathered
+from urdfkit.lint.grouping import gathered
 
 ARMS = ("left", "right")
 

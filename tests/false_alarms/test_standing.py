@@ -9,13 +9,13 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, joint, link, shape
-from tests.test_overview import of
+from tests.output.test_overview import of
 from tests.told import messages, told
 from urdfkit.cli import main
-from urdfkit.diagnostic import Severity
-from urdfkit.examples import whole_robot
-from urdfkit.mechanics.stability import standing
-from urdfkit.page.document import describe
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.output.report.document import describe
+from urdfkit.robot.stability import standing
+from urdfkit.text.diagnostic import Severity
 
 BALL = '<sphere radius="0.05"/>'
 BOTH = shape("visual", BALL) + shape("collision", BALL)

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from urdfkit import check, expand, fix
 from urdfkit.cli import main
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 #: The fixes of infos are applied only where their codes are given.
 INFOS = ("INE008", "JNT020", "XAC007")

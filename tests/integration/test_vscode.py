@@ -24,9 +24,9 @@ from urllib.request import urlopen
 import pytest
 
 from tests.conftest import MODELS
-from tests.page.browsers import Page, browser, needs_browser
+from tests.output.report.browsers import Page, browser, needs_browser
 from urdfkit import check
-from urdfkit.diagnostic import Severity
+from urdfkit.text.diagnostic import Severity
 
 pytest.importorskip("pygls")
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from tests.lsp.edited import MISSION, Edited
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.editing.fixer import apply_edits
 from urdfkit.lsp.actions import actions
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.editing.apply import apply_edits
 
 
 def found(file: Edited) -> list[Diagnostic]:

@@ -9,10 +9,10 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.lsp.edited import XACRO, Edited
-from urdfkit.catalog import plugins
 from urdfkit.lsp import completion
 from urdfkit.lsp.completion import Offer, complete
-from urdfkit.schema import ROBOT
+from urdfkit.ros.catalog import plugins
+from urdfkit.text.schema import ROBOT
 
 ARM = (
     '<robot name="r">\n<link name="base"/><link name="arm"/>'

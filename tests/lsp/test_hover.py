@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited, mission
 from tests.lsp.test_navigation import MACRO, edited
-from urdfkit import rules
+from urdfkit.lint import rules
 from urdfkit.lsp.hover import hover
 
 
@@ -96,7 +96,7 @@ def test_a_mesh_that_is_there_and_one_that_is_not(monkeypatch: pytest.MonkeyPatc
     size = " x ".join(f"{edge:.4g}" for edge in loaded.extents)
     assert f"- {len(loaded.faces)} triangles, {size} m" in shown
     assert f"- {'a' if loaded.is_watertight else 'not a'} closed solid" in shown
-    monkeypatch.setitem(sys.modules, "urdfkit.meshes.load_stl", None)  # as without its library
+    monkeypatch.setitem(sys.modules, "urdfkit.mesh.io.load_stl", None)  # as without its library
     lines = told(Edited(arm, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1))).splitlines()
     assert [line for line in lines if "KiB" in line or "triangles" in line] == [
         f"- binary STL, {path.stat().st_size / 1024:.1f} KiB"

@@ -8,8 +8,8 @@ import pytest
 
 from tests.lsp.edited import MISSION
 from urdfkit.lsp.markup import MAX_DEPTH, Cursor, Page, cursor
-from urdfkit.reading import read_xml
-from urdfkit.source import Source
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
 
 
 def at(text: str) -> Cursor:

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from tests.lsp.edited import XACRO, Edited
-from urdfkit.editing.fixer import apply_edits
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.navigation import definitions, references, renamable, rename
 from urdfkit.lsp.workspace import Workspace
-from urdfkit.source import Source
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.source import Source
 
 ROBOT = XACRO.format(
     """<link name="base_link"/>

@@ -9,10 +9,10 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.lsp.edited import MISSION, XACRO, Edited, mission
-from urdfkit.editing.fixer import apply_edits
 from urdfkit.lsp.navigation import CannotRename, definitions, references, rename
 from urdfkit.lsp.workspace import Workspace
-from urdfkit.source import Span
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.source import Span
 
 MACRO = XACRO.format(
     """<xacro:property name="mass" value="2"/>

@@ -18,10 +18,10 @@ import urdfkit
 from tests.conftest import ROOT
 from tests.lsp.edited import MISSION
 from tests.lsp.editor import PATIENCE, Editor, talk
-from urdfkit.editing.formatter import formatted
 from urdfkit.lsp.text import to_uri
 from urdfkit.lsp.workspace import slow_rules
-from urdfkit.source import Source
+from urdfkit.text.editing.formatter import formatted
+from urdfkit.text.source import Source
 
 
 def position(text: str, needle: str, skip: int = 0) -> lsp.Position:

@@ -10,7 +10,7 @@ pytest.importorskip("pygls")
 
 from urdfkit.lsp import text
 from urdfkit.lsp.text import to_bytes, to_path, to_uri
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.meshes.made import binary_stl
+from tests.mesh.made import binary_stl
 from tests.pytest_plugin.projects import ARM, Project, outcome
-from urdfkit.libraries import why_unmeasured
+from urdfkit.core.libraries import why_unmeasured
 
 pytest_plugins = ["pytester"]
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.reading import read_xml
+from urdfkit.lint.context import Subject
 from urdfkit.render import Camera, Scene, build, draw
 from urdfkit.render.arrays import Bytes
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
 
 __all__ = ["alone", "colour_at", "corners", "link", "robot", "scene"]

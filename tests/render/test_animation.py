@@ -15,7 +15,7 @@ from PIL import Image
 
 from tests.conftest import MODELS
 from tests.render.scenes import alone, link, scene
-from urdfkit.loading import read
+from urdfkit.lint.loading import read
 from urdfkit.render import (
     animated,
     build,

@@ -8,7 +8,7 @@ np = pytest.importorskip("numpy")
 pytest.importorskip("PIL")
 
 from urdfkit.render.coarse import CELLS, coarsened
-from urdfkit.render.looks import PLAIN
+from urdfkit.render.materials import PLAIN
 from urdfkit.render.scene import Item
 
 

@@ -8,11 +8,11 @@ pytest.importorskip("PIL")
 pytest.importorskip("numpy")
 
 from tests.conftest import MODELS
-from urdfkit.diagnostic import Severity
-from urdfkit.engine import check
-from urdfkit.loading import read
+from urdfkit.lint.engine import check
+from urdfkit.lint.loading import read
 from urdfkit.render import build, marked
 from urdfkit.render.findings import COLOURS, QUIET, by_link
+from urdfkit.text.diagnostic import Severity
 
 MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 

@@ -17,8 +17,8 @@ import numpy as np
 from PIL import Image
 
 from tests.conftest import MODELS
-from urdfkit.loading import read
-from urdfkit.poses import pose
+from urdfkit.lint.loading import read
+from urdfkit.physics.poses import pose
 from urdfkit.render import build, explained, picture
 
 FOLDER = Path(__file__).parent / "golden"

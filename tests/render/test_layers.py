@@ -13,7 +13,7 @@ pytest.importorskip("numpy")
 import numpy as np
 
 from tests.render.scenes import alone, link, robot
-from urdfkit.loading import read
+from urdfkit.lint.loading import read
 from urdfkit.render import LAYERS, build, explained, looking, picture
 from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
 from urdfkit.render.scene import Item, placed

@@ -14,11 +14,11 @@ from PIL import Image
 
 from tests.conftest import MODELS
 from tests.render.scenes import alone, colour_at, link, robot
-from urdfkit.loading import read
+from urdfkit.lint.loading import read
 from urdfkit.render import build, looking
-from urdfkit.render.looks import PLACEHOLDER, PLAIN
+from urdfkit.render.materials import PLACEHOLDER, PLAIN
 from urdfkit.render.scene import PLACEHOLDER_SIZE
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 SIZE = (200, 200)
 

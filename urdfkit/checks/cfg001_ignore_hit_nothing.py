@@ -7,14 +7,14 @@ comment that hits nothing today hides a new defect tomorrow: delete it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import remove_spans
-from urdfkit.rules import Finding, Written, matching, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, matching, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import remove_spans
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">
@@ -35,7 +35,7 @@ FIXED = BAD.replace("  <!-- urdfkit: ignore[TRE006] closed by the gripper -->\n"
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    from urdfkit.suppress import sift
+    from urdfkit.lint.suppress import sift
 
     hits = sift(subject.outcome.diagnostics, subject.ignores).hits
     chosen = subject.outcome.chosen

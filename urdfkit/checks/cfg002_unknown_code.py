@@ -7,14 +7,14 @@ beginning of a code stands for all rules that begin with it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnknownRule
-from urdfkit.rules import Finding, Written, matching, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, matching, rule
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r">

@@ -18,14 +18,14 @@ as in `config/$(arg ur_type)/limits.yaml`. Where there are none, give them in `u
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <!-- urdfkit: ignore[XAC010] its launch file gives the prefix -->
@@ -46,7 +46,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     # A part of a robot is checked through the file that includes it, which XAC019 names.
     if subject.reading.document is not None or subject.problems("XAC019"):
         return
-    from urdfkit.argument_values import missing_argument, why_unchecked
+    from urdfkit.lint.argument_values import missing_argument, why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
     start = subject.source.data.find(b"<robot")

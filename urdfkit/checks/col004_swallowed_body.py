@@ -15,17 +15,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.colours import Colours
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.collision.still import Meeting
-    from urdfkit.model import Material, RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.physics.collision.sampled_poses import Meeting
+    from urdfkit.robot.model import Material, RobotModel
 
 BAD = """\
 <link name="hand">

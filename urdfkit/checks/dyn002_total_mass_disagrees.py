@@ -13,15 +13,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import dist
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.inertia import combined
-from urdfkit.mechanics.rigid import properties_of
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.inertia import combined
+from urdfkit.robot.rigid_bodies import properties_of
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 TARGETS = ("pinocchio",)
 BAD = """\

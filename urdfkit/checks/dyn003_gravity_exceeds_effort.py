@@ -15,19 +15,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.values import is_true, text_of
-from urdfkit.mechanics.joints import effort_unit
-from urdfkit.mechanics.loads import overloadable
-from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.joint_loads import overloadable
+from urdfkit.robot.joints import effort_unit
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.ros.gazebo.values import is_true, text_of
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.dynamics.statics import Load
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.physics.dynamics.statics import Load
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>
@@ -62,8 +62,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not doubtful or subject.is_part or subject.masses.wrong_as_a_whole:  # INE010
         return
     robot = subject.dynamics  # before the module, which needs the same libraries
-    from urdfkit.dynamics.robot import Dynamics
-    from urdfkit.dynamics.statics import statics
+    from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.dynamics.statics import statics
 
     if weightless := _weightless(subject):
         robot = Dynamics(subject.tree, weightless=weightless)

@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.mechanics.extent import WITHOUT_MESHES
-from urdfkit.mechanics.stability import Stability, is_freestanding, stand
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.subject import Unavailable
+from urdfkit.lint.context import Unavailable
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.stability import Stability, is_freestanding, stand
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import RobotModel, Shape
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel, Shape
 
 _WHEEL = """
 <link name="{0}">

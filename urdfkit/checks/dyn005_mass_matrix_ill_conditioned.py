@@ -15,14 +15,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isinf
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.loads import light
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.joint_loads import light
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 _LINK = """
 <link name="{0}">
@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not doubtful or subject.is_part:
         return
     robot = subject.dynamics  # before the module, which needs the same libraries
-    from urdfkit.dynamics.conditioning import LARGEST, conditioning
+    from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
 
     found = conditioning(robot)
     if not found.is_ill:

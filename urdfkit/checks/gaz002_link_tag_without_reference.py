@@ -12,16 +12,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import copied, extensions
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.extensions import copied, extensions
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">

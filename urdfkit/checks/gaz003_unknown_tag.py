@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import copied, extensions, meant
-from urdfkit.diagnostic import Fix, Related, Severity
-from urdfkit.editing.edits import rename_element
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.extensions import copied, extensions, meant
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.editing.edits import rename_element
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">

@@ -13,19 +13,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isnan
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import Extension, extensions
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_text
-from urdfkit.gazebo.values import leading, text_of, value
-from urdfkit.model import number
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.extensions import Extension, extensions
+from urdfkit.ros.gazebo.values import leading, text_of, value
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_text
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">

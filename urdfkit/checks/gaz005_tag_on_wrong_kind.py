@@ -12,19 +12,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import extensions
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.document import Element
-from urdfkit.editing.edits import STEP, insert_after, lines_of, remove_element
-from urdfkit.mechanics.rigid import KEEPING_TAGS
-from urdfkit.model import Joint
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import Joint
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS
+from urdfkit.ros.catalog.extensions import extensions
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import STEP, insert_after, lines_of, remove_element
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link
 
 BAD = """\
 <link name="base">

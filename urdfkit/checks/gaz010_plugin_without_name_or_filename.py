@@ -12,15 +12,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.gazebo.plugins import Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.gazebo.plugins import Use
 
 BAD = """\
 <link name="base">

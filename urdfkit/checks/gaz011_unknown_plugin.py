@@ -10,14 +10,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.plugins import misspelt
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.plugins import misspelt
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.plugins import GENERATIONS, TITLES, find
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import all_or_none, replace_value
-from urdfkit.gazebo.plugins import Use, generations
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
+from urdfkit.ros.gazebo.plugins import Use, generations
+from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import all_or_none, replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
-    from urdfkit.targets import Targets
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.targets import Targets
 
 TARGETS = ("gz-fortress",)
 BAD = """\

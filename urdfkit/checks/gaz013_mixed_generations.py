@@ -12,15 +12,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.plugins import GENERATIONS, TITLES
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.gazebo.plugins import Use, generations
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES
+from urdfkit.ros.gazebo.plugins import Use, generations
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

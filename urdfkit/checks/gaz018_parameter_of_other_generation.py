@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.plugins import renames
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.document import Element
-from urdfkit.editing.edits import rename_element
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.plugins import renames
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import rename_element
 
 if TYPE_CHECKING:
-    from urdfkit.catalog.plugins import Plugin
-    from urdfkit.gazebo.plugins import Item
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Plugin
+    from urdfkit.ros.gazebo.plugins import Item
 
 BAD = """\
 <link name="base">

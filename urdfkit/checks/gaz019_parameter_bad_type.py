@@ -11,17 +11,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.values import leading
-from urdfkit.model import number
-from urdfkit.nearest import did_you_mean
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.gazebo.values import leading
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.catalog.plugins import Parameter
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.plugins import Parameter
 
 BAD = """\
 <link name="base">

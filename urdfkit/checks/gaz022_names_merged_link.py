@@ -14,17 +14,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import rewritten
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import from_macro, insert_before
-from urdfkit.gazebo.plugins import Reference, Use, fate
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.catalog.extensions import rewritten
+from urdfkit.ros.gazebo.plugins import Reference, Use, fate
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import from_macro, insert_before
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base">

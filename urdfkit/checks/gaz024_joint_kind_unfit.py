@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.drives import drive_of, driven
-from urdfkit.gazebo.samples import WHEELED
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.drives import drive_of, driven
+from urdfkit.ros.gazebo.samples import WHEELED
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 GOOD = (
     WHEELED

@@ -14,18 +14,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.drives import Kind, Wheel, drive_of, given, pairs, wheels
-from urdfkit.gazebo.samples import WHEELED
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.spatial import dot, minus
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import dot, minus
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.drives import Kind, Wheel, drive_of, given, pairs, wheels
+from urdfkit.ros.gazebo.samples import WHEELED
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.gazebo.plugins import Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.text.document import Attribute, Element
 
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05

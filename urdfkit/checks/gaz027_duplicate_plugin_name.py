@@ -11,14 +11,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.gazebo.plugins import Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.gazebo.plugins import Use
 
 BAD = """\
 <link name="base">

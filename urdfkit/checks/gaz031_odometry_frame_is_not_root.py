@@ -12,15 +12,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.gazebo.plugins import Item, Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.gazebo.plugins import Item, Use
 
 BAD = """\
 <link name="base_footprint">

@@ -12,20 +12,20 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.sensors import types
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.nearest import did_you_mean, nearest
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.catalog.sensors import SensorType
-    from urdfkit.gazebo.sensors import Sensor
-    from urdfkit.subject import Subject
-    from urdfkit.targets import Targets
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.catalog.sensors import SensorType
+    from urdfkit.ros.gazebo.sensors import Sensor
+    from urdfkit.ros.targets import Targets
 
 BAD = """\
 <link name="base">
@@ -74,7 +74,7 @@ def _is_made(type: SensorType, targets: Targets) -> bool:
 
 def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
     """True for a type of a foreign package, whose plugin stands in the sensor."""
-    from urdfkit.catalog.plugins import find  # loads the catalogue
+    from urdfkit.ros.catalog.plugins import find  # loads the catalogue
 
     files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
     foreign = bool(files) and not any(map(find, files))

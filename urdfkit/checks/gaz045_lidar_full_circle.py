@@ -13,16 +13,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.gazebo.samples import LIDAR
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.gazebo.samples import LIDAR
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = LIDAR.replace(">-1<", ">-3.1415926<").replace(">1<", ">3.1415926<")
 GOOD = BAD.replace(">3.1415926<", ">3.1241<")

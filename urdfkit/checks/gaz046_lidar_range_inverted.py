@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import swap
-from urdfkit.gazebo.samples import LIDAR
-from urdfkit.gazebo.sensors import Sensor, sensors
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import CLASSIC, GZ
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.gazebo.samples import LIDAR
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.ros.targets import CLASSIC, GZ
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import swap
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = LIDAR.replace("<min>0.1</min><max>10</max>", "<min>10</min><max>0.1</max>")
 GOOD = FIXED = LIDAR

@@ -12,17 +12,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, radians
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.gazebo.samples import LIDAR
-from urdfkit.gazebo.sensors import Sensor, sensors
-from urdfkit.model import numbers
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import numbers
+from urdfkit.ros.gazebo.samples import LIDAR
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = LIDAR.replace(">-1<", ">-90<").replace(">1<", ">90<")
 GOOD = FIXED = BAD.replace("90<", "1.5708<")

@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import swap
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import swap
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

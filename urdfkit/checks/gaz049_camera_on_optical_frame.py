@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.model import numbers
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import numbers
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_text
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_text
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

@@ -14,18 +14,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import insert_before
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.gazebo.values import is_true
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.values import is_true
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import insert_before
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

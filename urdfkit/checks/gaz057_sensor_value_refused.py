@@ -16,20 +16,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isnan
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.sensors import Setting
-from urdfkit.diagnostic import Severity
-from urdfkit.document import Attribute
-from urdfkit.gazebo.sensors import Sensor, sensors, written
-from urdfkit.gazebo.values import leading, value
-from urdfkit.model import number
-from urdfkit.nearest import did_you_mean
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.sensors import Setting
+from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
+from urdfkit.ros.gazebo.values import leading, value
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Attribute
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

@@ -13,19 +13,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.grammar import is_expression
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import rewrite
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.gazebo.plugins import Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="camera">

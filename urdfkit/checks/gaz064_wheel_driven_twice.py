@@ -10,16 +10,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.gazebo.drives import drive_of, driven
-from urdfkit.gazebo.plugins import Reference
-from urdfkit.gazebo.samples import WHEELED
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.ros.gazebo.drives import drive_of, driven
+from urdfkit.ros.gazebo.plugins import Reference
+from urdfkit.ros.gazebo.samples import WHEELED
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = (
     WHEELED

@@ -13,16 +13,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.gazebo.sensors import sensors, written
-from urdfkit.rules import Finding, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.gazebo.sensors import sensors, written
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

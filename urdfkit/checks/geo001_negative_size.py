@@ -13,16 +13,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.mechanics.shapes import shaped, sizes
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.shapes import shaped, sizes
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="arm">

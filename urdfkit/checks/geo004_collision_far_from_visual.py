@@ -15,18 +15,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.likeness import LEAST_OVERLAP
-from urdfkit.diagnostic import Confidence, Edit, Fix, Related, Severity
-from urdfkit.editing.edits import insert_first, remove_element
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import Frame
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Frame
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP
+from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
+from urdfkit.text.editing.edits import insert_first, remove_element
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import Body, Link
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Body, Link
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

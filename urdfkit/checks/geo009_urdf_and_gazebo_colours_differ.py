@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.colours import Colours
-from urdfkit.catalog.materials import materials
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import GAZEBO
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.ros.catalog.materials import materials
+from urdfkit.ros.targets import GAZEBO
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import Material
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Material
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="wheel">

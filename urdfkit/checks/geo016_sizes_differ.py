@@ -14,14 +14,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.mechanics.shapes import Box
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.shapes import Box
 
 BAD = """\
 <link name="base">

@@ -16,19 +16,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.enclosure import Enclosure
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.gazebo.eyes import Eye, eyes, kind_of
-from urdfkit.mechanics.shapes import AXES
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.spatial import Frame, Vector, rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Frame, Vector, rotate
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.assets.point_containment import Enclosure
+from urdfkit.robot.shapes import AXES
+from urdfkit.ros.gazebo.optical_sensors import Eye, eyes, kind_of
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.mechanics.rigid import RigidBody
-    from urdfkit.model import Body, Joint, Link
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Body, Joint, Link
+    from urdfkit.robot.rigid_bodies import RigidBody
 
 BAD = """\
 <link name="base">

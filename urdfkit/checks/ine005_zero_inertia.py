@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.inertials.diagnosis import as_solid, replacement, together
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnosis import as_solid, replacement, together
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.inertials.masses import Masses
-    from urdfkit.inertials.weighed import Weighed
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.masses import Masses
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>

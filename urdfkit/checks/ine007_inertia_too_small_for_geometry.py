@@ -15,17 +15,23 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, together
-from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.inertials.diagnosis import (
+    advice,
+    as_solid,
+    of_unlike_shape,
+    replacement,
+    together,
+)
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.inertials.masses import Masses
-    from urdfkit.inertials.weighed import Weighed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
 <link name="chassis">

@@ -14,14 +14,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="imu">

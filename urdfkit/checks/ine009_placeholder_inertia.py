@@ -13,16 +13,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertials.diagnosis import together, values
-from urdfkit.meshes.samples import PLATE
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.inertials.diagnosis import together, values
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.inertials.weighed import Weighed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import Weighed
 
 BAD = """\
 <link name="arm">

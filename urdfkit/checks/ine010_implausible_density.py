@@ -14,18 +14,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Related, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.inertials.claims import HEAVIEST, LIGHTEST, implausible_density, unit_slip
-from urdfkit.inertials.diagnosis import MAX_RELATED, and_more, replacement, together
-from urdfkit.mechanics.inertia import scaled
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertia import scaled
+from urdfkit.robot.inertials.diagnoses import HEAVIEST, LIGHTEST, implausible_density, unit_slip
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, and_more, replacement, together
+from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.inertials.weighed import Weighed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.inertials.link_comparison import Weighed
 
 BAD = """\
 <link name="wheel">

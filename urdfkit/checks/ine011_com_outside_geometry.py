@@ -17,15 +17,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import inf
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.inertials.claims import center_is_outside, center_slip
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnoses import center_is_outside, center_slip
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.spatial import Vector
-    from urdfkit.subject import Subject
+    from urdfkit.core.spatial import Vector
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="caster">

@@ -11,16 +11,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.inertials.diagnosis import values
-from urdfkit.inertials.weighed import NOISE
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.targets import GAZEBO
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.link_comparison import NOISE
+from urdfkit.ros.targets import GAZEBO
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

@@ -14,16 +14,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import swap
-from urdfkit.mechanics.joints import bounds, unit
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import swap
 
 if TYPE_CHECKING:
-    from urdfkit.model import Limit
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Limit
 
 BAD = """\
 <link name="base"/>

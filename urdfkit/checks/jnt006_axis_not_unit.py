@@ -12,19 +12,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.document import Attribute
-from urdfkit.editing.edits import replace_value
-from urdfkit.mechanics.joints import MOVING
-from urdfkit.model import length
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import MOVING
+from urdfkit.robot.model import length
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Attribute
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.model import Placed
-    from urdfkit.spatial import Vector
-    from urdfkit.subject import Subject
+    from urdfkit.core.spatial import Vector
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Placed
 
 BAD = """\
 <link name="base"/>

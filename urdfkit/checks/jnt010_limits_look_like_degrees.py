@@ -17,16 +17,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.editing.edits import scale_limits
-from urdfkit.mechanics.joints import bounds
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import scale_limits
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="base"/>

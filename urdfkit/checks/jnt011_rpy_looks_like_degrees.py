@@ -16,17 +16,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 from math import pi, radians
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.grammar import owner
-from urdfkit.model import numbers
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import numbers
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import owner
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base"/>

@@ -13,16 +13,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.joints import MOVING, related, several
-from urdfkit.rules import Finding, rule
-from urdfkit.schema import JOINT_TYPES
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import MOVING, related, several
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.schema import JOINT_TYPES
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="hand"/>

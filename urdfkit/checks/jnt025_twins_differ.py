@@ -15,16 +15,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.mechanics.joints import bounds, effort_unit, unit
-from urdfkit.model import number
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.robot.model import number
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, Placed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="torso"/>

@@ -13,16 +13,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import Rotation
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Rotation
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 BAD = """\
 <link name="camera_link"/>

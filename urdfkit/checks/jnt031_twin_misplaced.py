@@ -15,17 +15,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.mechanics.twins import pairs
-from urdfkit.record import Record
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import Vector
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.symmetry import pairs
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, RobotModel
 
 _WHEEL = """\
 <link name="{side}_wheel"/>

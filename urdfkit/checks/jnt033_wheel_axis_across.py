@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.mechanics.kinematics import direction
-from urdfkit.mechanics.shapes import AXES, Lump, Solid, solid
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import Vector, dot, rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Vector, dot, rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.kinematics import direction
+from urdfkit.robot.shapes import AXES, Lump, Solid, solid
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Body, Joint, Link
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Body, Joint, Link
 
 BAD = """\
 <link name="base"/>

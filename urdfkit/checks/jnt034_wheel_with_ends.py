@@ -10,18 +10,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.mechanics.joints import bounds
-from urdfkit.mechanics.kinematics import direction
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import dot, rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import dot, rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds
+from urdfkit.robot.kinematics import direction
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link
-    from urdfkit.spatial import Vector
-    from urdfkit.subject import Subject
+    from urdfkit.core.spatial import Vector
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link
 
 BAD = """\
 <link name="base"/>

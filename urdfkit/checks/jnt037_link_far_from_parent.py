@@ -11,17 +11,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.mechanics.rigid import rigid_bodies
-from urdfkit.mechanics.shapes import Box, Solid, solid
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import Frame
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Frame
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.shapes import Box, Solid, solid
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link
 
 _LINK = """\
 <link name="{name}">

@@ -15,15 +15,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.mechanics.joints import MOVING, effort_unit, unit
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import MOVING, effort_unit, unit
+from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, Placed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Placed
 
 _LINK = '<link name="{name}"/>\n'
 _JOINT = """\

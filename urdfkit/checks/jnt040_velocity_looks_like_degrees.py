@@ -17,16 +17,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, radians
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.document import Attribute
-from urdfkit.editing.edits import replace_value
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.document import Attribute
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint, Placed
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Placed
 
 BAD = """\
 <link name="base"/>

@@ -15,18 +15,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.mechanics.joints import MOVING, effort_unit, unit
-from urdfkit.mechanics.loads import effort
-from urdfkit.model import number
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joint_loads import effort
+from urdfkit.robot.joints import MOVING, effort_unit, unit
+from urdfkit.robot.model import number
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>

@@ -14,16 +14,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Related, Severity
-from urdfkit.mechanics.kinematics import direction
-from urdfkit.rules import Finding, rule
-from urdfkit.spatial import dot, rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import dot, rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.kinematics import direction
+from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 _WHEEL = """\
 <link name="{side}_wheel"/>

@@ -12,15 +12,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><node name="states" pkg="arm_states" type="joint_state_publisher"/></launch>'

@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import nearest_file
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.shipping import Shipping
+from urdfkit.core.suggest import nearest_file
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
+from urdfkit.workspace.install_rules import Shipping
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = '<launch><rosparam file="$(dirname)/config/controler.yaml"/></launch>'

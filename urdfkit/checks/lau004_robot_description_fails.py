@@ -12,14 +12,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.launch.found import Description
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.launch.contents import Description
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'

@@ -10,14 +10,14 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import did_you_mean
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch"
 BAD = (

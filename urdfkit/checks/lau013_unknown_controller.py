@@ -15,19 +15,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import islice
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import controllers as in_files
-from urdfkit.controllers import read
-from urdfkit.diagnostic import Severity
+from urdfkit.core.suggest import Speller, did_you_mean, nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.launch.spawned import controllers
-from urdfkit.nearest import Speller, did_you_mean, nearest
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.controllers import controllers as in_files
+from urdfkit.ros.controllers import read
+from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "launch/robot.launch"
 BAD = """\

@@ -13,15 +13,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.shipping import Shipping
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Span
+from urdfkit.workspace.install_rules import Shipping
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "launch/robot.launch"
 BAD = '<launch><rosparam file="$(find bot)/settings/robot.yaml"/></launch>'

@@ -15,17 +15,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.launch.collect import UNKNOWN
-from urdfkit.launch.found import Started, Word
-from urdfkit.launch.spawning import SPAWNERS, Spawner, options
-from urdfkit.nearest import did_you_mean, nearest
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.contents import Started, Word
+from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "robot.launch.py"
 BAD = """\

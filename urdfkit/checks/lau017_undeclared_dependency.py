@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "bot_bringup/launch/bot.launch"
 BAD = '<launch><node name="driver" pkg="bot_driver" type="driver"/></launch>'

@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.files import is_slip
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.meshes.samples import PLATE
-from urdfkit.nearest import did_you_mean
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.robot.assets.mesh_files import is_slip
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.assets.files import MeshReference
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.mesh_files import MeshReference
 
 BAD = """\
 <link name="arm">

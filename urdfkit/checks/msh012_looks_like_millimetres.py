@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.assets.claims import rest_of_robot
-from urdfkit.diagnostic import Confidence, Fix, Severity
-from urdfkit.document import Attribute
-from urdfkit.editing import edits
-from urdfkit.meshes.samples import box, stl
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.samples import box, stl
+from urdfkit.robot.assets.mesh_diagnoses import rest_of_robot
+from urdfkit.text.diagnostic import Confidence, Fix, Severity
+from urdfkit.text.document import Attribute
+from urdfkit.text.editing import edits
 
 if TYPE_CHECKING:
-    from urdfkit.assets.measured import Use
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.measured_meshes import Use
 
 BAD = """\
 <link name="base"/>

@@ -7,14 +7,14 @@ from both places; a `<mesh>` may be mirrored with its scale and moved with its `
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.meshes.samples import box, stl
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.samples import box, stl
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="left">

@@ -11,21 +11,21 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import insert_after, insert_last
 from urdfkit.errors import PackageNotFound
-from urdfkit.meshes.samples import PLATE
-from urdfkit.reading import read_xml
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import insert_after, insert_last
+from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import depends_on, manifest_of
-from urdfkit.workspace.mentions import of_package
+from urdfkit.workspace.package_references import of_package
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 if TYPE_CHECKING:
-    from urdfkit.source import Source
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.source import Source
     from urdfkit.workspace.resolve import Resolver
 
 NAME = "bot_description/bot.urdf"

@@ -13,16 +13,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.meshes.samples import PLATE
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.mentions import of_package
-from urdfkit.workspace.shipping import Shipping
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Severity
+from urdfkit.workspace.install_rules import Shipping
+from urdfkit.workspace.package_references import of_package
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bot.urdf"
 BAD = """\

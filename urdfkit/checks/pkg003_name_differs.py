@@ -15,16 +15,16 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnreadableFile
-from urdfkit.meshes.samples import PLATE
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.source import Source, Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bad.urdf"
 BAD = """\

@@ -16,17 +16,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.gazebo.paths import survey
-from urdfkit.meshes.samples import PLATE
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.source import Source, Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.ros.gazebo.paths import survey
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.assets.files import MeshReference
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.assets.mesh_files import MeshReference
 
 NAME = "urdf/bot.urdf"
 BAD = """\

@@ -13,20 +13,20 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.document import Element
+from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.meshes.samples import PLATE
-from urdfkit.nearest import nearest
-from urdfkit.reading import is_launch, read_xml
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.document import Element
+from urdfkit.text.xml_reader import is_launch, read_xml
 from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
-from urdfkit.workspace.mentions import are_in
+from urdfkit.workspace.package_references import are_in
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 NAME = "urdf/bot.urdf"
 BAD = """\

@@ -13,16 +13,23 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog import ros_control
-from urdfkit.diagnostic import Severity
-from urdfkit.ros_control import ROS1, ROS2, called, components, driven_joints, reads_transmissions
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog import ros_control
+from urdfkit.ros.ros_control import (
+    ROS1,
+    ROS2,
+    called,
+    components,
+    driven_joints,
+    reads_transmissions,
+)
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>

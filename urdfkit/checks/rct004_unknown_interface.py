@@ -13,25 +13,25 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import hardware, words
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.nearest import nearest
-from urdfkit.ros_control import (
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import hardware, words
+from urdfkit.ros.ros_control import (
     components,
     control_plugins,
     driven_joints,
     is_of_pr2,
     reads_transmissions,
 )
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.ros_control import Component, Interface, Part
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import Component, Interface, Part
+    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base"/>

@@ -11,19 +11,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import component_types
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.grammar import is_expression
-from urdfkit.nearest import did_you_mean, nearest
-from urdfkit.ros_control import components
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import component_types
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="base"/>

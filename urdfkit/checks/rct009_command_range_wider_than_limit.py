@@ -11,18 +11,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.mechanics.joints import bounds, effort_unit, unit
-from urdfkit.ros_control import components
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.model import Joint
-    from urdfkit.ros_control import Interface
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+    from urdfkit.ros.ros_control import Interface
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>

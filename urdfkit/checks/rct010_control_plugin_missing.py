@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import control_plugins as files
-from urdfkit.catalog.ros_control import hardware
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.ros_control import components, control_plugins, is_of_pr2
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import control_plugins as files
+from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.ros_control import components, control_plugins, is_of_pr2
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.ros_control import ControlPlugin
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.ros_control import ControlPlugin
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base">

@@ -12,15 +12,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import parameter_files
-from urdfkit.diagnostic import Severity
-from urdfkit.nearest import nearest_file
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest_file
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.controllers import parameter_files
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

@@ -13,20 +13,20 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import Measure
-from urdfkit.catalog.ros_control import controllers as catalogue
-from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.drives import Rolling, rolling
-from urdfkit.gazebo.samples import DRIVE, DRIVEN
-from urdfkit.model import length, number
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.spatial import Vector, dot, minus
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import Vector, dot, minus
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.robot.model import length, number
+from urdfkit.ros.catalog.ros_control import Measure
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.controllers import Controller, controllers
+from urdfkit.ros.gazebo.drives import Rolling, rolling
+from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 #: Relative difference; real robots are calibrated within this.
 TOLERANCE = 0.05

@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import grammar
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rename_element
-from urdfkit.nearest import did_you_mean, nearest
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import grammar
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rename_element
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>

@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.grammar import is_expression
-from urdfkit.ros_control import Component, components
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.ros_control import Component, components
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>

@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import controllers as catalogue
-from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.placed_yaml import Value
-from urdfkit.ros_control import components, control_plugins, driven_joints
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.catalog.ros_control import controllers as catalogue
+from urdfkit.ros.controllers import Controller, controllers
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.ros_control import components, control_plugins, driven_joints
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = (
     ARM

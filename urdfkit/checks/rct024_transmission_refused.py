@@ -12,19 +12,19 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import words
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rename_element, rewrite
-from urdfkit.model import number
-from urdfkit.nearest import nearest
-from urdfkit.ros_control import ROS1, called, is_of_pr2, reads_transmissions
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.ros_control import words
+from urdfkit.ros.ros_control import ROS1, called, is_of_pr2, reads_transmissions
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rename_element, rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base"/>

@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import controllers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.drives import Rolling, rolling, wrong_sides
-from urdfkit.gazebo.samples import DRIVE, DRIVEN
-from urdfkit.placed_yaml import Value
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.controllers import controllers
+from urdfkit.ros.gazebo.drives import Rolling, rolling, wrong_sides
+from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")

@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import lost, unparsed
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.controllers import lost, unparsed
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")

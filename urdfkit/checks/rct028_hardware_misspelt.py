@@ -10,17 +10,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import hardware
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.nearest import nearest
-from urdfkit.ros_control import components
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>

@@ -11,18 +11,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import DRIVE, DRIVEN
-from urdfkit.grammar import is_expression
-from urdfkit.nearest import did_you_mean
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.controllers import Controller, controllers
+from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.placed_yaml import Value
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.located_yaml import Value
 
 BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")

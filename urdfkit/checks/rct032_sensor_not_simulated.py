@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.ros_control import hardware
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.gazebo.sensors import sensors
-from urdfkit.nearest import Speller
-from urdfkit.ros_control import components
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.ros_control import hardware
+from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

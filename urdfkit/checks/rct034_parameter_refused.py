@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.controllers import Parameters, of_manager, parameters_of
-from urdfkit.controllers import ParameterFile, Section, controllers, managers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.parameter_types import is_not_positive, type_of
-from urdfkit.placed_yaml import Node, Value
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.catalog.controllers import Parameters, of_manager, parameters_of
+from urdfkit.ros.controllers import ParameterFile, Section, controllers, managers
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.parameter_types import is_not_positive, type_of
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Node, Value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")

@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.controllers import parameters_of
-from urdfkit.controllers import Controller, Section, controllers, named_sections
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.nearest import nearest
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.catalog.controllers import parameters_of
+from urdfkit.ros.controllers import Controller, Section, controllers, named_sections
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")

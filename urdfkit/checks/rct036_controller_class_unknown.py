@@ -11,17 +11,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.controllers import classes, successor
-from urdfkit.controllers import Controller, controllers
-from urdfkit.diagnostic import Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.nearest import nearest
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.catalog.controllers import classes, successor
+from urdfkit.ros.controllers import Controller, controllers
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")

@@ -12,18 +12,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.controllers import controllers
-from urdfkit.diagnostic import Confidence, Severity
-from urdfkit.gazebo.samples import ARM, CONTROL
-from urdfkit.grammar import is_expression
-from urdfkit.nearest import did_you_mean
-from urdfkit.ros_control import components
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.ros.controllers import controllers
+from urdfkit.ros.gazebo.samples import ARM, CONTROL
+from urdfkit.ros.ros_control import components
+from urdfkit.text.diagnostic import Confidence, Severity
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = (
     ARM

@@ -13,18 +13,18 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import from_macro, insert_before, replace_value
-from urdfkit.grammar import is_expression
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
+from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
+    from urdfkit.text.document import Attribute
 
 BAD = """\
 <link name="base_link"/>

@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Related, Severity
-from urdfkit.document import Attribute, Element
-from urdfkit.editing.edits import replace_value
-from urdfkit.grammar import is_expression, owner
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
+from urdfkit.text.document import Attribute, Element
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import is_expression, owner
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <material name="dark_grey">

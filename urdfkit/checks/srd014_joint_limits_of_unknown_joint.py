@@ -10,15 +10,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.moveit_limits import planned_limits
-from urdfkit.nearest import Speller
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import Speller
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.moveit.joint_limits import planned_limits
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>

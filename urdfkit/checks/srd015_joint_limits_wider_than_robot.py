@@ -12,16 +12,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.mechanics.joints import bounds, unit
-from urdfkit.moveit_limits import PlannedLimit, planned_limits
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
+from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.model import Joint
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint
 
 #: Relative; people round to three digits.
 TOLERANCE = 0.01

@@ -10,16 +10,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.document import Element
-from urdfkit.editing.edits import rename_attribute, rename_element
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.srdf_grammar import slips
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.moveit.srdf_grammar import slips
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import rename_attribute, rename_element
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">

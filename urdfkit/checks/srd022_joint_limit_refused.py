@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.moveit_limits import planned_limits
-from urdfkit.parameter_types import is_not_positive, type_of
-from urdfkit.placed_yaml import Value
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.moveit.joint_limits import planned_limits
+from urdfkit.ros.parameter_types import is_not_positive, type_of
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.manifest import manifest_of
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base"/>

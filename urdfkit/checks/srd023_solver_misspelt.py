@@ -10,16 +10,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.moveit_config import group_entries
-from urdfkit.nearest import nearest
-from urdfkit.placed_yaml import Value
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.ros.moveit.config import group_entries
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.located_yaml import Value
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="bad">

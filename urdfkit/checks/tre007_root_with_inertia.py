@@ -12,15 +12,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import from_macro, insert_before
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import from_macro, insert_before
 
 if TYPE_CHECKING:
-    from urdfkit.model import Link, RobotModel
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Link, RobotModel
 
 BAD = """\
 <link name="base">

@@ -15,22 +15,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import hypot
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.editing.edits import insert_before, replace_value
-from urdfkit.mechanics.kinematics import direction
-from urdfkit.model import number
-from urdfkit.rules import Finding, rule
-from urdfkit.source import Span
-from urdfkit.spatial import dot, rotate
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.spatial import dot, rotate
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import number
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.editing.edits import insert_before, replace_value
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.mechanics.tree import KinematicTree
-    from urdfkit.model import Body, Joint
-    from urdfkit.spatial import Frame, Rotation, Vector
-    from urdfkit.subject import Subject
+    from urdfkit.core.spatial import Frame, Rotation, Vector
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Body, Joint
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.text.document import Element
 
 BAD = """\
 <link name="base_footprint"/>

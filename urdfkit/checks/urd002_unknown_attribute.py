@@ -14,17 +14,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit import schema
-from urdfkit.diagnostic import Fix, Related, Severity
-from urdfkit.editing.edits import rename_attribute
-from urdfkit.grammar import owner
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text import schema
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.editing.edits import rename_attribute
+from urdfkit.text.grammar import owner
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute, Element
 
 BAD = """\
 <link name="base"/>

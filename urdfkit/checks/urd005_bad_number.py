@@ -15,16 +15,16 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit import schema
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import as_written, replace_value
-from urdfkit.grammar import has_break, is_number, owner
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text import schema
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import as_written, replace_value
+from urdfkit.text.grammar import has_break, is_number, owner
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="ball">

@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.grammar import owner
-from urdfkit.meshes.samples import PLATE
-from urdfkit.rules import Finding, rule
-from urdfkit.schema import LENGTHS, RGBA
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.mesh.samples import PLATE
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.grammar import owner
+from urdfkit.text.schema import LENGTHS, RGBA
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

@@ -13,17 +13,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.catalog.extensions import extensions
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.document import Element
-from urdfkit.editing.edits import STEP, insert_after, insert_last, lines_of, remove_elements
-from urdfkit.grammar import owner
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.ros.catalog.extensions import extensions
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import STEP, insert_after, insert_last, lines_of, remove_elements
+from urdfkit.text.grammar import owner
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="wheel">

@@ -13,15 +13,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.grammar import owner
-from urdfkit.rules import Finding, rule
-from urdfkit.schema import SHAPES
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.grammar import owner
+from urdfkit.text.schema import SHAPES
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="floor">

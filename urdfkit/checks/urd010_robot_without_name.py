@@ -13,15 +13,15 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.rules import Finding, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
 
 BAD = '<robot>\n  <link name="base"/>\n</robot>\n'
 GOOD = BAD.replace("<robot>", '<robot name="cart">')

@@ -10,15 +10,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import replace_value
-from urdfkit.rules import Finding, rule
-from urdfkit.schema import VERSIONS
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import replace_value
+from urdfkit.text.schema import VERSIONS
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = '<robot name="cart" version="2.3">\n  <link name="base"/>\n</robot>\n'
 GOOD = BAD.replace(' version="2.3"', "")

@@ -12,17 +12,17 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Related, Severity
-from urdfkit.document import Element
-from urdfkit.editing.edits import move_after
-from urdfkit.grammar import owner
-from urdfkit.rules import Finding, rule
-from urdfkit.schema import places_of
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Related, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.editing.edits import move_after
+from urdfkit.text.grammar import owner
+from urdfkit.text.schema import places_of
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <link name="base">

@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rename_element
-from urdfkit.nearest import nearest
-from urdfkit.rules import Finding, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rename_element
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = '<Robot name="cart">\n  <link name="base"/>\n</Robot>\n'
 GOOD = BAD.replace("Robot", "robot")

@@ -12,17 +12,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.grammar import owner
-from urdfkit.rules import Finding, Written, rule
-from urdfkit.source import Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.grammar import owner
+from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.document import Element
-    from urdfkit.source import Source
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
+    from urdfkit.text.source import Source
 
 BAD = """\
 <link name="arm">

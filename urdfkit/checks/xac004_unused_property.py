@@ -11,15 +11,15 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import remove_spans
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -13,16 +13,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from math import pi
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.editing.edits import remove_spans
-from urdfkit.model import number
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.robot.model import number
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.editing.edits import remove_spans
 
 if TYPE_CHECKING:
-    from urdfkit.expansion.run import Definition
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.xacro.expansion import Definition
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -13,16 +13,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Fix, Severity
-from urdfkit.editing.edits import rewrite
-from urdfkit.rules import Finding, Need, rule
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.text.diagnostic import Fix, Severity
+from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
-    from urdfkit.document import Attribute, Element
-    from urdfkit.expansion import Xacro
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Attribute, Element
+    from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
 BAD = """\

@@ -15,14 +15,14 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.source import Source, Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">

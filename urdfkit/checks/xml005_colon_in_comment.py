@@ -16,15 +16,15 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Confidence, Severity
 from urdfkit.errors import UnreadableFile
-from urdfkit.rules import Finding, Need, Written, rule
-from urdfkit.source import Source, Span
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.text.diagnostic import Confidence, Severity
+from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 FILES = {"package.xml": b"<package><name>a</name><build_type>ament_cmake</build_type></package>"}
 BAD = '<robot name="r"><!-- units: metres --><link name="a"/></robot>'

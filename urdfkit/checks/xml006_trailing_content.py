@@ -12,13 +12,13 @@ Sources:
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Severity
-from urdfkit.rules import Finding, rule, told
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 BAD = '<robot name="r"><link name="a"/></robot>\n<material name="red"/>\n'
 GOOD = '<robot name="r"><link name="a"/><material name="red"/></robot>\n'

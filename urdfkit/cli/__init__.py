@@ -19,9 +19,9 @@ import os
 import sys
 from collections.abc import Sequence
 from errno import ENOSPC
+from typing import TYPE_CHECKING
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.static import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from typing import NoReturn
@@ -91,7 +91,7 @@ def _run(words: list[str]) -> int:
 
 
 def _fail(code: int, error: str, *more: str) -> int:
-    from urdfkit.screen import printable
+    from urdfkit.text.terminal import printable
 
     try:
         if sys.stderr is not None:

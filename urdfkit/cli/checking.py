@@ -5,24 +5,25 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
-from urdfkit import atomic, formats
 from urdfkit.cli import options, output, stdin
-from urdfkit.diagnostic import Report, Severity
-from urdfkit.engine import check
-from urdfkit.plan import planned
-from urdfkit.screen import printable
-from urdfkit.source import shown
-from urdfkit.static import TYPE_CHECKING, Any
+from urdfkit.core import atomic
+from urdfkit.lint.engine import check
+from urdfkit.lint.plan import planned
+from urdfkit.output import formats
+from urdfkit.text.diagnostic import Report, Severity
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
     from collections import Counter
 
-    from urdfkit.baseline import Fingerprint
     from urdfkit.cli.progress import Progress
-    from urdfkit.engine import Options
-    from urdfkit.fixing import Fixes
+    from urdfkit.lint.baseline import Fingerprint
+    from urdfkit.lint.engine import Options
+    from urdfkit.lint.fix import Fixes
 
 
 def run_check(values: Mapping[str, Any]) -> int:
@@ -38,7 +39,7 @@ def run_check(values: Mapping[str, Any]) -> int:
         return 0
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
-        from urdfkit.fixing import counted
+        from urdfkit.lint.fix import counted
 
         fixes = mend(values, chosen)
         if values["diff"]:
@@ -120,7 +121,7 @@ def _check(values: Mapping[str, Any], chosen: Options) -> Report:
 
 def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) -> Report:
     """The report with what ``--fix`` would do; of standard input nothing can be fixed in place."""
-    from urdfkit.fixing import fixable
+    from urdfkit.lint.fix import fixable
 
     files = options.files(values)
     return report if "-" in files else report._replace(fixable=fixable(report, *files, **chosen))
@@ -128,7 +129,7 @@ def _with_fixable(report: Report, values: Mapping[str, Any], chosen: Options) ->
 
 def mend(values: Mapping[str, Any], chosen: Options, *, generate_meshes: bool = False) -> Fixes:
     """Fix the files in place, show the changes as a diff, or only find them."""
-    from urdfkit.fixing import fix
+    from urdfkit.lint.fix import fix
 
     files = options.files(values)
     if "-" in files:
@@ -180,7 +181,7 @@ def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:
         raise options.UsageError("--write-baseline needs --baseline FILE to write to")
     if not file or values["write_baseline"]:
         return None
-    from urdfkit.baseline import load
+    from urdfkit.lint.baseline import load
 
     return load(file)
 
@@ -192,7 +193,7 @@ def _with_baseline(
     file = values["baseline"]
     if not file:
         return report
-    from urdfkit import baseline
+    from urdfkit.lint import baseline
 
     folder = os.path.dirname(os.path.abspath(file))
     if known is None:

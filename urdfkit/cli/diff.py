@@ -8,14 +8,14 @@ from typing import Any
 
 import click
 
-from urdfkit import atomic
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import judged, last_file
-from urdfkit.comparison import KINDS, compare
-from urdfkit.differences import Tolerances
-from urdfkit.page.words import LANGUAGES
+from urdfkit.core import atomic
+from urdfkit.output.comparison import KINDS, compare
+from urdfkit.output.comparison.differences import Tolerances
+from urdfkit.output.report.translations import LANGUAGES
 
 #: Formats, by the suffix of a file.
 SUFFIXES = {".txt": "text", ".json": "json", ".md": "markdown", ".html": "html"}
@@ -69,7 +69,7 @@ def command(
     if "-" in files:
         raise options.UsageError("standard input cannot be compared; name a file")
     name = _format(form, output_file)
-    render = import_module(f"urdfkit.comparison.{name}").render
+    render = import_module(f"urdfkit.output.comparison.{name}").render
     if lang:
         if name != "html":
             raise options.UsageError("--lang is for HTML: write -o diff.html, or --format html")

@@ -15,13 +15,13 @@ import click
 from urdfkit import __version__
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.config import Config, ConfigError
-from urdfkit.discovery import discover
-from urdfkit.engine import check
-from urdfkit.rule_packages import installed
-from urdfkit.source import Source, shown
-from urdfkit.subject import Subject
-from urdfkit.targets import Targets, parse
+from urdfkit.lint.config import Config, ConfigError
+from urdfkit.lint.context import Subject
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.engine import check
+from urdfkit.lint.rule_packages import installed
+from urdfkit.ros.targets import Targets, parse
+from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
 #: What is looked for, what it is for, and what pip is told to install it.

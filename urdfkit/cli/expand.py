@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit import atomic
 from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, only_file, reading
-from urdfkit.diagnostic import Related, Severity
-from urdfkit.rules import get
-from urdfkit.source import Source
+from urdfkit.core import atomic
+from urdfkit.lint.rules import get
+from urdfkit.text.diagnostic import Related, Severity
+from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.expansion import Xacro
-    from urdfkit.reading import Problem
+    from urdfkit.text.xml_reader import Problem
+    from urdfkit.xacro import Xacro
 
 
 @click.command(
@@ -65,8 +65,8 @@ def command(
 
     Exit codes: 0 done, 2 it cannot be expanded, 3 a bug of urdfkit.
     """
-    from urdfkit.expansion import expand
     from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro import expand
 
     file = only_file(asked)
     source = _read(file, root_dir)
@@ -133,7 +133,7 @@ def _note(related: Related) -> str:
 def _write_map(xacro: Xacro, file: str) -> None:
     import json
 
-    from urdfkit.places import place_map
+    from urdfkit.text.locations import place_map
 
     assert xacro.document is not None
     text = json.dumps(place_map(xacro.document), indent=1, ensure_ascii=False) + "\n"

@@ -9,9 +9,9 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
-from urdfkit.diagnostic import Severity
 from urdfkit.errors import UnknownRule
-from urdfkit.rules import FAMILIES, Need, Rule, find_rule
+from urdfkit.lint.rules import FAMILIES, Need, Rule, find_rule
+from urdfkit.text.diagnostic import Severity
 
 _NEEDS = {
     Need.XACRO: "a xacro that expands",
@@ -57,7 +57,7 @@ def _find(word: str) -> Rule:
     try:
         return find_rule(word)
     except UnknownRule:
-        from urdfkit.rule_packages import add, installed
+        from urdfkit.lint.rule_packages import add, installed
 
         add(installed(), modules=False)
         return find_rule(word)

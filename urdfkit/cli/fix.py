@@ -11,10 +11,10 @@ from urdfkit.cli import options, output
 from urdfkit.cli.check import click_option
 from urdfkit.cli.checking import choices, fail_on, mend
 from urdfkit.cli.epilog import examples
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.fixing import Fixes
-from urdfkit.screen import printable, wrap
-from urdfkit.source import shown
+from urdfkit.lint.fix import Fixes
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable, wrap
 
 _OPTIONS = (
     "unsafe-fixes diff force select ignore rules fail-on target package trust changed jobs "

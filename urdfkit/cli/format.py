@@ -9,11 +9,11 @@ import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
-from urdfkit.editing.formatter import WIDTH, formatted
-from urdfkit.editing.rewriting import Rewrite
-from urdfkit.formatting import Formatted, format_files
-from urdfkit.screen import printable
-from urdfkit.source import shown
+from urdfkit.lint.formatting import Formatted, format_files
+from urdfkit.text.editing.formatter import WIDTH, formatted
+from urdfkit.text.editing.rewriting import Rewrite
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable
 
 
 @click.command(

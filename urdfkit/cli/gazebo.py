@@ -10,14 +10,14 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.document import Element
-from urdfkit.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
-from urdfkit.gazebo.rejection import CODES, rejecting
-from urdfkit.jsontext import dumped
-from urdfkit.judge import judge
-from urdfkit.screen import printable, wrap
-from urdfkit.source import shown
+from urdfkit.core.strict_json import dumped
+from urdfkit.lint.runner import judge
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion, SimulatedLink
+from urdfkit.ros.gazebo.rejection import CODES, rejecting
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.document import Element
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable, wrap
 
 VERSION = 1
 

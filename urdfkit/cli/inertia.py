@@ -11,13 +11,13 @@ import click
 from urdfkit.cli import options, output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.editing import rewriting
-from urdfkit.inertials.densities import DENSITIES
-from urdfkit.inertials.matter import SOURCES
-from urdfkit.inertials.proposals import Proposal, propose, rewrites
-from urdfkit.jsontext import dumped
-from urdfkit.mechanics.inertia import MassProperties
-from urdfkit.source import shown
+from urdfkit.core.strict_json import dumped
+from urdfkit.robot.inertia import MassProperties
+from urdfkit.robot.inertials.densities import DENSITIES
+from urdfkit.robot.inertials.shape_mass import SOURCES
+from urdfkit.robot.inertials.suggestions import Proposal, propose, rewrites
+from urdfkit.text.editing import rewriting
+from urdfkit.text.source import shown
 
 VERSION = 1
 

@@ -14,12 +14,12 @@ from urdfkit.cli import output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.gazebo.sensors import Sensor
-from urdfkit.jsontext import dumped
-from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.meshes.facts import counted
-from urdfkit.overview import Overview, Shapes, Structure, summarise
-from urdfkit.source import shown
+from urdfkit.core.strict_json import dumped
+from urdfkit.mesh.io.facts import counted
+from urdfkit.output.overview import Overview, Shapes, Structure, summarise
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.ros.gazebo.sensors import Sensor
+from urdfkit.text.source import shown
 
 VERSION = 1
 

@@ -7,20 +7,20 @@ from collections.abc import Iterable, Iterator
 
 import click
 
-from urdfkit import atomic
-from urdfkit.argument_values import found_values
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
-from urdfkit.config import Config
-from urdfkit.discovery import Found, discover
+from urdfkit.core import atomic
 from urdfkit.errors import UnwritableFile
-from urdfkit.expansion import Xacro
-from urdfkit.plan import missing_arguments
-from urdfkit.source import Source
-from urdfkit.subject import Subject
-from urdfkit.targets import TARGETS
+from urdfkit.lint.argument_values import found_values
+from urdfkit.lint.config import Config
+from urdfkit.lint.context import Subject
+from urdfkit.lint.discovery import Found, discover
+from urdfkit.lint.plan import missing_arguments
+from urdfkit.ros.targets import TARGETS
+from urdfkit.text.source import Source
+from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.settings import nearest
+from urdfkit.xacro import Xacro
 
 _FILE = "urdfkit.toml"
 

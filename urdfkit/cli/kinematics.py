@@ -12,12 +12,12 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.spatial import Frame, to_rpy
+from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
-from urdfkit.jsontext import dumped
-from urdfkit.mechanics.kinematics import frames, transform
-from urdfkit.screen import wrap
-from urdfkit.spatial import Frame, to_rpy
-from urdfkit.subject import Subject, Unavailable
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.robot.kinematics import frames, transform
+from urdfkit.text.terminal import wrap
 
 VERSION = 1
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import click
 
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.nearest import did_you_mean
 
 #: What other tools call a command; none of them is a slip of one of ours.
 _ELSEWHERE = {

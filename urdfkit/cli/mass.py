@@ -14,12 +14,12 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.jsontext import dumped
-from urdfkit.markdowntext import escape, table
-from urdfkit.mass_table import MassRow, MassTable, mass_properties
-from urdfkit.mechanics.inertia import MassProperties
-from urdfkit.screen import wrap
-from urdfkit.spatial import Rotation, Vector
+from urdfkit.core.spatial import Rotation, Vector
+from urdfkit.core.strict_json import dumped
+from urdfkit.output.mass_table import MassRow, MassTable, mass_properties
+from urdfkit.robot.inertia import MassProperties
+from urdfkit.text.markdown import escape, table
+from urdfkit.text.terminal import wrap
 
 VERSION = 1
 

@@ -11,9 +11,9 @@ import click
 from urdfkit.cli import output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, only_file, reading
-from urdfkit.migrate import Migration, migrate
-from urdfkit.screen import printable
-from urdfkit.targets import GAZEBO
+from urdfkit.lint.migrate import Migration, migrate
+from urdfkit.ros.targets import GAZEBO
+from urdfkit.text.terminal import printable
 
 
 @click.command(

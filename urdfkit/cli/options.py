@@ -10,15 +10,15 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
-from urdfkit import formats
+from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.record import Record
-from urdfkit.static import TYPE_CHECKING, Any
-from urdfkit.workspace.settings import nearest
+from urdfkit.output import formats
+from urdfkit.workspace.config_file import nearest
 
 if TYPE_CHECKING:
-    from urdfkit.config import Config
+    from urdfkit.lint.config import Config
 
 
 class Option(Record):
@@ -151,7 +151,7 @@ def config(values: Mapping[str, Any], near: str) -> Config | None:
     path = values["config"] or nearest(os.curdir if near == "-" else near)
     if path is None:
         return None
-    from urdfkit.config import load
+    from urdfkit.lint.config import load
 
     found = load(path, trusted=bool(values["config"]) or values["trust"])
     for warning in found.warnings:
@@ -163,7 +163,7 @@ def add_rules(values: Mapping[str, Any]) -> list[str]:
     """Packages of rules that are named on the command line; their rules are known from now on."""
     names = words(values, "rules")
     if names:
-        from urdfkit.rule_packages import add
+        from urdfkit.lint.rule_packages import add
 
         add(names, modules=True, beside=os.curdir)
     return names
@@ -204,7 +204,7 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
     named = words(values, "ignore")
     if not named:
         return []
-    from urdfkit import rules
+    from urdfkit.lint import rules
 
     _, unknown = rules.ignored(named)
     for error in unknown:
@@ -214,7 +214,7 @@ def ignored(values: Mapping[str, Any]) -> list[str]:
 
 
 def _warn(text: str) -> None:
-    from urdfkit.screen import printable
+    from urdfkit.text.terminal import printable
 
     if sys.stderr is not None:
         print(f"warning: {printable(text)}", file=sys.stderr)

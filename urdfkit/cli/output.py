@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator
 
 from urdfkit.errors import UnwritableFile
-from urdfkit.screen import columns, printable
+from urdfkit.text.terminal import columns, printable
 
 
 def has_color(when: str) -> bool:

@@ -9,9 +9,9 @@ from typing import Any, TypeVar
 import click
 
 from urdfkit.cli import options
-from urdfkit.poses import outside_limits, pose
-from urdfkit.screen import printable
-from urdfkit.subject import Subject
+from urdfkit.lint.context import Subject
+from urdfkit.physics.poses import outside_limits, pose
+from urdfkit.text.terminal import printable
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

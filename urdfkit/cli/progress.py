@@ -6,8 +6,7 @@ import os
 import sys
 import time
 from contextlib import contextmanager
-
-from urdfkit.static import TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from urdfkit.cli.options import CHECK, FILES
-from urdfkit.static import Any
 
 
 def parse(words: Sequence[str]) -> dict[str, Any] | None:

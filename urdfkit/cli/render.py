@@ -16,11 +16,11 @@ from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.errors import UrdfkitError
-from urdfkit.screen import printable
+from urdfkit.text.terminal import printable
 
 if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
     from urdfkit.render import Background, Scene
-    from urdfkit.subject import Subject
 
 VIEWS = ("iso", "front", "back", "left", "right", "top", "bottom")
 #: Of a picture, of an animation, of both states beside one another, and of a thumbnail.
@@ -92,7 +92,7 @@ def command(asked: dict[str, Any], **values: Any) -> int:
 def _scene(robot: Subject, pose: dict[str, float], values: dict[str, Any]) -> Scene:
     """The robot in its pose, with everything over it that is asked for."""
     from urdfkit import render
-    from urdfkit.engine import check
+    from urdfkit.lint.engine import check
 
     shown = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in shown if layer in ("visual", "collision"))
@@ -159,7 +159,7 @@ def _animation(
 def _difference(files: Sequence[str], asked: dict[str, Any], values: dict[str, Any]) -> Scene:
     """Both states beside one another; the second one."""
     from urdfkit import render
-    from urdfkit.comparison.states import read
+    from urdfkit.output.comparison.states import read
 
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
         scenes = []

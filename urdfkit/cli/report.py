@@ -8,16 +8,16 @@ from typing import Any
 
 import click
 
-from urdfkit import atomic
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import judged, only_file
-from urdfkit.config import Config
-from urdfkit.diagnostic import Severity
-from urdfkit.page.csv import COLUMNS
-from urdfkit.page.words import LANGUAGES
-from urdfkit.page.writing import form_of, report
+from urdfkit.core import atomic
+from urdfkit.lint.config import Config
+from urdfkit.output.report.csv import COLUMNS
+from urdfkit.output.report.translations import LANGUAGES
+from urdfkit.output.report.writing import form_of, report
+from urdfkit.text.diagnostic import Severity
 
 
 @click.command(

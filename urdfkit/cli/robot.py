@@ -10,23 +10,23 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 import click
 
-from urdfkit import rules
 from urdfkit.cli import options, stdin
-from urdfkit.config import Config
-from urdfkit.diagnostic import Severity
-from urdfkit.discovery import discover
+from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile, UnreadableRobot
-from urdfkit.loading import read
-from urdfkit.meshes.facts import counted
-from urdfkit.plan import unknown_arguments
-from urdfkit.record import Record
-from urdfkit.screen import printable
-from urdfkit.source import shown
-from urdfkit.subject import Subject
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config
+from urdfkit.lint.context import Subject
+from urdfkit.lint.discovery import discover
+from urdfkit.lint.loading import read
+from urdfkit.lint.plan import unknown_arguments
+from urdfkit.mesh.io.facts import counted
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.reading import Problem
+    from urdfkit.text.xml_reader import Problem
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

@@ -9,8 +9,8 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
-from urdfkit.rule_packages import add, installed
-from urdfkit.rules import Rule, all_rules
+from urdfkit.lint.rule_packages import add, installed
+from urdfkit.lint.rules import Rule, all_rules
 
 
 @click.command(

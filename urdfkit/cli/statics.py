@@ -13,17 +13,17 @@ from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import shown
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.strict_json import dumped
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.jsontext import dumped
-from urdfkit.mechanics.joints import effort_unit
-from urdfkit.mechanics.stability import VERDICTS, Stability, Standing, standing
-from urdfkit.model import RobotModel, number
-from urdfkit.nearest import did_you_mean
-from urdfkit.screen import wrap
-from urdfkit.subject import Subject, Unavailable
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.robot.joints import effort_unit
+from urdfkit.robot.model import RobotModel, number
+from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
+from urdfkit.text.terminal import wrap
 
 if TYPE_CHECKING:
-    from urdfkit.dynamics.statics import Statics
+    from urdfkit.physics.dynamics.statics import Statics
 
 VERSION = 1
 
@@ -113,8 +113,8 @@ def _statics(
         bare = subject.dynamics
     except Unavailable as reason:
         raise UrdfkitError(str(reason)) from reason
-    from urdfkit.dynamics.robot import Dynamics
-    from urdfkit.dynamics.statics import statics
+    from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.dynamics.statics import statics
 
     loaded = Dynamics(subject.tree, payload) if payload else bare
     with shown() as bar:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.source import MAX_BYTES, Source
+from urdfkit.text.source import MAX_BYTES, Source
 
 
 def opened(word: str) -> str | Source:

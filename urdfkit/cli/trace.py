@@ -10,12 +10,12 @@ import click
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import first_of, read_by_options, reading
-from urdfkit.document import Attribute, Element, Step
 from urdfkit.errors import UnreadableRobot
-from urdfkit.source import Source, Span
+from urdfkit.text.document import Attribute, Element, Step
+from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.expansion.trace import Origin
+    from urdfkit.xacro.trace import Origin
 
 #: Levels of definitions that are printed; real models need seven.
 MAX_LEVELS = 20
@@ -44,9 +44,9 @@ def command(file: str, address: str, arguments: tuple[str, ...], **asked: Any) -
 
     Exit codes: 0 done, 2 there is no such element or the file does not expand.
     """
-    from urdfkit.expansion import expand
-    from urdfkit.places import find
+    from urdfkit.text.locations import find
     from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro import expand
 
     source = Source.of(stdin.opened(file))
     how = reading({**asked, options.FILES: (file, *arguments)}, file)

@@ -10,7 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.diagrams import FORMATS, text
+from urdfkit.output.diagrams import FORMATS, text
 
 
 @click.command(
@@ -34,5 +34,5 @@ def command(asked: dict[str, Any], form: str) -> int:
     if form == "text":
         output.page(text.render(subject.tree, output.width()).removesuffix("\n").split("\n"))
     else:
-        output.write(import_module(f"urdfkit.diagrams.{form}").render(subject.tree))
+        output.write(import_module(f"urdfkit.output.diagrams.{form}").render(subject.tree))
     return 0

@@ -11,9 +11,9 @@ import click
 from urdfkit.cli import options
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import judged, only_file
-from urdfkit.page.server import serve
-from urdfkit.page.state import Wish
-from urdfkit.page.words import LANGUAGES, Words
+from urdfkit.output.report.translations import LANGUAGES, Words
+from urdfkit.viewer.server import serve
+from urdfkit.viewer.state import Wish
 
 
 @click.command(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.diagnostic import Diagnostic, Edit, Fix
+from urdfkit.core.record import Record
 from urdfkit.lsp.markup import Page
-from urdfkit.record import Record
-from urdfkit.source import Span
+from urdfkit.text.diagnostic import Diagnostic, Edit, Fix
+from urdfkit.text.source import Span
 
 
 class Action(Record):

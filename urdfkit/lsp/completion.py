@@ -7,12 +7,12 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import islice
 
-from urdfkit.catalog import extensions, materials, plugins, sensors
+from urdfkit.core.record import Record
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
 from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
 from urdfkit.lsp.workspace import Robot
-from urdfkit.record import Record
-from urdfkit.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
+from urdfkit.ros.catalog import extensions, materials, plugins, sensors
+from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
 from urdfkit.workspace.folders import Folders
 
 #: Files and folders of one folder that are offered.

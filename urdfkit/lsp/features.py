@@ -6,12 +6,12 @@ import re
 
 from lsprotocol import types as lsp
 
-from urdfkit.diagnostic import Diagnostic
 from urdfkit.lsp import actions, completion, hover, navigation, outline
 from urdfkit.lsp.server import Server
 from urdfkit.lsp.text import Places, to_uri
 from urdfkit.lsp.workspace import slow_rules
-from urdfkit.source import Source, Span
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import Source, Span
 
 _SYMBOLS = {
     "link": lsp.SymbolKind.Object,

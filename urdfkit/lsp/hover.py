@@ -5,21 +5,21 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfkit import rules
-from urdfkit.catalog import extensions, plugins
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.document import Attribute
 from urdfkit.errors import UnknownRule, UrdfkitError
-from urdfkit.expansion.trace import Origin
+from urdfkit.lint import rules
+from urdfkit.lint.suppress import ignores
 from urdfkit.lsp.completion import grammar_of
 from urdfkit.lsp.markup import Cursor, Node, Page, cursor
 from urdfkit.lsp.names import Name, path_in
 from urdfkit.lsp.workspace import Robot
-from urdfkit.mechanics.inertia import principal_moments
-from urdfkit.meshes.sniff import sniff_file
-from urdfkit.model import Joint, Link
-from urdfkit.source import Span
-from urdfkit.suppress import ignores
+from urdfkit.mesh.io.sniff import sniff_file
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.model import Joint, Link
+from urdfkit.ros.catalog import extensions, plugins
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.document import Attribute
+from urdfkit.text.source import Span
+from urdfkit.xacro.trace import Origin
 
 #: Values of one expression, levels of definitions and lines of a macro that are shown.
 MAX_SHOWN = 6
@@ -190,7 +190,7 @@ def _file(robot: Robot, node: Node, reference: str) -> Iterator[str]:
 def _measures(path: str) -> Iterator[str]:
     """Triangles and size, where the extra for meshes is installed."""
     try:
-        from urdfkit.meshes.describe import describe
+        from urdfkit.mesh.describe import describe
 
         mesh = describe(path)
     except (ImportError, UrdfkitError):  # some formats need more libraries than others

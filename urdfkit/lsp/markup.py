@@ -10,8 +10,8 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from urdfkit.record import Record
-from urdfkit.source import Source, Span
+from urdfkit.core.record import Record
+from urdfkit.text.source import Source, Span
 
 _MARK = re.compile(
     rb"<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|[?!][^<>]*>?"

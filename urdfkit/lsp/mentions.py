@@ -11,12 +11,12 @@ import os
 import re
 from collections.abc import Collection, Iterator
 
-from urdfkit import pythontext
+from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
-from urdfkit.placed_yaml import Key, Value, load
-from urdfkit.record import Record
-from urdfkit.source import Source, Span
+from urdfkit.text import python_source
+from urdfkit.text.located_yaml import Key, Value, load
+from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
 #: Keys of YAML and names of parameters whose values are joints or links.
@@ -140,7 +140,7 @@ def _in_launch(source: Source) -> Iterator[Mention]:
 
 def _in_python(source: Source) -> Iterator[Mention]:
     try:
-        tree = pythontext.parse(source.data)
+        tree = python_source.parse(source.data)
     except SyntaxError:
         return
     for node in ast.walk(tree):

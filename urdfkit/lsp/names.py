@@ -11,12 +11,12 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 from html import unescape
 
-from urdfkit.catalog import plugins
-from urdfkit.document import Document
+from urdfkit.core.record import Record
 from urdfkit.lsp.markup import Node, Page, Written
-from urdfkit.record import Record
-from urdfkit.schema import JOINT, LINK, ROBOT, XACRO_TAGS
-from urdfkit.source import Source, Span
+from urdfkit.ros.catalog import plugins
+from urdfkit.text.document import Document
+from urdfkit.text.schema import JOINT, LINK, ROBOT, XACRO_TAGS
+from urdfkit.text.source import Source, Span
 
 #: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to one macro.
 KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter", "arg", "package")

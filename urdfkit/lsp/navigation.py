@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import re
 
-from urdfkit.diagnostic import Edit
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
 from urdfkit.lsp.mentions import mention_at, mentions
 from urdfkit.lsp.names import Name
 from urdfkit.lsp.workspace import Robot
-from urdfkit.reading import is_launch
-from urdfkit.source import Source, Span
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import is_launch
 
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 _FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")

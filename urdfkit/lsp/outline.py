@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.document import Element
 from urdfkit.lsp.markup import Node, Page
 from urdfkit.lsp.workspace import Robot
-from urdfkit.model import Joint, Link
-from urdfkit.source import Span
+from urdfkit.robot.model import Joint, Link
+from urdfkit.text.document import Element
+from urdfkit.text.source import Span
 
 #: Joints in one another; what hangs deeper is listed beside the rest.
 MAX_DEPTH = 60

@@ -23,12 +23,12 @@ from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
 
 from urdfkit import __version__
-from urdfkit.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.text import Places, to_bytes, to_path, to_uri
 from urdfkit.lsp.workspace import Robot, Workspace
-from urdfkit.source import Span
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
+from urdfkit.text.source import Span
 
 Answer = TypeVar("Answer")
 

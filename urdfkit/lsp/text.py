@@ -7,7 +7,7 @@ from urllib.parse import quote, unquote, urlsplit
 
 from lsprotocol.types import Location, Position, PositionEncodingKind, Range
 
-from urdfkit.source import Source, Span
+from urdfkit.text.source import Source, Span
 
 _BYTES = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: ("utf-16-le", 2)}
 

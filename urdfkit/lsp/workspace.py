@@ -9,29 +9,29 @@ import os
 from collections.abc import Iterable, Iterator
 from functools import cache, cached_property
 
-from urdfkit import rules
-from urdfkit.config import Config, load
-from urdfkit.config import Robot as EntryPoint
-from urdfkit.diagnostic import Diagnostic
-from urdfkit.discovery import affected
-from urdfkit.document import Attribute, Document
-from urdfkit.editing.formatter import WIDTH, formatted
-from urdfkit.engine import check
+from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
-from urdfkit.expansion import Xacro, expand
-from urdfkit.fixing import fix
-from urdfkit.launch.given import given
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config, load
+from urdfkit.lint.config import Robot as EntryPoint
+from urdfkit.lint.context import Subject
+from urdfkit.lint.discovery import affected
+from urdfkit.lint.engine import check
+from urdfkit.lint.fix import fix
+from urdfkit.lint.plan import missing_arguments
+from urdfkit.lint.rules import Need
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.names import Names
-from urdfkit.model import RobotModel
-from urdfkit.plan import missing_arguments
-from urdfkit.reading import is_launch
-from urdfkit.record import Record
-from urdfkit.rules import Need
-from urdfkit.source import Source
-from urdfkit.subject import Subject
+from urdfkit.robot.model import RobotModel
+from urdfkit.ros.launch.robot_arguments import given
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.document import Attribute, Document
+from urdfkit.text.editing.formatter import WIDTH, formatted
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.settings import nearest
+from urdfkit.xacro import Xacro, expand
 
 #: Robots that are checked when a file of macros changes; the others wait for their own turn.
 MAX_ROBOTS = 8

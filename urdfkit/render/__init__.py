@@ -1,6 +1,6 @@
 """Pictures of robots, without a display, a graphics card or a graphics library.
 
->>> from urdfkit.loading import read
+>>> from urdfkit.lint.loading import read
 >>> from urdfkit.render import build, picture
 >>> scene = build(read("models/good/gripper.urdf"))
 >>> picture(scene, ["iso", "top"], size=(640, 360)).size
@@ -30,7 +30,7 @@ try:
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
-    from urdfkit.render.looks import Look
+    from urdfkit.render.materials import Look
     from urdfkit.render.picture import PictureError, colour, picture, save
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.quality import QUALITIES

@@ -10,18 +10,18 @@ from math import cos, pi, sin
 import numpy as np
 from PIL import Image
 
-from urdfkit import atomic
+from urdfkit.core import atomic
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.mechanics import kinematics
-from urdfkit.mechanics.joints import bounds
-from urdfkit.nearest import did_you_mean
+from urdfkit.lint.context import Subject
 from urdfkit.render.arrays import Floats
 from urdfkit.render.camera import Camera, looking
 from urdfkit.render.draw import draw
 from urdfkit.render.labels import opaque, write
 from urdfkit.render.pixels import STUDIO, Background
 from urdfkit.render.scene import Scene
-from urdfkit.subject import Subject
+from urdfkit.robot import kinematics
+from urdfkit.robot.joints import bounds
 
 #: What an animation is saved as, by suffix.
 FORMATS = {".gif": "GIF", ".webp": "WEBP", ".png": "PNG", ".apng": "PNG"}

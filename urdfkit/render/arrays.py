@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from urdfkit.spatial import Vector
+from urdfkit.core.spatial import Vector
 
 Floats = NDArray[np.floating[Any]]
 Integers = NDArray[np.integer[Any]]

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from urdfkit.errors import MissingLibrary
-from urdfkit.mechanics.adjacency import Adjacency
-from urdfkit.subject import Subject
+from urdfkit.lint.context import Subject
+from urdfkit.robot.adjacency import Adjacency
 
 
 class Overlap(NamedTuple):
@@ -37,10 +37,10 @@ def overlaps(subject: Subject, given: Mapping[str, float]) -> Iterator[Overlap]:
         MissingLibrary: coal is not installed.
     """
     try:
-        from urdfkit.collision.chain import chain
-        from urdfkit.collision.examine import Examiner
-        from urdfkit.collision.forms import form
-        from urdfkit.collision.solids import solids
+        from urdfkit.physics.collision.batch_kinematics import chain
+        from urdfkit.physics.collision.collision_geometry import form
+        from urdfkit.physics.collision.geometry_arrays import solids
+        from urdfkit.physics.collision.pair_queries import Examiner
     except ImportError as error:
         raise MissingLibrary("contacts need coal: pip install 'urdfkit[dynamics]'") from error
     moving = chain(subject.tree)

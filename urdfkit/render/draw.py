@@ -18,17 +18,9 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, Surface, fragments, surface
 from urdfkit.render.ground import Ground, ground
 from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunlight
-from urdfkit.render.looks import Look
+from urdfkit.render.materials import Look
 from urdfkit.render.occlusion import openness
-from urdfkit.render.pixels import (
-    STUDIO,
-    Background,
-    encoded,
-    gradient,
-    matching,
-    means,
-    summed,
-)
+from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
 from urdfkit.render.quality import QUALITIES, Quality
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
 from urdfkit.render.rays import Tracer
@@ -36,7 +28,7 @@ from urdfkit.render.scene import Scene
 from urdfkit.render.shading import Lit, shaded
 from urdfkit.render.soup import Soup, cut, extent, rows, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
-from urdfkit.render.work import CHUNK, Workers
+from urdfkit.render.thread_pool import CHUNK, Workers
 
 #: Rows of pixels of a band.
 BAND = 60

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from urdfkit.addresses import Places
-from urdfkit.diagnostic import Diagnostic, Severity
+from urdfkit.lint.context import Subject
 from urdfkit.render.layers import middle
-from urdfkit.render.looks import PLACEHOLDER, Colour, Look
+from urdfkit.render.materials import PLACEHOLDER, Colour, Look
 from urdfkit.render.scene import Item, Label, Scene
-from urdfkit.subject import Subject
+from urdfkit.robot.element_lookup import Places
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 COLOURS: Mapping[Severity, Colour] = {
     Severity.ERROR: (0.87, 0.13, 0.13, 1.0),

@@ -12,7 +12,7 @@ from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import extent
-from urdfkit.render.work import Workers
+from urdfkit.render.thread_pool import Workers
 
 #: Cells of the edge of the floor's map.
 CELLS = 320

@@ -10,21 +10,21 @@ from math import pi
 
 import numpy as np
 
+from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
-from urdfkit.mechanics.joints import bounds
-from urdfkit.mechanics.kinematics import SLIDING, TURNING, direction, positions
-from urdfkit.mechanics.whole import whole
-from urdfkit.model import Joint, Link, Tensor
-from urdfkit.nearest import did_you_mean
+from urdfkit.lint.context import Subject
 from urdfkit.render import primitives
 from urdfkit.render.arrays import Floats, single
 from urdfkit.render.arrays import bounds as bounds_of
 from urdfkit.render.contacts import overlaps
-from urdfkit.render.looks import Colour, Look
+from urdfkit.render.materials import Colour, Look
 from urdfkit.render.primitives import Triangles
 from urdfkit.render.scene import Item, Label, Scene, build, placed, turned
-from urdfkit.spatial import Frame, Rotation, Vector
-from urdfkit.subject import Subject
+from urdfkit.robot.composite_body import whole
+from urdfkit.robot.joints import bounds
+from urdfkit.robot.kinematics import SLIDING, TURNING, direction, positions
+from urdfkit.robot.model import Joint, Link, Tensor
 
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
 AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)

@@ -11,7 +11,7 @@ from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
 from urdfkit.render.soup import Soup, extent
-from urdfkit.render.work import CHUNK, Workers
+from urdfkit.render.thread_pool import CHUNK, Workers
 
 #: Texels of the edge of the shadow map.
 TEXELS = 1024

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 from PIL import Image, ImageColor
 
-from urdfkit import atomic
+from urdfkit.core import atomic
 from urdfkit.errors import UrdfkitError
 from urdfkit.render.camera import looking, unfit
 from urdfkit.render.draw import draw

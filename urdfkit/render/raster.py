@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys
-from urdfkit.render.work import CHUNK, Workers
+from urdfkit.render.thread_pool import CHUNK, Workers
 
 #: Samples that are worked on at a time: bounds memory whatever lies on top of what.
 MAX_SAMPLES = 1 << 20

@@ -8,15 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mechanics import kinematics
-from urdfkit.meshes.geometry import Part
-from urdfkit.model import Body, Link, Shape
+from urdfkit.core.spatial import Frame, Vector
+from urdfkit.lint.context import Subject
+from urdfkit.mesh.geometry import Part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.looks import PLACEHOLDER, Look, Looks
+from urdfkit.render.materials import PLACEHOLDER, Look, Looks
 from urdfkit.render.normals import smooth
-from urdfkit.spatial import Frame, Vector
-from urdfkit.subject import Subject
+from urdfkit.robot import kinematics
+from urdfkit.robot.model import Body, Link, Shape
 
 #: The least edge of the box that stands for a missing mesh, as a part of the robot.
 PLACEHOLDER_SIZE = 0.045

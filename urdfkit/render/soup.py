@@ -11,7 +11,7 @@ import numpy as np
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.scene import Item, Scene
-from urdfkit.render.work import CHUNK, Workers
+from urdfkit.render.thread_pool import CHUNK, Workers
 
 
 class Soup(NamedTuple):

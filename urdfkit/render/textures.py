@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from urdfkit.render.arrays import Bytes, Floats, Integers
-from urdfkit.render.looks import STRIPES
+from urdfkit.render.materials import STRIPES
 
 #: Larger images are halved when they are read; no picture shows more of them.
 MAX_EDGE = 2048

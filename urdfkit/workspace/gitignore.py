@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.workspace.peek import peek
+from urdfkit.workspace.file_head import peek
 
 #: Longer files are none that people write.
 MAX_BYTES = 1024 * 1024

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+from typing import TYPE_CHECKING
 
-from urdfkit.static import TYPE_CHECKING
-from urdfkit.workspace.peek import peek
+from urdfkit.workspace.file_head import peek
 
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages

@@ -11,8 +11,8 @@ import posixpath
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.record import Record
-from urdfkit.workspace.peek import peek
+from urdfkit.core.record import Record
+from urdfkit.workspace.file_head import peek
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 
+from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
-from urdfkit.record import Record
-from urdfkit.workspace.peek import peek
+from urdfkit.workspace.file_head import peek
 from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024

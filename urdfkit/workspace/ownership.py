@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterable
 
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.revisions import is_ignored
 

@@ -23,9 +23,9 @@ import time
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from urdfkit.record import Record
+from urdfkit.core.record import Record
+from urdfkit.workspace.file_head import peek
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.peek import peek
 
 #: A scan stops here and says so. Real workspaces have some thousand folders.
 MAX_FOLDERS = 20_000

@@ -10,11 +10,11 @@ import os
 import re
 from collections.abc import Iterator, Mapping
 from stat import S_ISDIR, S_ISREG
+from typing import TYPE_CHECKING
 
+from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
-from urdfkit.record import Record
-from urdfkit.source import Source
-from urdfkit.static import TYPE_CHECKING
+from urdfkit.text.source import Source
 from urdfkit.workspace.folders import Folders
 from urdfkit.workspace.packages import Candidate, Packages, path_list
 

@@ -6,9 +6,9 @@ import os
 import re
 from collections.abc import Iterable
 
-from urdfkit.meshes.facts import BY_SUFFIX
+from urdfkit.mesh.io.facts import BY_SUFFIX
+from urdfkit.workspace.file_head import peek
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.peek import peek
 
 #: Files in which meshes are named.
 _TEXTS = frozenset(

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.diagnostic import Edit, Fix, Severity
-from urdfkit.document import Attribute
-from urdfkit.rules import Finding, rule
+from urdfkit.lint.rules import Finding, rule
+from urdfkit.text.diagnostic import Edit, Fix, Severity
+from urdfkit.text.document import Attribute
 
 if TYPE_CHECKING:
-    from urdfkit.subject import Subject
+    from urdfkit.lint.context import Subject
 
 #: Of our drives, in rad/s.
 FASTEST = 3.14

@@ -1,6 +1,6 @@
 from acme_rules.acm001_joint_too_fast import check as rule
 
-from urdfkit.examples import assert_examples, diagnose_example
+from urdfkit.lint.rule_examples import assert_examples, diagnose_example
 
 
 def test_bad_good_and_fixed():

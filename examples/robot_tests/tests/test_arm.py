@@ -2,12 +2,7 @@
 
 import pytest
 
-from urdfkit.testing import (
-    assert_dof,
-    assert_limits_within,
-    assert_mass,
-    assert_no_findings,
-)
+from urdfkit.testing import assert_dof, assert_limits_within, assert_mass, assert_no_findings
 
 ARM = pytest.mark.urdf("../urdf/arm.urdf.xacro", args={"side": ["left", "right"]})
 

@@ -14,9 +14,9 @@ import numpy as np
 import trimesh
 
 from tests.conftest import MODELS
-from tests.meshes.shapes_made import as_mesh
+from tests.mesh.shapes_made import as_mesh
 from urdfkit.cli import main
-from urdfkit.meshes.writers import write
+from urdfkit.mesh.writers import write
 
 BAD = MODELS / "bad" / "meshes"
 

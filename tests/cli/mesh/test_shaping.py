@@ -10,9 +10,9 @@ pytest.importorskip("trimesh")
 
 import trimesh
 
-from tests.meshes.shapes_made import as_mesh
+from tests.mesh.shapes_made import as_mesh
 from urdfkit.cli import main
-from urdfkit.meshes.writers import write
+from urdfkit.mesh.writers import write
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ pytest.importorskip("numpy")
 pytest.importorskip("manifold3d")
 
 from urdfkit.cli import main
-from urdfkit.meshes.samples import box, stl
+from urdfkit.mesh.samples import box, stl
 
 NESTED = stl([*box((0, 0, 0), (1, 1, 1)), *box((0.2, 0.2, 0.2), (0.8, 0.8, 0.8))])
 HALF = box((0, 0, 0), (1, 1, 1))[2:]

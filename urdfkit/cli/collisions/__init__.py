@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from urdfkit import atomic
 from urdfkit.cli import output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core import atomic
+from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
-from urdfkit.jsontext import dumped
-from urdfkit.source import Source
-from urdfkit.subject import Subject, Unavailable
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.collision.matrix import Matrix
-    from urdfkit.srdf import Srdf
+    from urdfkit.physics.collision.matrix import Matrix
+    from urdfkit.ros.moveit.srdf import Srdf
 
 
 @click.command(
@@ -71,7 +71,7 @@ def command(
     applied = units == "applied" if units else (False if for_moveit else None)
     matrix = _sampled(subject, samples, seed, begin, applied, jobs)
     from urdfkit.cli.collisions import shown
-    from urdfkit.collision.srdf_matrix import compare as compared
+    from urdfkit.physics.collision.srdf_matrix import compare as compared
 
     comparison = compared(matrix, given) if given else None
     if form == "json":
@@ -90,7 +90,7 @@ def _srdf(path: str, subject: Subject) -> Srdf:
     Raises:
         UrdfkitError: it cannot be read.
     """
-    from urdfkit.srdf import is_srdf, read
+    from urdfkit.ros.moveit.srdf import is_srdf, read
 
     Source.read(path)  # says why if there is none
     found = read(path, subject.tree, subject.resolver, trust=subject.trust)
@@ -123,7 +123,7 @@ def _sampled(
 
 def _write(matrix: Matrix, path: str) -> None:
     """Write the SRDF, or bring the one that is there up to date."""
-    from urdfkit.collision.srdf_matrix import updated, written
+    from urdfkit.physics.collision.srdf_matrix import updated, written
 
     is_there = os.path.exists(path)
     atomic.write(path, updated(matrix, Source.read(path)) if is_there else written(matrix))

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from urdfkit.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
-from urdfkit.markdowntext import escape, table
-from urdfkit.meshes.facts import counted
-from urdfkit.screen import columns, printable, wrap
+from urdfkit.mesh.io.facts import counted
+from urdfkit.physics.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
+from urdfkit.text.markdown import escape, table
+from urdfkit.text.terminal import columns, printable, wrap
 
 if TYPE_CHECKING:
-    from urdfkit.collision.srdf_matrix import Comparison
+    from urdfkit.physics.collision.srdf_matrix import Comparison
 
 VERSION = 1
 

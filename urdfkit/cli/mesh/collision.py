@@ -7,12 +7,12 @@ from typing import Any
 
 import click
 
-from urdfkit.assets.collision_shapes import Proposal, edited, propose
 from urdfkit.cli import options, output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.source import shown
+from urdfkit.robot.assets.collision_shapes import Proposal, edited, propose
+from urdfkit.text.source import shown
 
 
 @click.command(

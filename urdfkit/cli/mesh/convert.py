@@ -9,9 +9,9 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh.saving import save
-from urdfkit.meshes.load import load
-from urdfkit.meshes.transforms import scaled, upright
-from urdfkit.meshes.writers import refuse_good
+from urdfkit.mesh.io.load import load
+from urdfkit.mesh.transforms import scaled, upright
+from urdfkit.mesh.writers import refuse_good
 
 
 @click.command(

@@ -10,12 +10,12 @@ from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save
-from urdfkit.meshes.containment import missing, protrusion
-from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.health import examine, examine_mesh
-from urdfkit.meshes.hull import ENGINES, decompose
-from urdfkit.meshes.load import load
-from urdfkit.meshes.transforms import in_metres
+from urdfkit.mesh.containment import missing, protrusion
+from urdfkit.mesh.geometry import Mesh
+from urdfkit.mesh.health import examine, examine_mesh
+from urdfkit.mesh.hull import ENGINES, decompose
+from urdfkit.mesh.io.load import load
+from urdfkit.mesh.transforms import in_metres
 
 
 @click.command(

@@ -7,13 +7,19 @@ from typing import Any
 
 import click
 
-from urdfkit.assets.stand_ins import StandIn, Undone, generate, generate_missing, generate_part
 from urdfkit.cli import options, output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import read_by_options, robot
-from urdfkit.meshes.parts import PARTS
-from urdfkit.source import shown
-from urdfkit.spatial import Vector
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.parts import PARTS
+from urdfkit.robot.assets.placeholder_meshes import (
+    StandIn,
+    Undone,
+    generate,
+    generate_missing,
+    generate_part,
+)
+from urdfkit.text.source import shown
 
 _PARTS = {part.module: part for part in PARTS}
 

@@ -8,10 +8,10 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
-from urdfkit.meshes.health import examine_mesh
-from urdfkit.meshes.hull import hull
-from urdfkit.meshes.load import load
-from urdfkit.meshes.transforms import in_metres
+from urdfkit.mesh.health import examine_mesh
+from urdfkit.mesh.hull import hull
+from urdfkit.mesh.io.load import load
+from urdfkit.mesh.transforms import in_metres
 
 
 @click.command(

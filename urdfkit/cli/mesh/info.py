@@ -9,9 +9,9 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
-from urdfkit.jsontext import dumped
-from urdfkit.meshes.describe import Description, describe
-from urdfkit.meshes.geometry import Part
+from urdfkit.core.strict_json import dumped
+from urdfkit.mesh.describe import Description, describe
+from urdfkit.mesh.geometry import Part
 
 VERSION = 1
 

@@ -10,11 +10,11 @@ from urdfkit.cli import output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
-from urdfkit.meshes.health import Health
-from urdfkit.meshes.measures import OVERLAP
-from urdfkit.meshes.repair import Repair, Step, repair
-from urdfkit.meshes.salvage import load_or_salvage
-from urdfkit.meshes.transforms import in_metres
+from urdfkit.mesh.health import Health
+from urdfkit.mesh.io.salvage import load_or_salvage
+from urdfkit.mesh.measures import OVERLAP
+from urdfkit.mesh.repair import Repair, Step, repair
+from urdfkit.mesh.transforms import in_metres
 
 
 @click.command(

@@ -8,9 +8,9 @@ from typing import Any, TypeVar
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.meshes.geometry import Mesh
-from urdfkit.meshes.writers import glb, losses, refuse_good, write
-from urdfkit.source import shown
+from urdfkit.mesh.geometry import Mesh
+from urdfkit.mesh.writers import glb, losses, refuse_good, write
+from urdfkit.text.source import shown
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

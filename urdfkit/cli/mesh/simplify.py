@@ -10,9 +10,9 @@ from urdfkit.cli import options, output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.mesh.saving import destination, save, writes
-from urdfkit.meshes.load import load
-from urdfkit.meshes.simplify import Simplified, to_budget, to_error
-from urdfkit.meshes.transforms import in_metres
+from urdfkit.mesh.io.load import load
+from urdfkit.mesh.simplify import Simplified, to_budget, to_error
+from urdfkit.mesh.transforms import in_metres
 
 
 @click.command(

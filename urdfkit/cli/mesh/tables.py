@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from urdfkit.meshes.health import Health
-from urdfkit.meshes.measures import OVERLAP
+from urdfkit.mesh.health import Health
+from urdfkit.mesh.measures import OVERLAP
 
 
 def length(metres: float) -> str:

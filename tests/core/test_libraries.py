@@ -1,0 +1,22 @@
+from __future__ import annotations
+
+import importlib.util
+import sys
+
+import pytest
+
+from urdfkit.core import libraries
+
+
+@pytest.mark.parametrize("name", ["json", "numpy", "no_such_library_of_ours"])
+def test_what_is_installed_is_what_importlib_finds(name: str) -> None:
+    found = libraries.find(name)
+    assert (found is None) is (importlib.util.find_spec(name) is None)
+
+
+def test_a_module_is_loaded_by_its_full_name() -> None:
+    assert (
+        libraries.load("urdfkit.output.formats.json") is sys.modules["urdfkit.output.formats.json"]
+    )
+    with pytest.raises(ModuleNotFoundError):
+        libraries.load("urdfkit.no_such_module")

@@ -1,0 +1,112 @@
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from urdfkit.core.suggest import Speller, did_you_mean, is_slip, nearest
+
+CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("XML01", "XML001"),
+        ("xml002", "XML002"),
+        ("TER006", "TRE006"),
+        ("not-wellformed", "not-well-formed"),
+        ("Base_Link", "base_link"),
+        ("completely else", None),
+        ("", None),
+    ],
+)
+def test_nearest(word: str, meant: str | None) -> None:
+    assert nearest(word, CODES) == meant
+
+
+@pytest.mark.parametrize(
+    ("word", "other", "expected"),
+    [
+        ("drive", "drive", True),
+        ("drive", "driver", True),
+        ("dive", "drive", True),
+        ("drove", "drive", True),
+        ("drvie", "drive", True),
+        ("drives", "driver", True),
+        ("aa", "a", True),
+        ("", "a", True),
+        ("drvei", "drive", False),
+        ("drivers", "drive", False),
+        ("gps", "imu", False),
+        ("drive2", "drive", False),
+        ("drive1", "drive2", False),
+    ],
+)
+def test_a_slip_is_one_letter_or_two_exchanged(word: str, other: str, expected: bool) -> None:
+    assert is_slip(word, other) is expected
+    assert is_slip(other, word) is expected
+
+
+def test_did_you_mean() -> None:
+    assert did_you_mean("bse_link", CODES) == "; did you mean 'base_link'?"
+    assert did_you_mean("wheel", CODES) == ""
+    assert did_you_mean("wheel", []) == ""
+
+
+def test_an_endless_word_costs_little() -> None:
+    start = time.process_time()
+    nearest("x" * 10_000_000, [f"link_{n}" for n in range(1000)])
+    assert time.process_time() - start < 5
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("base_lnk", "base_link"),
+        ("Base_Link", "base_link"),
+        ("left_weel", "left_wheel"),
+        ("wheel_3", ""),  # wheel_1 and wheel_2 are its siblings
+        ("right_wheel", ""),
+        ("rl_leg", ""),
+        ("gripper", ""),
+        ("roller_1", ""),  # nor roller_b
+        ("base_imu_link", ""),
+        ("roler_b", "roller_b"),
+    ],
+)
+def test_a_sibling_is_not_a_slip(word: str, meant: str) -> None:
+    known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg", "roller_b"]
+    assert Speller(known).meant(word) == meant
+
+
+def test_a_speller_bounds_its_work() -> None:
+    speller = Speller(["base_link"])
+    slips = [f"bas{'e' * length}_link" for length in range(2, Speller.MAX_WORDS + 12)]
+    assert speller.meant(slips[0]) == "base_link"
+    for slip in slips:
+        speller.meant(slip)
+    assert speller.meant("base_lnk") == "", "more words are not looked at"
+    assert speller.meant(slips[0]) == "base_link", "a word is looked at once"
+    assert Speller([f"l{n}" for n in range(Speller.MAX_KNOWN + 1)]).meant("l1x") == ""
+
+
+def test_the_hint_of_a_speller() -> None:
+    speller = Speller(["left_arm", "right_arm"])
+    assert speller.hint("left_amr") == "; did you mean 'left_arm'?"
+    assert speller.hint("rght_arm") == "; did you mean 'right_arm'?"
+    assert speller.hint("head") == ""
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "meant"),
+    [
+        ("baseline", "hackBaseline", ""),
+        ("wheel_diameter", "left_wheel_diameter", ""),
+        ("updateRate", "updateRateHZ", "updateRateHZ"),
+        ("robotBaseFrme", "robotBaseFrame", "robotBaseFrame"),
+        ("imageTopic", "imageTopicName", "imageTopicName"),
+    ],
+)
+def test_a_word_in_front_changes_the_meaning(word: str, known: str, meant: str) -> None:
+    assert Speller([known]).meant(word) == meant

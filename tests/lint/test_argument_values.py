@@ -1,0 +1,188 @@
+"""Values for arguments that a robot lacks, from the files around it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import check
+from urdfkit.lint.fix import fix
+from urdfkit.ros.launch.robot_arguments import MAX_GIVEN
+from urdfkit.text.diagnostic import Report
+
+HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+#: A link whose mass is read from a file of the model.
+BY_FOLDER = f"""{HEAD}
+  <xacro:arg name="kind" default="none_such"/>
+  <xacro:arg name="file" default="$(find arms)/config/$(arg kind)/data.yaml"/>
+  <xacro:property name="data" value="${{xacro.load_yaml('$(arg file)')}}"/>
+  <link name="base"><inertial><mass value="${{data['mass']}}"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+</robot>
+"""
+WANTING = f'{HEAD}<link name="$(arg side)_base"/></robot>'
+LAUNCH = """\
+<launch>
+  <arg name="side" default="{}"/>
+  <param name="robot_description" command="xacro $(find arms)/arm.xacro side:=$(arg side)"/>
+</launch>
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """The package of a robot, in a workspace."""
+    (tmp_path / ".git").mkdir()
+    return make_package(tmp_path / "arms")
+
+
+def make_package(folder: Path) -> Path:
+    folder.mkdir()
+    (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
+    return folder
+
+
+def write(path: Path, text: str) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return path
+
+
+def taken(report: Report) -> list[tuple[dict[str, str], str]]:
+    return [(one.arguments, Path(one.launch).name) for one in report.launched]
+
+
+def codes(report: Report) -> list[str]:
+    return [one.code for one in report.diagnostics]
+
+
+def kinds(package: Path, **masses: float) -> Path:
+    for kind, mass in masses.items():
+        write(package / "config" / kind / "data.yaml", f"mass: {mass}\n")
+    return write(package / "arm.xacro", BY_FOLDER)
+
+
+def test_the_folders_that_a_path_may_lead_to(package: Path) -> None:
+    robot = kinds(package, big=2, small=-1)
+    write(package / "config" / "common" / "limits.yaml", "")  # which lacks the file
+    for what in (package, robot):
+        report = check(what)
+        assert taken(report) == [({"kind": "big"}, "config"), ({"kind": "small"}, "config")]
+        assert "INE001" in codes(report)
+        assert not {"XAC001", "XAC010", "CFG003"} & set(codes(report))
+
+
+def test_a_folder_with_which_the_robot_does_not_expand_is_no_value(package: Path) -> None:
+    kinds(package, big=2)
+    write(package / "config" / "odd" / "data.yaml", "weight: 1\n")
+    report = check(package)
+    assert taken(report) == [({"kind": "big"}, "config")]
+    assert "XAC001" not in codes(report)
+    write(package / "config" / "big" / "data.yaml", "weight: 1\n")
+    report = check(package)
+    assert codes(report) == ["CFG003"]
+    (found,) = report.diagnostics
+    assert "(found for kind: " in found.message
+    assert "has big, odd, with which it does not expand)" in found.message
+
+
+def test_a_parameter_of_a_macro_that_is_called_like_the_argument(package: Path) -> None:
+    write(
+        package / "arm.xacro",
+        f'{HEAD}<xacro:arg name="arm" default="NO_ARM"/>\n<xacro:macro name="load" params="arm">'
+        '<xacro:include filename="$(find arms)/arms/${arm}/${arm}.xacro"/></xacro:macro>\n'
+        '<xacro:load arm="$(arg arm)"/></robot>',
+    )
+    for arm in ("one", "two"):
+        write(package / "arms" / arm / f"{arm}.xacro", f'{HEAD}<link name="{arm}"/></robot>')
+    assert taken(check(package / "arm.xacro")) == [
+        ({"arm": "one"}, "arms"),
+        ({"arm": "two"}, "arms"),
+    ]
+
+
+def test_no_more_folders_than_a_bound(package: Path) -> None:
+    kinds(package, **{f"kind{number:02}": 1 for number in range(2 * MAX_GIVEN)})
+    assert len(check(package, select=["XAC"]).launched) == MAX_GIVEN
+
+
+def test_launch_files_of_other_packages(package: Path) -> None:
+    robot = write(package / "arm.xacro", WANTING)
+    bringup = make_package(package.parent / "bringup")
+    write(bringup / "launch" / "arm.launch", LAUNCH.format("left"))
+    assert taken(check(package)) == [({"side": "left"}, "arm.launch")]
+    assert taken(check(robot)) == taken(check(package))
+    write(package / "launch" / "own.launch", LAUNCH.format("right"))
+    assert taken(check(robot)) == [({"side": "right"}, "own.launch")]
+
+
+def test_launch_files_about_other_packages_say_nothing(package: Path) -> None:
+    write(package / "arm.xacro", WANTING)
+    other = make_package(package.parent / "legs")
+    write(other / "leg.xacro", WANTING)
+    launch = LAUNCH.format("left").replace("arms", "legs").replace("arm.xacro", "leg.xacro")
+    write(other / "leg.launch", launch)
+    assert codes(check(package)) == ["CFG003"]
+
+
+@pytest.mark.parametrize(
+    ("declaration", "values"),
+    [
+        ('DeclareLaunchArgument("side", choices=["left", "right"])', ["left", "right"]),
+        ('DeclareLaunchArgument("side", default_value="left")', ["left"]),
+        ('DeclareLaunchArgument("side", default_value="")', [""]),
+        (
+            'DeclareLaunchArgument("side", default_value="left", choices=["left", "right"])',
+            ["left", "right"],
+        ),
+        ('DeclareLaunchArgument("side", default_value=here())', []),
+        ('DeclareLaunchArgument("side")', []),
+    ],
+)
+def test_arguments_that_a_launch_file_declares(
+    package: Path, declaration: str, values: list[str]
+) -> None:
+    """What it does with them is known only by running it."""
+    write(package / "arm.xacro", WANTING)
+    text = f"def generate_launch_description():\n    return run({declaration}, setup)\n"
+    write(package / "arm.launch.py", text)
+    report = check(package)
+    assert taken(report) == [({"side": value}, "arm.launch.py") for value in values]
+    assert ("CFG003" in codes(report)) is not bool(values)
+
+
+def test_the_default_of_an_include_that_is_not_reached(package: Path) -> None:
+    write(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
+    write(
+        package / "arm.xacro",
+        f'{HEAD}<link name="$(arg side)_base"/><xacro:macro name="late">'
+        '<xacro:include filename="$(find arms)/defaults.xacro"/></xacro:macro></robot>',
+    )
+    assert taken(check(package)) == [({"side": "left"}, "defaults.xacro")]
+
+
+def test_arguments_from_different_places(package: Path) -> None:
+    kinds(package, big=2, small=3)
+    robot = package / "arm.xacro"
+    robot.write_text(BY_FOLDER.replace('"base"', '"$(arg side)_base"'))
+    write(package / "arm.launch", '<launch><arg name="side" default="left"/></launch>')
+    assert taken(check(robot)) == [
+        ({"side": "left"}, "arm.launch"),
+        ({"kind": "big"}, "config"),
+        ({"side": "left"}, "arm.launch"),
+        ({"kind": "small"}, "config"),
+    ]
+    assert taken(check(robot, arguments={"side": "right"})) == [
+        ({"kind": "big"}, "config"),
+        ({"kind": "small"}, "config"),
+    ]
+
+
+def test_fixes_hold_for_all_values(package: Path) -> None:
+    kinds(package, big=2, small=3)
+    robot = package / "arm.xacro"
+    robot.write_text(BY_FOLDER.replace("<robot", "<!-- a -->\n<robot"))
+    fixes = fix(robot, unsafe=True)
+    assert [one.arguments["kind"] for one in fixes.report.launched] == ["big", "small"]
+    assert fixes.report.crashed == ()

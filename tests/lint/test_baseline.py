@@ -1,0 +1,107 @@
+"""A baseline tolerates what was there, under edits elsewhere, and nothing else."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from urdfkit import check
+from urdfkit.lint.baseline import BaselineError, dump, fingerprints, load, sift
+from urdfkit.text.diagnostic import Diagnostic
+
+AXIS = '    <axis xyz="1 0 0"/>\n'
+JOINT = """  <joint name="{name}" type="fixed">
+    <parent link="{parent}"/>
+    <child link="{name}_link"/>
+{axis}  </joint>
+  <link name="{name}_link"/>
+"""
+
+
+def robot(folder: Path, *joints: str, comment: str = "") -> tuple[Diagnostic, ...]:
+    body = "".join(JOINT.format(name=name, parent="base", axis=AXIS) for name in joints)
+    path = folder / "r.urdf"
+    path.write_text(f'<robot name="r">\n{comment}  <link name="base"/>\n{body}</robot>\n')
+    return check(path, select=["JNT020"]).diagnostics
+
+
+def save(folder: Path, diagnostics: tuple[Diagnostic, ...]) -> str:
+    path = folder / "baseline.json"
+    path.write_text(dump(diagnostics, str(folder)))
+    return str(path)
+
+
+def test_what_was_there_is_tolerated_wherever_it_moves(tmp_path):
+    known = load(save(tmp_path, robot(tmp_path, "a", "b")))
+    moved = robot(tmp_path, "b", "a", comment="<!-- new -->\n\n")
+    assert sift(moved, known, str(tmp_path)) == ([], 2)
+
+
+def test_what_was_there_is_tolerated_in_a_file_that_was_renamed(tmp_path):
+    known = load(save(tmp_path, robot(tmp_path, "a", "b")))
+    (tmp_path / "r.urdf").rename(tmp_path / "renamed.urdf")
+    moved = check(tmp_path / "renamed.urdf", select=["JNT020"]).diagnostics
+    assert sift(moved, known, str(tmp_path)) == ([], 2)
+    # A copy is new: the file that had the findings is still there.
+    robot(tmp_path, "a", "b")
+    new, tolerated = sift(moved, known, str(tmp_path))
+    assert (len(new), tolerated) == (2, 0)
+
+
+def test_one_more_of_the_same_is_new(tmp_path):
+    known = load(save(tmp_path, robot(tmp_path, "a", "b")))
+    new, tolerated = sift(robot(tmp_path, "a", "b", "c"), known, str(tmp_path))
+    assert tolerated == 2
+    assert [diagnostic.element for diagnostic in new] == ["joint/c/axis"]
+
+
+def test_the_same_findings_give_the_same_text(tmp_path):
+    found = robot(tmp_path, "a", "b")
+    assert dump(found, str(tmp_path)) == dump(reversed(found), str(tmp_path))
+
+
+def test_the_file_is_as_projects_have_committed_it(tmp_path):
+    text = (
+        '{\n "version": 1,\n "findings": [\n  {\n   "path": "r.urdf",\n   "code": "JNT020",\n'
+        '   "text": "<axis xyz=\\"1 0 0\\"/>",\n   "count": 2\n  }\n ]\n}\n'
+    )
+    found = robot(tmp_path, "轮", "b")
+    assert dump(found, str(tmp_path)) == text
+    assert sift(found, load(save(tmp_path, found)), str(tmp_path)) == ([], 2)
+
+
+def test_a_later_version_is_refused(tmp_path):
+    path = tmp_path / "b.json"
+    path.write_text('{"version": 2, "findings": []}')
+    with pytest.raises(BaselineError, match=r"b\.json: a baseline of version 2$"):
+        load(str(path))
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"version": 1}', "\x00"])
+def test_another_file_is_refused_by_name(tmp_path, text):
+    path = tmp_path / "b.json"
+    path.write_text(text)
+    with pytest.raises(BaselineError, match=r"b\.json"):
+        load(str(path))
+
+
+def test_a_missing_file_is_refused_by_name(tmp_path):
+    with pytest.raises(BaselineError, match="there is no such file"):
+        load(str(tmp_path / "none.json"))
+
+
+def test_marks_are_stable_and_tell_equal_findings_apart(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    first = fingerprints(robot(tmp_path, "a", "b"))
+    again = fingerprints(robot(tmp_path, "a", "b", comment="<!-- moved -->\n"))
+    assert first == again
+    assert [mark.partition(":")[2] for mark in first] == ["1", "2"]
+    assert len({mark.partition(":")[0] for mark in first}) == 1
+
+
+def test_a_name_that_is_no_text_has_a_mark(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = robot(tmp_path, "a")
+    os.rename("r.urdf", b"\xff.urdf")
+    (mark,) = fingerprints(check(os.fsdecode(b"\xff.urdf"), select=["JNT020"]).diagnostics)
+    assert mark != fingerprints(found)[0]

@@ -1,0 +1,184 @@
+"""The configuration: what it says, and what it does not let pass."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit import check
+from urdfkit.lint.config import Config, ConfigError, Robot, load, matches
+from urdfkit.text.diagnostic import Severity
+
+ROBOT = """<robot name="r">
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+    <axis xyz="1 0 0"/>
+  </joint>
+</robot>
+"""
+ARGUED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="side" default=""/>
+  <link name="$(arg side)_base"/>
+</robot>
+"""
+
+
+def write(folder: Path, text: str, name: str = "urdfkit.toml") -> str:
+    path = folder / name
+    path.write_text(text)
+    return str(path)
+
+
+def test_everything_that_can_be_set(tmp_path):
+    (tmp_path / "arm").mkdir()
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    config = load(
+        write(
+            tmp_path,
+            """
+            select = ["JNT", "TRE001"]
+            ignore = ["axis-on-fixed"]
+            fail-on = "error"
+            targets = ["gz-harmonic", "ros2"]
+            exclude = ["old"]
+            trust = true
+            [packages]
+            arm_description = "arm"
+            [arguments]
+            sim = true
+            scale = 0.5
+            [severity]
+            TRE001 = "info"
+            [[per-file-ignores]]
+            files = ["old/*"]
+            codes = ["TRE"]
+            reason = "from CAD"
+            [[robot]]
+            file = "r.urdf"
+            arguments = { a = "x" }
+            variants = { left = { b = 1 }, right = { b = 2 } }
+            """,
+        )
+    )
+    assert {"JNT020", "TRE001"} <= config.select
+    assert config.ignore == {"JNT020"}
+    assert config.fail_on is Severity.ERROR
+    assert config.targets == ("ros2", "gz-harmonic")
+    assert config.packages == {"arm_description": str(tmp_path / "arm")}
+    assert config.arguments == {"sim": "true", "scale": "0.5"}
+    assert config.severities == {"TRE001": Severity.INFO}
+    assert config.ignores("TRE003", str(tmp_path / "old" / "x.urdf"))
+    assert not config.ignores("TRE003", str(tmp_path / "new.urdf"))
+    assert not config.ignores("JNT001", str(tmp_path / "old" / "x.urdf"))
+    file = str(tmp_path / "r.urdf")
+    assert config.robots == (
+        Robot(file, "left", {"a": "x", "b": "1"}),
+        Robot(file, "right", {"a": "x", "b": "2"}),
+    )
+    assert config.trust
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("selct = []", ["no setting 'selct'", "'select'"]),
+        ('select = ["XYZ"]', ["'select'", "XYZ"]),
+        ('fail-on = "fatal"', ["'fail-on'", "error, warning, info"]),
+        ('targets = ["gazebo"]', ["no target 'gazebo'"]),
+        ('[packages]\na = "nowhere"', ["'packages.a'", "nowhere"]),
+        ('[severity]\nTRE001 = "bad"', ["severity.TRE001"]),
+        ("[arguments]\na = []", ["'arguments.a'"]),
+        ('[[robot]]\nfile = "nowhere.urdf"', ["robot[1]", "nowhere.urdf"]),
+        ("[[per-file-ignores]]\nfiles = ['a']", ["per-file-ignores[1]", "'codes'"]),
+        ("trust = 1", ["'trust'", "true or false"]),
+        ("[per-file-ignores]\n'vendor/*' = ['URD']", ["written [[per-file-ignores]]"]),
+        ("a = ", ["not TOML"]),
+    ],
+)
+def test_a_slip_is_an_error_that_names_file_setting_and_remedy(tmp_path, text, words):
+    path = write(tmp_path, text)
+    with pytest.raises(ConfigError) as error:
+        load(path)
+    for word in [path, *words]:
+        assert word in str(error.value)
+
+
+def test_an_unknown_rule_that_is_left_out_is_a_warning(tmp_path):
+    path = write(
+        tmp_path,
+        'ignore = ["JNT020", "XYZ"]\n[[per-file-ignores]]\nfiles = ["*.urdf"]\ncodes = ["NEW001"]',
+    )
+    config = load(path)
+    assert config.ignore == {"JNT020"}
+    first, second = config.warnings
+    assert first.startswith(f"{path}: 'ignore': no rule 'XYZ'")
+    assert second.startswith(f"{path}: per-file-ignores[1]: 'codes': no rule 'NEW001'")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("a = " + 5000 * "[", "urdfkit.toml"),
+        ("width = " + 5000 * "1", "urdfkit.toml"),
+        ("a = '\0'", "urdfkit.toml"),
+        ("tool = 3  # [tool.urdfkit]", "pyproject.toml"),
+        ("[tool]\nurdfkit = 3", "pyproject.toml"),
+    ],
+)
+def test_hostile_files_are_an_error(tmp_path, text, name):
+    with pytest.raises(ConfigError, match=name):
+        load(write(tmp_path, text, name))
+
+
+def test_severities_and_file_ignores_reach_the_report(tmp_path):
+    file = tmp_path / "r.urdf"
+    file.write_text(ROBOT)
+    select = frozenset({"JNT020"})
+    config = Config(select=select, severities={"JNT020": Severity.ERROR})
+    (finding,) = check(file, config=config).diagnostics
+    assert finding.severity is Severity.ERROR
+    config = load(write(tmp_path, '[[per-file-ignores]]\nfiles = ["*.urdf"]\ncodes = ["JNT020"]'))
+    report = check(file, config=config._replace(select=select))
+    assert report.diagnostics == ()
+    assert report.suppressed == 1
+
+
+def test_all_variants_of_a_robot_are_checked(tmp_path):
+    file = tmp_path / "r.xacro"
+    file.write_text(ARGUED)
+    config = load(
+        write(
+            tmp_path,
+            '[[robot]]\nfile = "r.xacro"\nvariants = { a = {side = "l"}, b = {side = "r"} }',
+        )
+    )
+    seen: list[tuple[int, int]] = []
+    check(file, config=config, progress=lambda done, total: seen.append((done, total)))
+    assert seen == [(1, 2), (2, 2)]
+    seen.clear()
+    check(file, config=config, arguments={"side": "x"}, progress=lambda *n: seen.append(n))
+    assert seen == []  # by hand it is one robot, not the variants; one tells of its meshes only
+
+
+def test_what_is_selected_by_hand_runs_although_the_configuration_ignores_it(tmp_path):
+    file = tmp_path / "r.urdf"
+    file.write_text(ROBOT)
+    config = Config(ignore=frozenset({"JNT020"}))
+    assert "JNT020" not in check(file, config=config).rules
+    assert len(check(file, config=config, select=["JNT020"]).diagnostics) == 1
+
+
+@pytest.mark.parametrize(
+    ("path", "pattern", "expected"),
+    [
+        ("a/b.urdf", "*.urdf", True),
+        ("a/b.urdf", "a", True),
+        ("a/b.urdf", "a/", True),
+        ("ab/b.urdf", "a", False),
+        ("a/b.urdf", "a/*.xacro", False),
+    ],
+)
+def test_patterns(path, pattern, expected):
+    assert matches(path, (pattern,)) is expected

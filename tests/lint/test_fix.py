@@ -1,0 +1,417 @@
+"""fix(): what is applied, what is refused or dropped, and how files are written."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.errors import UnwritableFile
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config, Robot
+from urdfkit.lint.engine import check
+from urdfkit.lint.fix import fix as fix_as_configured
+from urdfkit.lint.fix_guard import SLOW
+from urdfkit.text.diagnostic import Severity
+
+#: An axis on a fixed joint is an info otherwise, whose fix nobody applies unasked.
+SEVERITIES = {"JNT020": Severity.WARNING}
+fix = partial(fix_as_configured, config=Config(severities=SEVERITIES))
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+FIXED_JOINT = """\
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="fixed">
+    <parent link="a"/><child link="b"/> <!-- stays -->
+    <axis xyz='0 1 0'/>
+  </joint>
+"""
+WITHOUT_AXIS = FIXED_JOINT.replace("    <axis xyz='0 1 0'/>\n", "")
+#: A swap of limits, which is unsafe.
+SWAPPED = """\
+  <joint name="k" type="revolute">
+    <parent link="a"/><child link="b"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="0.9" upper="-0.8" effort="1" velocity="1"/>
+  </joint>
+"""
+
+
+def write(folder: Path, name: str, body: str, attributes: str = "") -> Path:
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f'<?xml version="1.0"?>\n<robot name="r" {attributes}>\n{body}</robot>\n')
+    return path
+
+
+def test_a_safe_fix_is_applied_and_nothing_is_written_before_it_is_asked_for(
+    tmp_path: Path,
+) -> None:
+    file = write(tmp_path, "r.urdf", FIXED_JOINT)
+    before = file.read_bytes()
+    fixes = fix(file)
+    assert [one.code for one in fixes.applied] == ["JNT020"]
+    assert "JNT020" not in {left.diagnostic.code for left in fixes.left}
+    assert file.read_bytes() == before
+    assert fixes.diff().splitlines()[3:] == [
+        '   <link name="b"/>',
+        '   <joint name="j" type="fixed">',
+        '     <parent link="a"/><child link="b"/> <!-- stays -->',
+        "-    <axis xyz='0 1 0'/>",
+        "   </joint>",
+        " </robot>",
+    ]
+    fixes.write()
+    assert file.read_text() == before.decode().replace("    <axis xyz='0 1 0'/>\n", "")
+    assert fix(file).files == ()
+
+
+def test_the_diff_is_one_that_patch_takes(tmp_path: Path) -> None:
+    write(tmp_path, "r.urdf", FIXED_JOINT)
+    shown = "python -m urdfkit check --diff --select JNT020 r.urdf"
+    done = f"cd {{}} && {shown} > r.diff; patch -p0 < r.diff"
+    environment = {**os.environ, "PYTHONPATH": str(MODELS.parent)}
+    subprocess.run(done.format(tmp_path), shell=True, check=True, env=environment)
+    assert "axis" not in (tmp_path / "r.urdf").read_text()
+
+
+def test_an_unsafe_fix_is_left_unless_asked_for(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", '<link name="a"/><link name="b"/>' + SWAPPED)
+    careful, bold = fix(file), fix(file, unsafe=True)
+    assert careful.applied == ()
+    assert ("JNT003", "unsafe") in {(one.diagnostic.code, one.reason) for one in careful.left}
+    assert [one.code for one in bold.applied] == ["JNT003"]
+    assert b'lower="-0.8" upper="0.9"' in bold.files[0].after
+
+
+@pytest.mark.parametrize(
+    ("encoding", "mark"),
+    [
+        ("utf-8", b""),
+        ("utf-8", b"\xef\xbb\xbf"),
+        ("latin-1", b""),
+        ("utf-16-le", b"\xff\xfe"),
+        ("utf-16-be", b"\xfe\xff"),
+    ],
+)
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_encoding_mark_and_line_ends_are_kept(
+    tmp_path: Path, encoding: str, mark: bytes, newline: str
+) -> None:
+    declared = "UTF-16" if encoding.startswith("utf-16") else encoding
+    head = f'<?xml version="1.0" encoding="{declared}"?>\n<!-- é -->\n<robot name="r">\n'
+    text = f"{head}{FIXED_JOINT}</robot>".replace("\n", newline)
+    file = tmp_path / "r.urdf"
+    file.write_bytes(mark + text.encode(encoding))
+    fix(file).write()
+    expected = text.replace(f"    <axis xyz='0 1 0'/>{newline}", "")
+    assert file.read_bytes() == mark + expected.encode(encoding)
+
+
+def test_mode_and_links_are_kept(tmp_path: Path) -> None:
+    file = write(tmp_path, "real.urdf", FIXED_JOINT)
+    file.chmod(0o640)
+    link = tmp_path / "link.urdf"
+    link.symlink_to("real.urdf")
+    fix(link).write()
+    assert link.is_symlink()
+    assert "axis" not in file.read_text()
+    assert file.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_file_that_changed_meanwhile_is_left_alone(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", FIXED_JOINT)
+    fixes = fix(file)
+    file.write_text("<robot/>")
+    with pytest.raises(UnwritableFile, match="changed meanwhile"):
+        fixes.write()
+    assert file.read_text() == "<robot/>"
+
+
+@pytest.fixture
+def fleet(tmp_path: Path) -> Path:
+    """Two robots that include one file with a defect, each with one of its own."""
+    write(tmp_path, "shared.xacro", FIXED_JOINT, XACRO)
+    include = '<xacro:include filename="shared.xacro"/>\n'
+    own = FIXED_JOINT.replace('"a"', '"b"').replace('name="b"/>\n', "", 1)
+    own = own.replace('<link name="b"/>', '<link name="c"/>').replace(
+        'child link="b"', 'child link="c"'
+    )
+    own = own.replace("  <link   <link", "  <link").replace('name="j"', 'name="own"')
+    for name in ("one", "two"):
+        write(tmp_path, f"{name}.urdf.xacro", include + own, XACRO)
+    return tmp_path
+
+
+def test_a_file_of_several_robots_is_edited_once(fleet: Path) -> None:
+    assert check(fleet).count(Severity.ERROR) == 0
+    fixes = fix(fleet)
+    assert sorted(os.path.basename(file.path) for file in fixes.files) == [
+        "one.urdf.xacro",
+        "shared.xacro",
+        "two.urdf.xacro",
+    ]
+    assert all(b"axis" not in file.after for file in fixes.files)
+    shared = next(file for file in fixes.files if "shared" in file.path)
+    assert shared.after.count(b"<!-- stays -->") == 1
+
+
+def test_what_another_robot_needs_is_kept(tmp_path: Path) -> None:
+    """'arm_lnk' is a slip in one robot, which has 'arm_link', and right in the other."""
+    joint = '<joint name="j" type="fixed"><parent link="base"/><child link="arm_lnk"/></joint>\n'
+    write(tmp_path, "shared.xacro", f'<link name="base"/>\n{joint}', XACRO)
+    include = '<xacro:include filename="shared.xacro"/>\n'
+    one = write(tmp_path, "one.urdf.xacro", f'{include}<link name="arm_link"/>\n', XACRO)
+    alone = fix(one, unsafe=True)
+    assert [d.code for d in alone.applied] == ["REF001"]
+    write(tmp_path, "two.urdf.xacro", f'{include}<link name="arm_lnk"/>\n', XACRO)
+    for files in ((one,), (tmp_path,), (one, tmp_path / "two.urdf.xacro")):
+        fixes = fix(*files, unsafe=True)
+        assert fixes.files == ()
+        assert ("REF001", "dropped: another robot uses the text, and is right as it is") in {
+            (left.diagnostic.code, left.reason) for left in fixes.left
+        }
+
+
+MACRO = """\
+  <xacro:macro name="pair" params="name type">
+    <link name="${name}"/>
+    <joint name="${name}_joint" type="${type}">
+      <parent link="base"/><child link="${name}"/>
+      <axis xyz="0 0 1"/>
+    </joint>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:pair name="a" type="fixed"/>
+"""
+
+
+@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
+def test_a_macro_is_edited_only_where_all_calls_agree(
+    tmp_path: Path, other: str, agree: bool
+) -> None:
+    call = f'  <xacro:pair name="b" type="{other}"/>\n'
+    fixes = fix(write(tmp_path, "r.xacro", MACRO + call, XACRO))
+    assert [one.code for one in fixes.applied] == ["JNT020"] * agree
+    found = [left.diagnostic for left in fixes.left if left.diagnostic.code == "JNT020"]
+    assert [one.fix for one in found] == [None] * (not agree)
+
+
+def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path: Path) -> None:
+    """Renamed to 'gripper', the child would have two parents."""
+    body = """\
+  <link name="base"/><link name="gripper"/><link name="tool"/>
+  <joint name="i" type="fixed"><parent link="base"/><child link="gripper"/></joint>
+  <joint name="j" type="fixed"><parent link="base"/><child link="griper"/></joint>
+  <joint name="k" type="fixed"><parent link="gripper"/><child link="tool"/>
+    <axis xyz="1 0 0"/></joint>
+"""
+    fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
+    assert [one.code for one in fixes.applied] == ["JNT020"]
+    reasons = {left.diagnostic.code: left.reason for left in fixes.left}
+    assert reasons["REF001"] == "dropped: it would add TRE004"
+
+
+def test_errors_that_were_hidden_do_not_forbid_a_fix(tmp_path: Path) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        '\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/><link name="a"/></robot>'
+    )
+    fixes = fix(file)
+    assert [one.code for one in fixes.applied] == ["XML007"]
+    assert [left.diagnostic.code for left in fixes.left if left.diagnostic.code == "NAM001"]
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "This document was autogenerated by xacro from r.urdf.xacro",
+        "EDITING THIS FILE BY HAND IS NOT RECOMMENDED",
+        "Do not edit!",
+    ],
+)
+def test_a_generated_file_is_refused_unless_forced(tmp_path: Path, comment: str) -> None:
+    file = write(tmp_path, "r.urdf", f"<!-- {comment} -->\n{FIXED_JOINT}")
+    assert fix(file).files == ()
+    assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
+        "the file is generated: fix what it is made from"
+    }
+    assert len(fix(file, force=True).files) == 1
+
+
+def test_a_comment_on_an_element_makes_no_generated_file(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", f'<link name="x"/><!-- do not edit -->\n{FIXED_JOINT}')
+    assert len(fix(file).files) == 1
+
+
+def test_ignored_files_and_those_outside_are_refused(tmp_path: Path) -> None:
+    repository, outside = tmp_path / "here", tmp_path / "there"
+    for folder in (repository, outside):
+        write(folder, "part.xacro", FIXED_JOINT, XACRO)
+        needs = "<depend>there</depend>"
+        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name>{needs}</package>")
+        subprocess.run(["git", "init", "-q", str(folder)], check=True)
+    file = write(
+        repository, "r.xacro", '<xacro:include filename="$(find there)/part.xacro"/>', XACRO
+    )
+    packages = {"there": str(outside)}
+    fixes = fix(file, packages=packages)
+    assert fixes.files == ()
+    assert {left.reason for left in fixes.left} - {""} == {"the file is outside the workspace"}
+    assert len(fix(file, packages=packages, force=True).files) == 1
+    (repository / ".gitignore").write_text("part.xacro\n")
+    reasons = {left.reason for left in fix(repository / "part.xacro").left} - {""}
+    assert reasons == {"git ignores the file, as it does what programs make"}
+
+
+def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:
+    body = """\
+  <link name="base"/><link name="gripper"/>
+  <joint name="i" type="fixed"><parent link="base"/><child link="gripper"/></joint>
+  <joint name="j" type="fixed"><parent link="base"/><child link="griper"/></joint>
+"""
+    file = write(tmp_path, "r.urdf", body)
+    fixes = fix(file, unsafe=True, select=["REF"])
+    assert [(left.diagnostic.code, left.reason) for left in fixes.left] == [
+        ("REF001", "dropped: it would add TRE004")
+    ]
+
+
+def test_overlapping_fixes_take_turns(tmp_path: Path) -> None:
+    """The axis of a fixed joint that is no unit vector either: removed first, nothing remains."""
+    body = FIXED_JOINT.replace("'0 1 0'", "'0 2 0'")
+    fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
+    assert {left.diagnostic.code for left in fixes.left}.isdisjoint({"JNT006", "JNT020"})
+
+
+def test_bytes_that_are_no_text_are_not_touched(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", FIXED_JOINT)
+    file.write_bytes(file.read_bytes().replace(b"stays", b"st\xffys"))
+    assert fix(file, force=True).files == ()
+
+
+def test_a_read_only_file_is_not_replaced(tmp_path: Path) -> None:
+    file = write(tmp_path, "r.urdf", FIXED_JOINT)
+    file.chmod(0o444)
+    assert {left.reason for left in fix(file).left if left.diagnostic.fix} == {
+        "the file is read-only"
+    }
+    assert len(fix(file, force=True).files) == 1
+
+
+def test_a_launch_file_leads_to_its_robot(tmp_path: Path) -> None:
+    package = tmp_path / "pkg"
+    robot = write(package, "r.urdf", FIXED_JOINT)
+    (package / "package.xml").write_text("<package><name>pkg</name></package>")
+    launch = package / "show.launch"
+    launch.write_text(
+        '<launch><param name="robot_description" textfile="$(find pkg)/r.urdf"/></launch>'
+    )
+    fixes = fix(launch)
+    assert [os.path.realpath(file.path) for file in fixes.files] == [os.path.realpath(robot)]
+
+
+TYPED = """\
+  <xacro:arg name="type" default="fixed"/>
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="$(arg type)">
+    <parent link="a"/><child link="b"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+"""
+
+
+@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
+def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agree: bool) -> None:
+    file = str(write(tmp_path, "r.xacro", TYPED, XACRO))
+    robots = (Robot(file, "one", {}), Robot(file, "two", {"type": other}))
+    fixes = fix(file, config=Config(robots=robots, severities=SEVERITIES))
+    assert [one.code for one in fixes.applied] == ["JNT020"] * agree
+    reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}
+    text = "dropped: another robot uses the text, and is right as it is"
+    assert reasons == (set() if agree else {text})
+
+
+@pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
+def test_robots_that_were_not_named_must_agree_as_well(
+    tmp_path: Path, other: str, agree: bool
+) -> None:
+    write(tmp_path, "part.xacro", TYPED, XACRO)
+    include = '  <xacro:include filename="part.xacro"/>\n'
+    one = write(tmp_path, "one.urdf.xacro", include, XACRO)
+    argument = f'  <xacro:arg name="type" default="{other}"/>\n'
+    write(tmp_path, "two.urdf.xacro", argument + include, XACRO)
+    assert [found.code for found in fix(one).applied] == ["JNT020"] * agree
+    assert [found.code for found in fix(tmp_path).applied] == ["JNT020"] * agree
+
+
+BLOCK = """\
+  <xacro:property name="turn"><axis xyz="0 0 2"/></xacro:property>
+  <link name="a"/><link name="b"/><link name="c"/>
+  <joint name="i" type="continuous">
+    <parent link="a"/><child link="b"/><xacro:insert_block name="turn"/>
+  </joint>
+  <joint name="j" type="{}">
+    <parent link="b"/><child link="c"/><xacro:insert_block name="turn"/>
+  </joint>
+"""
+
+
+@pytest.mark.parametrize(("other", "agree"), [("continuous", True), ("fixed", False)])
+def test_a_block_that_is_inserted_twice_is_edited_for_both(
+    tmp_path: Path, other: str, agree: bool
+) -> None:
+    """Two joints that move want a unit axis; a fixed one beside a moving one wants none."""
+    file = write(tmp_path, "r.xacro", BLOCK.format(other), XACRO)
+    fixes = fix(file, unsafe=True, select=["JNT006", "JNT020"])
+    assert [one.code for one in fixes.applied] == ["JNT006"] * 2 * agree
+    text = fixes.files[0].after.decode() if fixes.files else file.read_text()
+    assert ('<axis xyz="0 0 1"/>' in text) is agree
+
+
+PREFIX = """\
+  <link name="base"/>
+  <xacro:macro name="arm" params="side">
+    <link name="${side}_arm"/>
+    <joint name="${side}" type="revolute">
+      <parent link="base"/><child link="${side}_arm"/>
+      <limit lower="0.5" upper="-0.5" effort="1" velocity="1"/>
+    </joint>
+  </xacro:macro>
+"""
+
+
+def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
+    """Without its prefix the macro was not called, so that nobody saw its limits."""
+    file = write(tmp_path, "r.xacro", f'{PREFIX}  <arm side="left"/>\n', XACRO)
+    assert {one.code for one in check(file).diagnostics if one.severity is Severity.ERROR} == {
+        "XAC002"
+    }
+    fixes = fix(file, unsafe=True)
+    assert [one.code for one in fixes.applied] == ["XAC002", "JNT003"]
+    assert fix(file, unsafe=True, texts={fixes.files[0].path: fixes.files[0].after}).files == ()
+    alone = fix(file, unsafe=True, select=["XAC002"])
+    assert [one.code for one in alone.applied] == ["XAC002"]
+
+
+def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: Path) -> None:
+    """Both names would be 'left_arm'."""
+    calls = '  <link name="left_arm"/>\n  <arm side="left"/>\n'
+    text = PREFIX.replace('"0.5" upper="-0.5"', '"-0.5" upper="0.5"')
+    fixes = fix(write(tmp_path, "r.xacro", text + calls, XACRO), unsafe=True)
+    assert [one.code for one in fixes.applied] == []
+    reasons = {left.diagnostic.code: left.reason for left in fixes.left}
+    assert reasons["XAC002"] == "dropped: it would add NAM001"
+
+
+def test_rules_that_are_left_out_of_the_guard_know_no_error_and_no_fix() -> None:
+    for rule in map(rules.get, SLOW):
+        severities = {rule.severity, *rule.by_target.values()}
+        assert Severity.ERROR not in severities
+        assert not rule.fixable

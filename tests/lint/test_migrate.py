@@ -1,0 +1,91 @@
+"""From one Gazebo to another: the diff applies, and what is left is said."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import MODELS
+from urdfkit.cli import main
+from urdfkit.lint.migrate import migrate
+from urdfkit.ros.targets import UnknownTarget
+from urdfkit.text.source import Source
+
+MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+
+def test_renames_are_made_in_the_text_and_nothing_else_changes() -> None:
+    migration = migrate(MODEL, "classic-ros2")
+    ((source, text),) = migration.texts.items()
+    before, after = source.data.decode().splitlines(), text.decode().splitlines()
+    changed = [
+        (old.strip(), new.strip()) for old, new in zip(before, after, strict=True) if old != new
+    ]
+    assert (
+        "<odometryFrame>odom</odometryFrame>",
+        "<odometry_frame>odom</odometry_frame>",
+    ) in changed
+    assert len(changed) == len(migration.renamed)
+    left = {diagnostic.code for diagnostic in migration.left}
+    assert "GAZ012" in left  # the lidar's plugin has a successor with other tags
+
+
+def test_the_diff_of_a_file_without_a_last_line_end(tmp_path: Path) -> None:
+    path = tmp_path / "r.xacro"
+    head, tag, tail = MODEL.read_bytes().rpartition(b"</frameName>")
+    path.write_bytes(head + tag + tail.replace(b"\n", b""))
+    assert "</robot>\n\\ No newline at end of file\n" in migrate(path, "classic-ros2").diff()
+
+
+def test_the_same_gazebo_needs_nothing() -> None:
+    migration = migrate(MODEL, "classic-ros1")
+    assert tuple(migration) == ({}, (), (), {})
+    assert migration.diff() == ""
+
+
+def test_migrating_twice_leaves_what_a_person_must_do() -> None:
+    first = migrate(MODEL, "classic-ros2")
+    (text,) = first.texts.values()
+    second = migrate(Source(str(MODEL), text), "classic-ros2")
+    assert second.renamed == ()
+    assert len(second.left) == len(first.left)
+
+
+@pytest.mark.skipif(shutil.which("patch") is None, reason="patch is not installed")
+def test_patch_takes_what_the_command_prints(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copy(MODEL, tmp_path / "robot.xacro")
+    monkeypatch.chdir(tmp_path)
+    assert main(["migrate", "robot.xacro", "--to", "classic-ros2"]) == 1
+    printed = capsys.readouterr().out
+    assert "\n# robot.xacro:" in printed
+    subprocess.run(["patch", "-p0"], input=printed, text=True, check=True, capture_output=True)
+    (text,) = migrate(MODEL, "classic-ros2").texts.values()
+    assert (tmp_path / "robot.xacro").read_bytes() == text
+
+
+def test_the_command_says_when_there_is_nothing_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["migrate", str(MODEL), "--to", "classic-ros1"]) == 0
+    assert capsys.readouterr().out == "nothing to do for classic-ros1\n"
+
+
+def test_an_unknown_target_is_refused() -> None:
+    with pytest.raises(UnknownTarget):
+        migrate(MODEL, "gazebo")
+    assert main(["migrate", str(MODEL), "--to", "gazebo"]) == 2
+
+
+def test_of_a_file_that_cannot_be_read_nothing_is_claimed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "empty.urdf"
+    file.touch()
+    assert migrate(file, "gz-harmonic").unread == {str(file): "the description cannot be read"}
+    assert main(["migrate", str(file), "--to", "gz-harmonic"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith(f"error: {file}: the description cannot be read; see 'urdfkit")

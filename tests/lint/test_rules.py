@@ -1,0 +1,100 @@
+"""Finding rules by what a user types."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from itertools import chain
+
+import pytest
+
+from tests.conftest import ROOT
+from urdfkit.errors import UnknownRule
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config
+from urdfkit.lint.engine import choose
+
+
+def test_codes_are_sorted_and_each_has_one_name() -> None:
+    assert rules.codes() == sorted(set(rules.codes()))
+    assert sorted(chain(*rules.names().values())) == rules.codes()
+
+
+@pytest.mark.parametrize("code", rules.codes())
+def test_the_file_name_is_code_and_name(code: str) -> None:
+    rule = rules.get(code)
+    assert rule.code == code
+    name = rule.name.replace("-", "_")
+    assert rule.module == f"urdfkit.checks.{rule.code.lower()}_{name}"
+    assert code in rules.names()[rule.name]
+
+
+@pytest.mark.parametrize("word", ["XML001", "xml001", "not-well-formed", "NOT-well-formed"])
+def test_find_rule(word: str) -> None:
+    assert rules.find_rule(word).code == "XML001"
+
+
+@pytest.mark.parametrize(
+    ("word", "message"),
+    [
+        ("XML01", "no rule 'XML01'; did you mean 'XML001'?"),
+        ("not-wellformed", "no rule 'not-wellformed'; did you mean 'not-well-formed'?"),
+        ("", "no rule ''; 'urdfkit rules' lists them"),
+    ],
+)
+def test_an_unknown_rule(word: str, message: str) -> None:
+    for look_up in (rules.find_rule, rules.matching):
+        with pytest.raises(UnknownRule) as error:
+            look_up(word)
+        assert str(error.value) == message
+        assert error.value.word == word
+
+
+def test_a_family_is_no_rule_but_matches() -> None:
+    with pytest.raises(UnknownRule):
+        rules.find_rule("XML")
+    assert rules.matching("xml") == [code for code in rules.codes() if code.startswith("XML")]
+    assert rules.matching("XML00") == rules.matching("XML")
+    assert rules.matching("joint-to-itself") == ["TRE006"]
+
+
+def test_a_name_that_two_families_have(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        rules,
+        "_modules",
+        {code: f"urdfkit.checks.{code.lower()}_package_not_found" for code in ("MSH005", "XAC011")},
+    )
+    assert rules.matching("package-not-found") == ["MSH005", "XAC011"]
+    with pytest.raises(UnknownRule, match="alone: MSH005 and XAC011 have that name"):
+        rules.find_rule("package-not-found")
+
+
+def test_choose() -> None:
+    assert choose([], []) == rules.codes()
+    assert choose(["TRE006", "xml001"], ["CFG003"]) == ["TRE006", "XML001"]
+    some = choose(["XML"], ["XML001"])
+    assert some == ["CFG003", *(code for code in rules.matching("XML") if code != "XML001")]
+    assert choose([], ["XML"]) == [c for c in rules.codes() if not c.startswith("XML")]
+    assert choose(["XML001"], ["XML", "CFG"]) == []
+    with pytest.raises(UnknownRule):
+        choose(["XML001", "XMM"], [])
+    with pytest.raises(UnknownRule):
+        choose([], ["XML01"])
+
+
+def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> None:
+    assert choose(["TRE006"], []) == ["CFG003", "TRE006"]
+    config = Config(select=frozenset({"TRE006"}))
+    assert choose([], [], config) == ["CFG003", "TRE006"]
+    assert choose([], [], config._replace(ignore=frozenset({"CFG003"}))) == ["TRE006"]
+
+
+def test_listing_the_rules_imports_none() -> None:
+    program = (
+        "import sys; from urdfkit import rules; rules.codes(); rules.names();"
+        "print(*[name for name in sys.modules if name.startswith('urdfkit.checks')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.split() == []

@@ -1,0 +1,286 @@
+"""From what rules say to diagnostics: folding, weighing, and rules that could not look."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from urdfkit import Report, Source, check
+from urdfkit.lint import rules, runner
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Finding, Rule, Written
+from urdfkit.ros.targets import Targets
+from urdfkit.text.diagnostic import Confidence, Diagnostic, Related, Severity
+from urdfkit.text.document import Element
+from urdfkit.text.source import Span
+from urdfkit.workspace.resolve import Resolver
+
+BROKEN_XACRO = b"""\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="${no_such_property}"/>
+</robot>
+"""
+
+
+def skipped(report: Report) -> dict[str, str]:
+    """The reason by code; a rule is skipped once, and never one that ran."""
+    by_code = {skip.code: skip.reason for skip in report.skipped}
+    assert len(by_code) == len(report.skipped)
+    assert not set(by_code) & set(report.rules)
+    return by_code
+
+
+def test_nothing_is_skipped_of_a_robot_that_can_be_read() -> None:
+    assert check(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>')).skipped == ()
+
+
+@pytest.mark.parametrize("data", [b"", b"<robot><link></robot>"])
+def test_a_plain_file_that_cannot_be_read(data: bytes) -> None:
+    by_code = skipped(check(Source("r.urdf", data)))
+    assert set(by_code.values()) == {"the description cannot be read"}
+    assert {"URD001", "TRE006", "MSH001"} <= set(by_code)
+    assert not [code for code in by_code if code.startswith(("XML", "XAC", "CFG"))]
+
+
+def test_a_xacro_that_does_not_expand() -> None:
+    report = check(Source("r.urdf.xacro", BROKEN_XACRO))
+    assert [found.code for found in report.diagnostics] == ["XAC001"]
+    by_code = skipped(report)
+    assert set(by_code.values()) == {"the xacro does not expand"}
+    assert {"URD001", "TRE006", "XAC004"} <= set(by_code)
+    assert not set(by_code) & rules.TOLD_BY_READING
+
+
+def test_only_chosen_rules_are_skipped() -> None:
+    report = check(Source("r.urdf", b"<robot"), select=["XML001", "TRE006"])
+    assert list(skipped(report)) == ["TRE006"]
+
+
+# --- folding and weighing, with rules made by hand
+
+WHEELS = b"""\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="wheel" params="n mass">
+    <link name="${n}"><inertial><mass value="${mass}"/></inertial></link>
+  </xacro:macro>
+  <xacro:macro name="axle" params="n mass">
+    <xacro:wheel n="${n}_left" mass="${mass}"/>
+    <xacro:wheel n="${n}_right" mass="${mass}"/>
+  </xacro:macro>
+  <link name="base"/>
+  <xacro:axle n="front" mass="1"/>
+  <xacro:axle n="rear" mass="3"/>
+</robot>
+"""
+
+
+def subject(data: bytes = WHEELS, **options: Any) -> Subject:
+    path = "r.xacro" if b"xacro:" in data else "r.urdf"
+    return Subject(Source(path, data), Resolver(environment={}), **options)
+
+
+def rule(find: Callable[[Subject], Iterator[Finding]], **changes: Any) -> Rule:
+    plain = Rule(
+        "ABC001", "some-defect", Severity.WARNING, frozenset(), find, "", False, __name__, {}
+    )
+    return plain._replace(**changes)
+
+
+def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Subject], Iterator[Finding]]:
+    """A rule that says something of every link."""
+    return lambda one: (make(link.name, link.at) for link in one.model.links)
+
+
+@pytest.fixture
+def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.Verdict]:
+    """The verdict of some rules made by hand, and no others."""
+
+    def run(*made: Rule, one: Subject | None = None) -> runner.Verdict:
+        monkeypatch.setattr(runner, "applicable", lambda *_: made)
+        return runner.judge(one or subject(), [])
+
+    return run
+
+
+def ways(diagnostic: Diagnostic) -> list[list[str]]:
+    return [[step.name for step in call.via] for call in diagnostic.calls]
+
+
+def test_what_one_macro_caused_is_one_diagnostic_with_its_calls(judged) -> None:
+    verdict = judged(rule(of_links(lambda name, at: Finding(at, f"link '{name}'"))))
+    base, wheel = verdict.diagnostics
+    assert (base.message, ways(base), base.element) == ("link 'base'", [[]], "link/base")
+    assert wheel.span.text == '<link name="${n}">'
+    assert [call.message for call in wheel.calls] == [
+        "link 'front_left'",
+        "link 'front_right'",
+        "link 'rear_left'",
+        "link 'rear_right'",
+    ]
+    assert ways(wheel) == [["axle", "wheel"]] * 4
+    assert wheel.message == wheel.calls[0].message
+
+
+def test_the_worst_call_comes_first_and_speaks_for_all(judged) -> None:
+    weights = {"front_left": 1.0, "front_right": 2.0, "rear_left": 5.0}
+    verdict = judged(
+        rule(
+            of_links(
+                lambda name, at: Finding(
+                    at,
+                    f"link '{name}'",
+                    help=f"mend {name}",
+                    related=(Related(at.span, name),),
+                    confidence=Confidence.GUESSED if name == "rear_left" else Confidence.MEASURED,
+                    weight=weights.get(name, 0.0),
+                )
+            )
+        )
+    )
+    wheel = verdict.diagnostics[1]
+    assert [call.message for call in wheel.calls] == [
+        "link 'rear_left'",
+        "link 'front_right'",
+        "link 'front_left'",
+        "link 'rear_right'",
+    ]
+    assert (wheel.message, wheel.help) == ("link 'rear_left'", "mend rear_left")
+    assert wheel.related[0].message == "rear_left"
+    assert wheel.confidence is Confidence.GUESSED
+
+
+def test_two_defects_of_one_plain_place_stay_two(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        root = one.document.root
+        yield from (Finding(root, "first"), Finding(root, "second"))
+
+    assert [d.message for d in judged(rule(find)).diagnostics] == ["first", "second"]
+
+
+def test_two_rules_are_never_folded(judged) -> None:
+    find = of_links(lambda name, at: Finding(at, name))
+    verdict = judged(rule(find), rule(find, code="ABC002", name="other-defect"))
+    assert [(d.code, d.name, len(d.calls)) for d in verdict.diagnostics] == [
+        ("ABC001", "some-defect", 1),
+        ("ABC001", "some-defect", 4),
+        ("ABC002", "other-defect", 1),
+        ("ABC002", "other-defect", 4),
+    ]
+
+
+def test_a_place_that_is_no_element_has_no_path(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        yield Finding(Written(Span(one.source, 0, 6)), "here")
+
+    (found,) = judged(rule(find)).diagnostics
+    assert (found.span.text, found.element, found.calls[0].via) == ("<robot", "", ())
+
+
+def test_the_help_of_the_rule_stands_in(judged) -> None:
+    find = of_links(lambda name, at: Finding(at, name, help="its own" if name == "base" else ""))
+    base, wheel = judged(rule(find, help="of the rule")).diagnostics
+    assert (base.help, wheel.help) == ("its own", "of the rule")
+
+
+@pytest.mark.parametrize(
+    ("targets", "severity", "suffering"),
+    [
+        ((), Severity.WARNING, ()),
+        (("ros2",), Severity.WARNING, ()),
+        (("kdl",), Severity.INFO, ("kdl",)),
+        (("ros2", "kdl", "mujoco", "drake"), Severity.ERROR, ("mujoco", "drake")),
+    ],
+)
+def test_the_worst_severity_of_a_target_wins(judged, targets, severity, suffering) -> None:
+    by_target = {"mujoco": Severity.ERROR, "drake": Severity.ERROR, "kdl": Severity.INFO}
+    weighed = rule(of_links(lambda name, at: Finding(at, name)), by_target=by_target)
+    verdict = judged(weighed, one=subject(targets=Targets(targets)))
+    assert {(d.severity, d.targets) for d in verdict.diagnostics} == {(severity, suffering)}
+    assert verdict.targets == Targets(targets)
+
+
+def test_a_finding_may_have_a_severity_of_its_own(judged) -> None:
+    def find(one: Subject) -> Iterator[Finding]:
+        for link in one.model.links:
+            mild = Severity.INFO if link.name in ("base", "rear_left") else None
+            yield Finding(link.at, link.name, weight=float(mild is not None), severity=mild)
+
+    weighed = rule(find, by_target={"mujoco": Severity.ERROR})
+    base, wheel = judged(weighed, one=subject(targets=Targets(("mujoco",)))).diagnostics
+    assert (base.severity, base.targets) == (Severity.INFO, ())
+    # The calls of one macro are one finding, as bad as the worst of them.
+    assert (wheel.severity, wheel.targets) == (Severity.ERROR, ("mujoco",))
+    assert wheel.message == "front_left"
+    assert wheel.calls[-1].message == "rear_left"
+
+
+def test_targets_are_inferred_only_where_they_matter(judged) -> None:
+    silent = rule(lambda _: iter(()), by_target={"kdl": Severity.ERROR})
+    indifferent = rule(of_links(lambda name, at: Finding(at, name)))
+    assert judged(silent, indifferent).targets is None
+
+
+def test_a_part_that_is_not_to_be_had_skips_the_rule(judged) -> None:
+    def of_the_xacro(one: Subject) -> Iterator[Finding]:
+        yield Finding(Written(Span(one.source, 0, 0)), f"{one.xacro}")
+
+    of_all = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
+    verdict = judged(rule(of_the_xacro), of_all, one=subject(b'<robot><link name="a"/></robot>'))
+    assert [(skip.code, skip.path, skip.reason) for skip in verdict.skipped] == [
+        ("ABC001", "r.urdf", "not a xacro")
+    ]
+    assert [d.code for d in verdict.diagnostics] == ["ABC002"]
+    assert verdict.ran == {"ABC002"}
+
+
+def test_a_crash_hides_neither_other_rules_nor_what_was_found_before(judged) -> None:
+    def half(one: Subject) -> Iterator[Finding]:
+        yield Finding(one.document.root, "found before")
+        raise ZeroDivisionError("boom")
+
+    whole = rule(of_links(lambda name, at: Finding(at, name)), code="ABC002")
+    verdict = judged(rule(half), whole)
+    ((code, path, error, traceback),) = verdict.crashed
+    assert (code, path, error) == ("ABC001", "r.xacro", "ZeroDivisionError: boom")
+    assert "in half" in traceback
+    assert [d.message for d in verdict.diagnostics] == ["found before", "base", "front_left"]
+    assert verdict.ran == {"ABC002"}
+
+
+def test_a_rule_is_stopped_at_a_thousand_findings(judged) -> None:
+    def endless(one: Subject) -> Iterator[Finding]:
+        while True:
+            yield Finding(one.document.root, "again")
+
+    assert len(judged(rule(endless)).diagnostics) == runner.MAX_FINDINGS
+
+
+def test_a_message_is_bounded_whatever_names_are_in_it() -> None:
+    robot = f'<robot name="r"><link name="a"/><joint name="{"j" * 5000}" type="fixed"/></robot>'
+    found = check(Source("r.urdf", robot.encode())).diagnostics
+    assert max(len(one.message) for one in found) == runner.MAX_MESSAGE + len("...")
+
+
+@pytest.mark.parametrize(
+    "mesh", ["package://no_such_package/a.stl", "$(find no_such_package)/a.stl"]
+)
+def test_packages_may_be_named_in_either_way(mesh: str) -> None:
+    """Rules about packages are not passed over where only one of the two is written."""
+    text = (
+        f"""<link name="a"><visual><geometry><mesh filename="{mesh}"/></geometry></visual></link>"""
+    )
+    one = Subject(Source("r.urdf", f'<robot name="r">{text}</robot>'.encode()), Resolver())
+    none = Subject(Source("r.urdf", b'<robot name="r"><link name="a"/></robot>'), Resolver())
+    assert runner._silent_about_packages(none, (none.source,)) == {
+        "PKG001",
+        "PKG002",
+        "PKG003",
+        "PKG004",
+        "PKG005",
+        "PKG006",
+    }
+    assert runner._silent_about_packages(one, (one.source,)) != runner._silent_about_packages(
+        none, (none.source,)
+    )

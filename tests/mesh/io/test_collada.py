@@ -1,0 +1,113 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.mesh import made
+from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.sniff import sniff
+
+SOUND = made.collada()
+
+
+def judged(data: bytes) -> tuple[Defect | None, str]:
+    facts = sniff(data, ".dae")
+    assert facts.format == "COLLADA"
+    return facts.defect, facts.non_finite
+
+
+def changed(old: str, new: str) -> bytes:
+    assert old.encode() in SOUND
+    return SOUND.replace(old.encode(), new.encode())
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"\xef\xbb\xbf" + SOUND,
+        SOUND.decode().replace("utf-8", "utf-16").encode("utf-16"),
+        changed("<unit", "<title>t\xeate</title><unit").decode().encode("latin-1"),
+        SOUND.replace(b"utf-8", b"gb2312"),
+        changed('id="scene"', 'id="scene" name="a &gt; b > c"'),
+        changed("<unit", "<title>a &amp; b &nbsp; c</title><unit"),
+        changed("triangles", "polylist"),
+        changed("<p>0 1 2</p>", "<p></p>"),
+        changed('<triangles count="1">', '<lines count="2"/><triangles count="1">'),
+        changed("instance_geometry", "instance_controller"),
+        SOUND.replace(b"<COLLADA", b"<c:COLLADA xmlns:c='x'").replace(b"</COLLADA", b"</c:COLLADA"),
+        changed("</COLLADA>", "</COLLADA><!-- the end -->\n"),
+        # Gazebo and RViz show these: the meshes of velodyne_description, and of a KUKA.
+        changed('id="scene"', 'id="scene" name="<STL_BINARY>"'),
+        SOUND + b"\0\0\0",
+        changed("<library_visual", '<sampler><input source="#gone"/></sampler><library_visual'),
+    ],
+)
+def test_sound_files(data: bytes) -> None:
+    assert judged(data) == (None, "")
+
+
+@pytest.mark.parametrize(
+    ("data", "kind", "reason"),
+    [
+        (made.collada(faces=0), Kind.EMPTY, "holds no triangles"),
+        (changed("triangles", "lines"), Kind.EMPTY, "holds no triangles, only lines"),
+        (b"<COLLADA></COLLADA>", Kind.EMPTY, "holds no triangles"),
+        (
+            changed('<instance_geometry url="#part"/>', ""),
+            Kind.EMPTY,
+            "holds geometry, but its scene shows none of it",
+        ),
+        (
+            changed('<instance_visual_scene url="#scene"/>', ""),
+            Kind.EMPTY,
+            "holds geometry, but no <scene> that shows it",
+        ),
+        (
+            changed('source="#positions"', 'source="#elsewhere"'),
+            Kind.UNREADABLE,
+            "refers in <input> to '#elsewhere', which is not in it",
+        ),
+        (
+            changed('url="#part"', 'url="#other"'),
+            Kind.UNREADABLE,
+            "refers in <instance_geometry> to '#other', which is not in it",
+        ),
+        (
+            changed("</technique_common>\n        </source>", "</source>"),
+            Kind.UNREADABLE,
+            "is not well-formed XML: mismatched tag in line 10",
+        ),
+        (
+            changed("0 0 0 1", "0 0 \0 1"),
+            Kind.UNREADABLE,
+            "is not well-formed XML: not well-formed (invalid token) in line 9",
+        ),
+        (SOUND[:20], Kind.TRUNCATED, "ends inside its first tag, before any triangle"),
+        (
+            SOUND[: SOUND.index(b"1 0 0 0 1")],
+            Kind.TRUNCATED,
+            "ends inside <float_array> in <source>, before any triangle",
+        ),
+        (
+            SOUND[: SOUND.index(b"<visual_scene")],
+            Kind.TRUNCATED,
+            "ends inside <library_visual_scenes> in <COLLADA>",
+        ),
+    ],
+)
+def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+    assert judged(data) == (Defect(kind, reason), "")
+
+
+@pytest.mark.parametrize("word", ["nan", "-NaN", "INF", "-1.#IND"])
+def test_a_coordinate_that_is_not_finite(word: str) -> None:
+    assert judged(made.collada(f"0 0 0\n1 {word} 0 0 1 0")) == (
+        None,
+        f"a coordinate in line 10 is {word}",
+    )
+
+
+def test_more_than_one_error_names_the_first_line() -> None:
+    data = SOUND.replace(b"<asset>", b"<asset><a>").replace(b"<scene>", b"<scene><b>")
+    assert judged(data)[0] == Defect(
+        Kind.UNREADABLE, "is not well-formed XML: mismatched tag in line 4"
+    )

@@ -1,0 +1,60 @@
+from __future__ import annotations
+
+import struct
+
+import pytest
+
+from tests.mesh import made
+from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.sniff import sniff
+
+GLB = made.glb()
+
+
+@pytest.mark.parametrize(
+    ("data", "kind", "reason"),
+    [
+        (b"glTF", Kind.TRUNCATED, "ends after 4 bytes, inside its header"),
+        (GLB[:-1], Kind.TRUNCATED, f"declares {len(GLB)} bytes and has {len(GLB) - 1}"),
+        (
+            GLB[:4] + struct.pack("<I", 1) + GLB[8:],
+            Kind.UNREADABLE,
+            "is GLB of version 1; readers know version 2",
+        ),
+        (GLB[:16] + b"BIN\0" + GLB[20:], Kind.UNREADABLE, "does not begin with a JSON chunk"),
+        (
+            GLB[:12] + struct.pack("<I", 9999) + GLB[16:],
+            Kind.TRUNCATED,
+            f"declares 9999 bytes of JSON and has {len(GLB) - 20}",
+        ),
+        (made.glb(b"{}"), Kind.NOT_A_MESH, "is JSON, but not glTF"),
+        (
+            made.glb(made.gltf(asset={"version": "1.0"})),
+            Kind.UNREADABLE,
+            "is glTF of version 1.0; readers know version 2",
+        ),
+        (made.glb(made.gltf(meshes=[])), Kind.EMPTY, "holds no triangles"),
+    ],
+)
+def test_broken_containers(data: bytes, kind: Kind, reason: str) -> None:
+    assert sniff(data, ".glb").defect == Defect(kind, reason)
+
+
+@pytest.mark.parametrize(
+    ("data", "kind", "reason"),
+    [
+        (made.gltf(meshes=[]), Kind.EMPTY, "holds no triangles"),
+        (made.gltf(meshes=None), Kind.EMPTY, "holds no triangles"),
+        (made.gltf(meshes=[{}, 1]), Kind.EMPTY, "holds no triangles"),
+        (b'{"asset"', Kind.TRUNCATED, "ends inside its JSON"),
+        (b'{"asset": "2.', Kind.TRUNCATED, "ends inside a text of its JSON"),
+        (b'{"asset": {}\n,}', Kind.UNREADABLE, "is not JSON: "),
+        (b'{"asset": ' + b"[" * 100_000, Kind.UNREADABLE, "is not JSON"),
+        (b'{"asset": "\xff"}', Kind.UNREADABLE, "is not JSON"),
+    ],
+)
+def test_broken_json(data: bytes, kind: Kind, reason: str) -> None:
+    defect = sniff(data, ".gltf").defect
+    assert defect is not None
+    assert defect.kind is kind
+    assert defect.reason.startswith(reason)

@@ -1,0 +1,59 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.mesh import made
+from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.sniff import sniff
+
+SOUND = made.obj()
+
+
+def judged(data: bytes) -> tuple[Defect | None, str]:
+    facts = sniff(data, ".obj")
+    assert facts.format == "OBJ"
+    return facts.defect, facts.non_finite
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        SOUND.replace(b"\n", b"\r\n"),
+        SOUND.rstrip(),
+        SOUND.replace(b"f 1 2 3", b"f -4 -3 -2"),
+        SOUND.replace(b"f 1 2 3", b"f 1//1 2//1 3//1 4//1"),
+        SOUND.replace(b"f 1", b"vn nan nan nan\ng infinite\nf 1"),
+        b"# a long comment\n" * 400 + SOUND,
+        b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3",
+    ],
+)
+def test_sound_files(data: bytes) -> None:
+    assert judged(data) == (None, "")
+
+
+@pytest.mark.parametrize(
+    ("data", "kind", "reason"),
+    [
+        (b"# only a comment\n", Kind.EMPTY, "holds no faces (number of vertices: 0)"),
+        (b"v 0 0 0\nv 1 0 0\n", Kind.EMPTY, "holds no faces (number of vertices: 2)"),
+        (SOUND + b"f 1 2", Kind.TRUNCATED, "ends inside a face: 'f 1 2'"),
+        (
+            SOUND.replace(b"f 1/1 2/1 4/1", b"f 1/1 2/1 5/1"),
+            Kind.UNREADABLE,
+            "names vertex 5 in line 8 and holds 4 vertices",
+        ),
+        (
+            SOUND.replace(b"f 1/1 2/1 4/1", b"f -1 -2 -5"),
+            Kind.UNREADABLE,
+            "names vertex 5 in line 8 and holds 4 vertices",
+        ),
+    ],
+)
+def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+    assert judged(data) == (Defect(kind, reason), "")
+
+
+@pytest.mark.parametrize("word", ["nan", "-NAN", "inf", "1.#IND"])
+def test_a_vertex_that_is_not_finite(word: str) -> None:
+    data = SOUND.replace(b"v 0 1 0", f"v 0 {word} 0".encode())
+    assert judged(data) == (None, f"the vertex in line 5 is (0, {word.lower()}, 0)")

@@ -1,0 +1,27 @@
+"""Meshes of known shape, for tests."""
+
+from __future__ import annotations
+
+import numpy as np
+import trimesh
+
+from urdfkit.mesh.geometry import Material, Mesh, Part
+
+
+def as_mesh(shape: trimesh.Trimesh, material: Material | None = None) -> Mesh:
+    return Mesh((as_part(shape, material),))
+
+
+def as_part(shape: trimesh.Trimesh, material: Material | None = None) -> Part:
+    return Part(np.array(shape.vertices), np.array(shape.faces, dtype=np.int64), material)
+
+
+def as_trimesh(mesh: Mesh) -> trimesh.Trimesh:
+    """All parts together, welded."""
+    whole = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+    whole.merge_vertices(merge_norm=True, merge_tex=True)
+    return whole
+
+
+def cube(size: float = 1.0) -> Mesh:
+    return as_mesh(trimesh.creation.box((size, size, size)))

@@ -1,0 +1,40 @@
+"""What all formats have in common."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+
+import pytest
+
+from tests.output.formats.made import diagnostic, report, span
+from urdfkit.output import formats
+from urdfkit.text.source import Source
+
+FOUND = diagnostic(span(Source("robot.urdf", b"<robot/>"), "robot"), code="TRE006")
+
+
+def test_the_folder_is_the_catalogue() -> None:
+    assert formats.names() == sorted(formats.names())
+    assert {"json", "statistics", "text"} <= set(formats.names())
+
+
+def test_an_unknown_format_is_a_key_error() -> None:
+    for name in ("yaml", "_paths", "__init__", ""):
+        with pytest.raises(KeyError):
+            formats.get(name)
+
+
+@pytest.mark.parametrize("name", formats.names())
+def test_every_format_obeys_the_law(name: str) -> None:
+    render = formats.get(name)
+    assert str(inspect.signature(render)) == (
+        "(report: 'Report', *, color: 'bool' = False, width: 'int' = 80) -> 'str'"
+    )
+    for checked in (report(rules=("TRE006",)), report(FOUND, rules=("TRE006",))):
+        text = render(checked)
+        assert text == "" or (text.endswith("\n") and not text.endswith("\n\n"))
+        assert text == render(checked), "it depends on the report alone"
+        assert "\x1b" not in text
+    assert render.__doc__
+    assert sys.modules[f"urdfkit.output.formats.{name}"].__doc__

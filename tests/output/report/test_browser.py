@@ -1,0 +1,341 @@
+"""The report in a real browser: it draws, moves and selects, and a hostile robot does nothing."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from functools import cache
+from io import BytesIO
+from itertools import combinations
+from math import asin, atan, degrees, radians, sin, tan
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.output.report.browsers import Page, browser, needs_browser
+from urdfkit.core.spatial import Frame
+from urdfkit.lint.loading import read
+from urdfkit.output.report.writing import report
+from urdfkit.robot.joints import bounds
+from urdfkit.robot.kinematics import TURNING, frames
+
+pytestmark = needs_browser
+for module in ("jinja2", "numpy", "selenium", "trimesh"):
+    pytest.importorskip(module)
+
+MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+GRIPPER = MODELS / "good" / "gripper.urdf"
+ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[Page]:
+    with browser() as opened:
+        yield opened
+
+
+@cache
+def text_of(robot: Path, language: str) -> str:
+    return report(str(robot), language=language, quick=True)[0]
+
+
+def written(robot: Path, folder: Path, language: str = "en") -> Path:
+    text = text_of(robot, language)
+    file = folder / "report.html"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def matrix(frame: Frame) -> list[float]:
+    """As three.js has it: sixteen numbers, column by column."""
+    columns = [[row[i] for row in frame.rotation] + [0.0] for i in range(3)]
+    return [*columns[0], *columns[1], *columns[2], *frame.position, 1.0]
+
+
+ROBOTS = [
+    pytest.param(MISSION, id="mission"),
+    pytest.param(GRIPPER, id="gripper"),
+    pytest.param(ARM, id="arm"),
+    pytest.param(
+        CORPUS / "moveit_resources" / "panda_description" / "urdf" / "panda.urdf",
+        id="panda",
+        marks=needs_corpus,
+    ),
+    pytest.param(
+        CORPUS / "nao_robot" / "nao_description" / "urdf" / "naoV33_generated_urdf" / "nao.urdf",
+        id="nao",
+        marks=needs_corpus,
+    ),
+]
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_joints_move_the_links_as_our_kinematics_does(
+    page: Page, robot: Path, tmp_path: Path
+) -> None:
+    page.open(written(robot, tmp_path))
+    subject = read(str(robot))
+    random_ = random.Random(str(robot.name))
+    given = {
+        joint.name: random_.uniform(-2, 2)
+        for joint in subject.model.joints
+        if joint.kind in (*TURNING, "prismatic") and not joint.mimic
+    }
+    assert given
+    for name, position in given.items():
+        page.run("urdfkit.move(arguments[0], arguments[1])", name, position)
+    expected = frames(subject.tree, given)
+    script = "return arguments[0].map((name) => urdfkit.frame(name))"
+    found = dict(zip(expected, page.run(script, list(expected)), strict=True))
+    for name, frame in expected.items():
+        assert found[name] == pytest.approx(matrix(frame), abs=1e-9), name
+    assert page.errors == []
+
+
+def test_a_slider_is_moved_by_the_keyboard(page: Page, tmp_path: Path) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    page.open(written(GRIPPER, tmp_path))
+    slide = page.find(".sliders input[type=range]")
+    limits = [float(slide.get_attribute(key)) for key in ("min", "max")]
+    joint = next(j for j in read(str(GRIPPER)).model.joints if j.degrees_of_freedom)
+    assert joint.limit
+    assert joint.limit.lower
+    assert joint.limit.upper
+    assert limits == [joint.limit.lower.value, joint.limit.upper.value]
+    slide.send_keys(Keys.END)
+    expected = frames(read(str(GRIPPER)).tree, {joint.name: limits[1]})
+    for name, frame in expected.items():  # the other finger follows
+        assert page.run("return urdfkit.frame(arguments[0])", name) == pytest.approx(
+            matrix(frame), abs=1e-9
+        )
+    field = page.find(".sliders input[type=number]")
+    assert float(field.get_attribute("value")) == pytest.approx(limits[1], abs=1e-5)
+
+
+def test_the_buttons_above_the_sliders(page: Page, tmp_path: Path) -> None:
+    page.open(written(ARM, tmp_path))
+    joints = read(str(ARM)).model.joints
+    limits = {joint.name: found for joint in joints if (found := bounds(joint))}
+
+    def press(name: str) -> dict[str, float]:
+        (button,) = (
+            button
+            for button in page.driver.find_elements("css selector", ".sliders button")
+            if button.text == name
+        )
+        button.click()
+        return dict(page.run("return {...urdfkit.positions}"))
+
+    assert press("Lower") == pytest.approx({name: low for name, (low, _) in limits.items()})
+    middle = {name: (low + high) / 2 for name, (low, high) in limits.items()}
+    assert press("Middle") == pytest.approx(middle)
+    first, second = press("Random"), press("Random")
+    assert first != second
+    assert all(low <= second[name] <= high for name, (low, high) in limits.items())
+    assert press("Degrees") == second
+    row = page.find(".sliders .row")
+    field, unit = row.find_element("css selector", "[type=number]"), row.text.split("\n")[-1]
+    name = row.find_element("css selector", "label").text
+    assert unit == "°"
+    assert float(field.get_attribute("value")) == pytest.approx(degrees(second[name]), abs=1e-4)
+    field.clear()
+    field.send_keys("30")
+    assert page.run("return urdfkit.positions")[name] == pytest.approx(radians(30))
+
+
+def test_a_click_selects_the_link_and_its_findings(page: Page, tmp_path: Path) -> None:
+    from selenium.webdriver import ActionChains
+
+    page.open(written(MISSION, tmp_path))
+    x, y = page.run("return urdfkit.project('wheel_1')")
+    canvas = page.find("#stage canvas")
+    shift = ((x - 0.5) * canvas.size["width"], (y - 0.5) * canvas.size["height"])
+    ActionChains(page.driver).move_to_element_with_offset(
+        canvas, *map(int, shift)
+    ).click().perform()
+    assert page.run("return urdfkit.chosen()") == ["wheel_1"]
+    assert "wheel_1" in page.find("#picked").text
+    shown = page.driver.find_elements("css selector", ".finding:not([hidden])")
+    assert shown
+    assert all("wheel_1" in finding.get_attribute("data-links") for finding in shown)
+    page.find("#all-links").click()
+    assert page.run("return document.querySelectorAll('.finding[hidden]').length") == 0
+
+
+def test_a_click_on_a_finding_selects_its_links(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path))
+    finding = page.find(".finding.error")
+    assert finding.get_attribute("data-links") == '["laser_frame"]'
+    finding.find_element("css selector", ".message").click()
+    assert page.run("return urdfkit.chosen()") == ["laser_frame"]
+    assert "chosen" in finding.get_attribute("class")
+
+
+def count_hits(page: Page, count: int, place: str) -> int:
+    """How many of so many places on a line across the view, t from 0 to 1, show a link."""
+    script = f"""let found = 0;
+      for (let i = 0; i < arguments[0]; i++) {{
+        const t = (i + 0.5) / arguments[0];
+        found += urdfkit.hit({place}) === "a";
+      }}
+      return found"""
+    hits: int = page.run(script, count)
+    return hits
+
+
+@pytest.mark.parametrize(
+    ("shape", "half", "near", "seen"),
+    [
+        ('<box size="0.4 0.6 0.8"/>', (0.4**2 + 0.6**2 + 0.8**2) ** 0.5 / 2, 0.2, (0.3, 0.4)),
+        ('<sphere radius="0.5"/>', 0.75**0.5, 0.0, None),
+    ],
+    ids=["box", "sphere"],
+)
+def test_a_shape_is_seen_where_perspective_puts_it(
+    page: Page, tmp_path: Path, shape: str, half: float, near: float, seen: tuple[float, float]
+) -> None:
+    """From the front, the camera sees the face of a box that is turned to it; a ball is a disc.
+
+    The camera is so far that a ball of radius ``half``, around the corners of the box around the
+    shape, just fits the narrower angle of the view.
+    """
+    robot = tmp_path / "shape.urdf"
+    visual = f"<visual><geometry>{shape}</geometry></visual>"
+    robot.write_text(f'<robot name="r"><link name="a">{visual}</link></robot>')
+    page.open(written(robot, tmp_path))
+    page.find("[data-view=front]").click()
+    page.wait("new Promise(requestAnimationFrame)")
+    width, height = page.run(
+        "return [arguments[0].clientWidth, arguments[0].clientHeight]", page.find("#stage")
+    )
+    across = 2 * atan(tan(radians(40) / 2) * width / height)
+    distance = half / sin(min(radians(40), across) / 2)
+    slopes = [tan(asin(0.5 / distance))] * 2
+    if seen:
+        slopes = [extent / (distance - near) for extent in seen]
+    pixels = [slope / tan(radians(20)) * height for slope in slopes]
+    assert count_hits(page, width, "t, 0.5") == pytest.approx(pixels[0], abs=2)
+    assert count_hits(page, height, "0.5, t") == pytest.approx(pixels[1], abs=2)
+
+
+def test_what_is_black_shows_its_shape(page: Page, tmp_path: Path) -> None:
+    """A black sphere is shaded: its brightest part is not as dark as its darkest one."""
+    image = pytest.importorskip("PIL.Image")
+    ball = '<geometry><sphere radius="0.5"/></geometry>'
+    black = '<material name="black"><color rgba="0 0 0 1"/></material>'
+    robot = tmp_path / "ball.urdf"
+    robot.write_text(
+        f'<robot name="r"><link name="ball"><visual>{ball}{black}</visual></link></robot>',
+        encoding="utf-8",
+    )
+    page.open(written(robot, tmp_path))
+    picture = image.open(BytesIO(page.find("canvas").screenshot_as_png)).convert("L")
+    width, height = picture.size
+    box = (width // 2 - 40, height // 2 - 40, width // 2 + 40, height // 2 + 40)
+    darkest, brightest = picture.crop(box).getextrema()
+    assert 10 < darkest < brightest - 20 < 120
+
+
+def test_names_do_not_cover_one_another(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path))
+    page.find("[data-layer=names]").click()
+    page.wait("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    boxes = page.run(
+        "return [...document.querySelectorAll('.tag:not([hidden])')].map((tag) => {"
+        " const at = tag.getBoundingClientRect(); return [at.left, at.top, at.right, at.bottom]; })"
+    )
+    assert len(boxes) >= 5
+    for (left, top, right, bottom), (x0, y0, x1, y1) in combinations(boxes, 2):
+        assert left > x1 - 1 or x0 > right - 1 or top > y1 - 1 or y0 > bottom - 1
+
+
+def test_the_keyboard_turns_the_view(page: Page, tmp_path: Path) -> None:
+    from selenium.webdriver.common.keys import Keys
+
+    page.open(written(MISSION, tmp_path))
+    where = "new Promise(requestAnimationFrame).then(() => urdfkit.project('wheel_1'))"
+    before = page.wait(where)
+    canvas = page.find("#stage canvas")
+    canvas.send_keys(Keys.ARROW_LEFT)
+    turned = page.wait(where)
+    assert turned != pytest.approx(before, abs=1e-3)
+    canvas.send_keys(Keys.ARROW_RIGHT)
+    assert page.wait(where) == pytest.approx(before, abs=1e-9)
+    canvas.send_keys("-")
+    assert abs(page.wait(where)[0] - 0.5) < abs(before[0] - 0.5)
+
+
+def test_a_joint_may_have_any_name(page: Page, tmp_path: Path) -> None:
+    robot = tmp_path / "names.urdf"
+    robot.write_text(
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="__proto__" type="prismatic">'
+        '<parent link="a"/><child link="b"/><limit lower="0" upper="1" effort="1" velocity="1"/>'
+        "</joint></robot>"
+    )
+    page.open(written(robot, tmp_path))
+    page.run("urdfkit.move('__proto__', 0.25)")
+    assert page.run("return urdfkit.frame('b')[12]") == 0.25
+
+
+EVIL = (
+    "&lt;/script>&lt;script>window.hacked = 1&lt;/script>&lt;img src=x onerror='window.hacked=1'>"
+)
+
+
+def test_a_hostile_robot_is_only_text(page: Page, tmp_path: Path) -> None:
+    robot = tmp_path / "evil.urdf"
+    robot.write_text(
+        f'<robot name="{EVIL}"><link name="{EVIL}"><inertial><mass value="-1"/>'
+        '<inertia ixx="1e308" ixy="1e308" ixz="1e308" iyy="1e308" iyz="1e308" izz="1e308"/>'
+        f'</inertial></link><link name="__proto__"/><joint name="{EVIL}" type="revolute">'
+        f'<parent link="{EVIL}"/><child link="__proto__"/><limit lower="2" upper="1"/></joint>'
+        f'<joint name="constructor" type="{EVIL}"><parent link="x"/><child link="y"/></joint>'
+        "</robot>"
+    )
+    page.open(written(robot, tmp_path))
+    name = EVIL.replace("&lt;", "<")
+    assert page.run("return window.hacked") is None
+    assert page.find("h1").text == name
+    page.run("for (const one of document.querySelectorAll('details')) one.open = true")
+    page.find("button[data-link]").click()
+    assert page.run("return urdfkit.chosen()") == [name]
+    assert page.find(".sliders label").text == name
+    assert page.run("return document.images.length") == 1  # the tree
+    assert page.errors == []
+
+
+def test_the_page_in_chinese_and_in_the_dark(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path, language="zh"))
+    assert page.run("return document.documentElement.lang") == "zh"
+    assert "检查结果" in page.find("nav").text
+    assert page.find(".sliders .buttons").text.startswith("零位")
+    before = page.run("return getComputedStyle(document.body).backgroundColor")
+    drawing = "return getComputedStyle(document.querySelector('.drawing')).filter !== 'none'"
+    assert page.run(drawing) is page.run("return document.documentElement.dataset.theme === 'dark'")
+    page.find("#theme").click()
+    assert page.run(drawing) is page.run("return document.documentElement.dataset.theme === 'dark'")
+    assert page.run("return getComputedStyle(document.body).backgroundColor") != before
+    assert page.find("#theme").get_attribute("aria-pressed") in ("true", "false")
+
+
+@pytest.mark.parametrize("width", [400, 800, 1400])
+def test_nothing_sticks_out_of_the_page(page: Page, tmp_path: Path, width: int) -> None:
+    page.resize(width, 900)
+    try:
+        page.open(written(MISSION, tmp_path))
+        wide = "return document.documentElement.scrollWidth"
+        assert page.run(wide) <= width
+    finally:
+        page.resize(1280, 900)
+
+
+def test_the_filters(page: Page, tmp_path: Path) -> None:
+    page.open(written(MISSION, tmp_path))
+    shown = "return document.querySelectorAll('.finding:not([hidden])').length"
+    every = page.run(shown)
+    page.find(".filter input[value=info]").click()
+    assert 0 < page.run(shown) < every
+    page.find(".filter input[type=search]").send_keys("hokuyo missing-file")
+    assert page.run(shown) == 1

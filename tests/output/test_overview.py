@@ -1,0 +1,186 @@
+"""A robot on one page: the facts of the mission's model, of real robots, and of odd ones."""
+
+from __future__ import annotations
+
+import builtins
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests import update_corpus_findings as corpus_findings
+from tests.conftest import MODELS, manifest, model_id
+from tests.massive import BALL, inertial, joint, link, shape
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.output.overview import summarise
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+
+
+def of(text: str) -> Subject:
+    return read(Source("r.urdf", whole_robot(text).encode()))
+
+
+def test_the_mission_s_model() -> None:
+    found = summarise(read(MODEL))
+    structure = found.structure
+    assert (structure.links, sum(structure.joints.values())) == (10, 9)
+    assert structure.joints == {"fixed": 5, "continuous": 4}
+    assert (structure.nq, structure.nv) == (8, 4)
+    assert structure.roots == ("dummy",)
+    assert found.weight.whole.mass == pytest.approx(10.2301, rel=1e-12)
+    assert found.targets == ("ros1", "classic-ros1")
+    assert [sensor.type for sensor in found.sensors] == ["ray", "camera", "imu"]
+    assert len(found.plugins) == 4
+    assert found.shapes.missing == ("package://gazebo_pkg/meshes/hokuyo.dae",)
+
+
+def test_a_follower_is_no_degree_of_freedom() -> None:
+    structure = summarise(read(MODELS / "good" / "gripper.urdf")).structure
+    assert (structure.nq, structure.nv) == (1, 1)
+    assert structure.free == {"left_finger_joint": "prismatic"}
+    assert structure.followers == {"right_finger_joint": "left_finger_joint"}
+
+
+def test_the_arm_lies_down() -> None:
+    """Centre of mass and size at a right angle of the shoulder, by hand."""
+    found = summarise(
+        read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"),
+        {"shoulder": math.pi / 2},
+    )
+    x = (1.5 * 0.15 + 0.7 * (0.36 + 0.125)) / 5.2
+    z = (3 * 0.05 + 2.2 * 0.145) / 5.2
+    whole = found.weight.whole.properties
+    assert whole is not None
+    assert list(whole.center) == pytest.approx([x, 0, z], abs=1e-12)
+    box = found.shapes.box
+    assert box is not None
+    assert box.high == pytest.approx((0.61, 0.06, 0.185), abs=1e-6)
+    assert found.pose == {"shoulder": math.pi / 2}
+
+
+def test_the_whole_tensor_of_two_balls_by_the_parallel_axes() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    text = link("a", ball) + link("b", ball) + joint("a", "b", xyz="1 0 0")
+    whole = summarise(of(text)).weight.whole.properties
+    assert whole is not None
+    mass, center, tensor = whole
+    assert (mass, center) == (4, (0.5, 0, 0))
+    assert tensor == pytest.approx((0.2, 0, 0, 1.2, 0, 1.2), abs=1e-15)
+
+
+def test_without_the_readers_of_meshes_the_rest_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    importing = builtins.__import__
+
+    def lean(name: str, *rest: Any) -> Any:
+        if name.partition(".")[0] in ("numpy", "trimesh") or name.startswith(
+            "urdfkit.mesh.io.load"
+        ):
+            raise ImportError(name)
+        return importing(name, *rest)
+
+    monkeypatch.setattr(builtins, "__import__", lean)
+    found = summarise(arm)
+    assert found.shapes.triangles is None
+    assert found.skipped == (
+        "triangles: meshes are not read without: pip install 'urdfkit[meshes]'",
+    )
+    assert set(found.shapes.left_out) == {"upper_arm", "forearm"}
+    box = found.shapes.box
+    assert box is not None
+    assert box.high == pytest.approx((0.06, 0.06, 0.755))
+
+
+def test_odd_robots_have_a_page() -> None:
+    loop = (
+        '<link name="a"/><link name="b"/>'
+        '<joint name="ab" type="revolute"><parent link="a"/><child link="b"/></joint>'
+        '<joint name="ba" type="fixed"><parent link="b"/><child link="a"/></joint>'
+    )
+    for text in ("<gazebo/>", '<link name="a"/>', loop, '<link/><joint/><link name="x"/>'):
+        found = summarise(of(text))
+        assert found.weight.whole.mass == 0
+        assert found.shapes.box is None
+    assert summarise(of(loop)).structure.roots == ()
+
+
+def test_the_mass_of_a_loop_counts_although_it_is_nowhere() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    loop = link("a", ball) + link("b", ball) + joint("a", "b") + joint("b", "a")
+    whole = summarise(of(loop)).weight.whole
+    assert (whole.mass, whole.properties) == (4, None)
+    assert whole.reason == "no root leads to a, b, in a closed loop"
+
+
+def test_of_many_roots_a_few_are_named() -> None:
+    text = "".join(link(name, inertial(1, (1, 1, 1))) for name in "abcde")
+    reason = "no joint says how the roots a, b, c and 2 more stand to one another"
+    assert summarise(of(text)).weight.whole.reason == reason
+
+
+def test_how_several_roots_stand_to_one_another_nobody_says() -> None:
+    ball = inertial(2, (0.1, 0.1, 0.1))
+    text = link("a", ball, shape("visual", BALL)) + link("b", ball, shape("collision", BALL))
+    found = summarise(of(text))
+    assert (found.weight.whole.mass, found.weight.whole.properties) == (4, None)
+    assert found.weight.whole.reason == "no joint says how the roots a, b stand to one another"
+    assert found.shapes.left_out == {"b": "they do not hang on a"}
+    light = summarise(of(text.replace('value="2"', 'value="0"', 1))).weight.whole
+    assert light.root == "b"
+    assert light.properties is not None
+    assert light.properties.center == (0, 0, 0)
+
+
+def test_turned_primitives_are_measured_exactly() -> None:
+    cylinder = shape("visual", '<cylinder radius="0.1" length="2"/>', rpy="1.5707963267948966 0 0")
+    box = summarise(of(link("a", cylinder))).shapes.box
+    assert box is not None
+    assert box.edges == pytest.approx((0.2, 2, 0.2), abs=1e-12)
+
+
+ENTRIES = [
+    entry for entry in manifest() if "expect" in entry[1] and "fail_" not in entry[1]["path"]
+]
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
+def test_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
+    """Masses and joints as other tools measured them, Pinocchio's nq and nv among them."""
+    folder, model = entry
+    source = Source.read(folder / model["path"])
+    subject = Subject(source, Resolver(environment={}), corpus_findings.arguments_of(model))
+    vars(subject)["meshes"] = _NoMeshes()
+    found, expected = summarise(subject), model["expect"]
+    assert found.structure.joints == expected["joint_types"]
+    assert found.weight.whole.mass == pytest.approx(expected["total_mass_kg"], rel=1e-9, abs=1e-12)
+    pinocchio = expected["pinocchio"]
+    if pinocchio["ok"] and not found.structure.followers:
+        assert (found.structure.nq, found.structure.nv) == (pinocchio["nq"], pinocchio["nv"])
+    planar = found.structure.joints.get("planar", 0)
+    assert found.structure.nv - 2 * planar == expected["dof_independent_of_mimic"]
+
+
+class _NoMeshes:
+    """Their triangles are for other tests."""
+
+    def mesh(self, shape: object) -> None:
+        return None
+
+    def vertices(self, shape: object) -> None:
+        return None
+
+    def reason(self, shape: object) -> str:
+        return "not here"
+
+
+def test_it_is_all_json() -> None:
+    from urdfkit.cli.info import as_json
+
+    assert json.loads(json.dumps(as_json(summarise(read(MODEL)))))["structure"]["nq"] == 8

@@ -1,0 +1,181 @@
+"""Frames of many configurations, against the ones of `kinematics` and against Pinocchio."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Any
+
+import pytest
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("coal")
+
+import itertools
+
+from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.physics.collision.robots import joint, link, revolute, robot
+from tests.update_corpus_findings import arguments_of
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.physics.collision.batch_kinematics import Branch, chain, matrix
+from urdfkit.robot import kinematics
+from urdfkit.robot.joints import FAR
+
+MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'
+ENTRIES = [
+    entry
+    for entry in manifest()
+    if entry[1].get("expect", {}).get("dof") and "/fail_" not in entry[1]["path"]
+]
+
+
+def agrees(subject: Subject) -> None:
+    """The frames of a few samples are those that `kinematics` computes one by one."""
+    arrays = chain(subject.tree)
+    rows = arrays.samples(3, 7, 0)
+    frames = arrays.frames(rows, range(len(arrays.links)))
+    for sample, row in enumerate(rows):
+        given = {axis.joint: float(value) for axis, value in zip(arrays.axes, row, strict=True)}
+        expected = kinematics.frames(subject.tree, given)
+        for number, name in enumerate(arrays.links):
+            if name in expected:
+                known = matrix(expected[name])
+                assert frames[number][sample] == pytest.approx(known, abs=1e-12), name
+
+
+def test_every_kind_of_joint_with_mimic() -> None:
+    agrees(
+        robot(
+            *(link(name) for name in "abcdefg"),
+            joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),
+            joint("b", "c", "prismatic", "0 0 1", revolute(0, 0.3, "0 2 0")),
+            joint("b", "d", "continuous", "0 1 0", '<axis xyz="0 0 1"/>'),
+            joint("d", "e", "revolute", "0 1 1", revolute(-1, 1) + MIMIC),
+            joint("e", "f", "floating", "1 0 0"),
+            joint("f", "g", "fixed", "1 0 0"),
+        )
+    )
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", ENTRIES, ids=model_id)
+def test_robots_of_the_corpus(entry: Any) -> None:
+    folder, model = entry
+    agrees(read(folder / model["path"], arguments=arguments_of(model)))
+
+
+def test_against_pinocchio() -> None:
+    pin: Any = pytest.importorskip("pinocchio")
+    path = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+    arrays = chain(read(path).tree)
+    model = pin.buildModelFromUrdf(str(path))
+    data = model.createData()
+    rows = arrays.samples(5, 0, 0)
+    frames = arrays.frames(rows, range(len(arrays.links)))
+    assert [axis.joint for axis in arrays.axes] == list(model.names)[1:]
+    for sample, row in enumerate(rows):
+        pin.framesForwardKinematics(model, data, row)
+        for number, name in enumerate(arrays.links):
+            known = data.oMf[model.getBodyId(name)].homogeneous
+            assert frames[number][sample] == pytest.approx(known, abs=1e-12)
+
+
+def ranges(kind: str, more: str) -> tuple[float, float]:
+    arrays = chain(robot(link("a"), link("b"), joint("a", "b", kind, more=more)).tree)
+    (axis,) = arrays.axes
+    return axis.lower, axis.upper
+
+
+def test_limits_are_kept_and_joints_without_turn_once_around() -> None:
+    assert ranges("revolute", revolute(-1, 2)) == (-1, 2)
+    assert ranges("prismatic", revolute(0, 0.04)) == (0, 0.04)
+    assert ranges("continuous", revolute(-1, 2)) == (-pi, pi)
+    assert ranges("revolute", revolute(-1e16, 1e16)) == (-pi, pi)
+    assert ranges("revolute", revolute(1, -1)) == (-pi, pi)  # "free", to Bullet
+    assert ranges("revolute", "") == (-pi, pi)
+    assert ranges("prismatic", revolute(-1e9, 1e9)) == (-FAR, FAR)
+    assert ranges("prismatic", revolute(1, -1)) == (0, 0)
+
+
+def test_samples_fill_the_range_evenly_and_depend_on_seed_and_block() -> None:
+    parts = (link("a"), link("b"), joint("a", "b", "revolute", more=revolute(-1, 3)))
+    arrays = chain(robot(*parts).tree)
+    rows = arrays.samples(4000, 0, 0)
+    assert rows.min() >= -1
+    assert rows.max() <= 3
+    counts, _ = np.histogram(rows, 4, (-1, 3))
+    assert counts == pytest.approx([1000] * 4, rel=0.1)
+    assert (rows == arrays.samples(4000, 0, 0)).all()
+    assert (rows[:10] == arrays.samples(10, 0, 0)).all()
+    assert (rows != arrays.samples(4000, 0, 1)).any()
+    assert (rows != arrays.samples(4000, 1, 0)).any()
+
+
+def test_the_default_is_zero_or_the_middle() -> None:
+    arrays = chain(
+        robot(
+            *(link(name) for name in "abc"),
+            joint("a", "b", "revolute", more=revolute(-1, 2)),
+            joint("b", "c", "revolute", more=revolute(1, 2)),
+        ).tree
+    )
+    assert arrays.default.tolist() == [0, 1.5]
+    assert arrays.extremes().tolist() == [[0, 1.5], [-1, 1.5], [2, 1.5], [0, 1], [0, 2]]
+
+
+def test_the_axes_between_two_links() -> None:
+    arrays = chain(
+        robot(
+            *(link(name) for name in "abcdef"),
+            joint("a", "b", "continuous"),
+            joint("b", "c", "continuous"),
+            joint("b", "d", "continuous"),
+            joint("c", "e"),
+            joint("d", "f", "revolute", more=revolute(-1, 1) + MIMIC),
+        ).tree
+    )
+    number = {name: index for index, name in enumerate(arrays.links)}
+
+    def between(first: str, second: str) -> list[str]:
+        return [arrays.axes[at].joint for at in arrays.between(number[first], number[second])]
+
+    assert between("a", "b") == ["a_b"]
+    assert between("c", "d") == ["b_c", "b_d"]
+    assert between("c", "e") == []
+    assert between("d", "f") == ["a_b"]  # which d_f follows
+
+
+def test_hostile_trees_are_arrays_too() -> None:
+    ring = robot(link("a"), link("b"), joint("a", "b"), joint("b", "a"))
+    assert chain(ring.tree).steps == ()
+    own = '<mimic joint="a_b"/>'
+    mimicry = robot(link("a"), link("b"), joint("a", "b", "continuous", more=own))
+    assert [step.column for step in chain(mimicry.tree).steps] == [-1]
+    names = [f"l{number}" for number in range(3000)]
+    joints = [joint(a, b, "continuous") for a, b in itertools.pairwise(names)]
+    long = chain(robot(*map(link, names), *joints).tree)
+    assert len(long.frames(long.default[None], range(3000))) == 3000
+    assert list(long.frames(long.default[None], [7])) == [7]
+
+
+def test_slopes_of_a_branch_are_differences() -> None:
+    """Of a point fixed to its end, along a direction; a follower counts for its leader."""
+    subject = robot(
+        *(link(name) for name in "abcde"),
+        joint("a", "b", "revolute", "1 2 3", revolute(-1, 2, "1 1 0")),
+        joint("b", "c", "fixed", "0 1 0"),
+        joint("c", "d", "prismatic", "0 0 1", revolute(0, 0.3, "0 2 0")),
+        joint("d", "e", "revolute", "0 1 1", revolute(-1, 1) + MIMIC),
+    )
+    arrays = chain(subject.tree)
+    branch = Branch(arrays.branches(0, 4)[1], columns := arrays.between(0, 4))
+    random = np.random.default_rng(3)
+    positions = arrays.samples(4, 1, 0)[:, columns]
+    points, directions = random.normal(size=(2, 4, 3))
+    way = branch.at(positions)
+    assert way.end == pytest.approx(arrays.frames(arrays.samples(4, 1, 0), [4])[4], abs=1e-12)
+    in_end = np.linalg.inv(way.end) @ np.append(points, np.ones((4, 1)), axis=1)[:, :, None]
+    for column, move in enumerate(1e-6 * np.eye(len(columns))):
+        there = branch.at(positions + move).end @ in_end - branch.at(positions - move).end @ in_end
+        change = np.einsum("ni,ni->n", there[:, :3, 0], directions) / 2e-6
+        assert branch.slopes(way, points, directions)[:, column] == pytest.approx(change, abs=1e-7)

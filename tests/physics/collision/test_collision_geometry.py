@@ -1,0 +1,144 @@
+"""Distances: closed forms, touching bodies, surfaces, and the traps of coal."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import inf
+from pathlib import Path
+
+import pytest
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("coal")
+
+from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere
+from urdfkit.mesh.geometry import Floats
+from urdfkit.mesh.samples import stl
+from urdfkit.physics.collision.bounds import Cover, apart, moved, poses
+from urdfkit.physics.collision.collision_geometry import TOUCH, Form, Gauge, form, volume
+from urdfkit.physics.collision.geometry_arrays import solids
+
+SAME = np.eye(3)
+
+
+def forms(*shapes: str) -> list[Form]:
+    subject = robot(link("a", *shapes))
+    return [form(solid) for solid in solids(subject.model, subject.meshes)[0]]
+
+
+def distance(first: str, second: str, *at: float, limit: float = inf) -> float:
+    return Gauge(*forms(first, second)).distance(SAME, np.array(at), limit)
+
+
+@pytest.mark.parametrize("gap", [0.5, 1e-3, -1e-3, -0.05])
+def test_closed_forms(gap: float) -> None:
+    assert distance(sphere(0.1), sphere(0.2), 0.3 + gap, 0, 0) == pytest.approx(gap, abs=1e-6)
+    assert distance(box(1, 1, 1), sphere(0.2), 0.7 + gap, 0, 0) == pytest.approx(gap, abs=1e-6)
+    assert distance(box(1, 1, 1), box(1, 1, 1), 0, 1 + gap, 0.2) == pytest.approx(gap, abs=1e-6)
+    parallel = distance(cylinder(0.1, 1), cylinder(0.2, 1), 0.3 + gap, 0, 0)
+    assert parallel == pytest.approx(gap, abs=1e-5)
+
+
+def test_a_cube_of_triangles_is_a_box(tmp_path: Path) -> None:
+    cubes = mesh(cube(tmp_path / "c.stl", 0.5))
+    for gap in (0.5, 1e-3, -1e-3, -0.05):
+        assert distance(cubes, cubes, 1 + gap, 0.3, 0.2) == pytest.approx(gap, abs=1e-6)
+        assert distance(cubes, box(1, 1, 1), 1 + gap, 0, 0) == pytest.approx(gap, abs=1e-6)
+
+
+def test_surfaces_that_overlap_are_seen_and_touching_ones_are_not(tmp_path: Path) -> None:
+    shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))  # open, so no convex body
+    for other in (shell, box(1, 1, 1)):
+        assert distance(shell, other, -1.001, 0.3, 0.2) == pytest.approx(1e-3, abs=1e-6)
+        assert abs(distance(shell, other, -1, 0.3, 0.2)) <= TOUCH
+        assert distance(shell, other, -0.999, 0.3, 0.2) == pytest.approx(-1e-3, abs=1e-6)
+
+
+def test_touching_bodies_do_not_collide_however_they_are_turned() -> None:
+    gauge = Gauge(*forms(box(1, 1, 1), box(1, 1, 1)))
+    random = np.random.default_rng(0)
+    for _ in range(100):
+        shift = np.array([1, *random.uniform(-0.9, 0.9, 2)])
+        assert abs(gauge.distance(SAME, shift, inf)) < TOUCH
+
+
+def test_a_body_within_a_surface_does_not_overlap_it(tmp_path: Path) -> None:
+    shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
+    assert distance(shell, mesh(cube(tmp_path / "i.stl", 0.1, 5)), 0, 0, 0) > 0
+
+
+def test_a_limit_saves_work_and_keeps_what_is_below_it(tmp_path: Path) -> None:
+    shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
+    for gap in (0.01, 0.2):
+        found = distance(shell, shell, 1 + gap, 0, 0, limit=0.1)
+        assert found == pytest.approx(gap) if gap < 0.1 else found >= 0.1
+    assert distance(shell, shell, -0.99, 0.3, 0.2, limit=-1.0) == pytest.approx(-0.01, abs=1e-6)
+
+
+def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
+    """Two open boxes, one's edge in the other's opening: the hulls overlap, the meshes do not."""
+    shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
+    (one, two) = forms(shell, sphere(0.1))
+    assert not one.is_convex
+    assert Gauge(one, two).distance(SAME, np.array([0.0, 0, 0.45]), inf) > 0
+
+
+def test_the_volume_of_a_cube(tmp_path: Path) -> None:
+    (one,) = forms(mesh(cube(tmp_path / "c.stl", 0.5)))
+    assert volume(one.solid.vertices, one.solid.faces) == pytest.approx(1)
+
+
+def rotations(count: int, seed: int) -> Floats:
+    """Random rotations (n, 3, 3)."""
+    matrices = np.linalg.qr(np.random.default_rng(seed).normal(size=(count, 3, 3)))[0]
+    matrices[:, :, 0] *= np.linalg.det(matrices)[:, None]
+    return matrices
+
+
+def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> None:
+    first, second = forms(box(1, 0.4, 0.2), box(0.3, 0.3, 0.8))
+    turns = rotations(400, 0)
+    offsets = np.random.default_rng(1).normal(size=(400, 3)) * 0.6
+    bound = apart(first.half, second.half, first.radius + second.radius, turns, offsets, inf)
+    gauge = Gauge(first, second)
+    true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
+    assert (bound <= np.maximum(true, 0) + 1e-9).all()
+    near = np.abs(true) > 1e-6
+    assert ((bound > 0) <= (true > 0))[near].all()
+    assert (bound[true > 1e-6] > 0).mean() == 1  # fifteen axes leave no doubt
+
+
+def test_no_point_of_a_body_moves_farther_than_told() -> None:
+    turns, offsets = rotations(200, 2), np.random.default_rng(3).normal(size=(200, 3))
+    points = np.array(list(product((-0.1, 0.1), (-0.2, 0.2), (-0.3, 0.3))))
+    radius = float(np.linalg.norm(points[0]))
+    some = poses(turns, offsets, radius)
+    placed = points @ turns.transpose(0, 2, 1) + offsets[:, None]
+    way = np.linalg.norm(placed - placed[0], axis=2).max(axis=1)
+    told = moved(some, some[0])
+    assert (way <= told + 1e-12).all()
+    assert told[0] == 0
+
+
+def test_what_was_measured_bounds_what_is_around() -> None:
+    turns, offsets = rotations(300, 4), np.random.default_rng(5).normal(size=(300, 3)) * 0.4
+    gauge = Gauge(*forms(box(0.3, 0.2, 0.1), sphere(0.1)))
+    some = poses(turns, offsets, gauge.second.radius)
+    true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
+    cover = Cover()
+    assert (cover.bound(some) == -inf).all()
+    for known in range(200):
+        cover.add(some[known], max(0.0, true[known]))
+    assert (cover.bound(some) <= np.maximum(true, 0) + 1e-5).all()
+
+
+def test_a_vertex_with_more_edges_than_coal_can_count(tmp_path: Path) -> None:
+    turn = np.linspace(0, 2 * np.pi, 300, endpoint=False)
+    rim = np.stack([0.1 * np.cos(turn), 0.1 * np.sin(turn), 0 * turn], axis=1)
+    faces = [[rim[i], rim[i - 1], (0, 0, end)] for i in range(300) for end in (-0.1, 0.1)]
+    (tmp_path / "spindle.stl").write_bytes(stl(faces))
+    spindle = mesh(tmp_path / "spindle.stl")
+    for gap in (0.3, 1e-3):
+        assert distance(spindle, sphere(0.05), 0, 0, 0.15 + gap) == pytest.approx(gap, abs=1e-6)
+        assert distance(spindle, sphere(0.05), 0.15 + gap, 0, 0) == pytest.approx(gap, abs=1e-4)
+    assert distance(spindle, sphere(0.05), 0, 0, 0.14) < 0

@@ -1,0 +1,141 @@
+"""What the shortcuts leave out is what measuring everything would not have found."""
+
+from __future__ import annotations
+
+from itertools import combinations, pairwise
+from math import inf
+from pathlib import Path
+
+import pytest
+
+np = pytest.importorskip("numpy")
+pytest.importorskip("coal")
+
+from tests.physics.collision.robots import (
+    box,
+    cube,
+    cylinder,
+    joint,
+    link,
+    mesh,
+    revolute,
+    robot,
+    sphere,
+)
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.mesh.geometry import Floats
+from urdfkit.physics.collision.batch_kinematics import Chain, chain
+from urdfkit.physics.collision.collision_geometry import TOUCH, form
+from urdfkit.physics.collision.geometry_arrays import solids
+from urdfkit.physics.collision.pair_queries import SLACK, Examiner, Pair
+
+
+def examiner(subject: Subject) -> Examiner:
+    bodies, _ = solids(subject.model, subject.meshes)
+    return Examiner(chain(subject.tree), map(form, bodies))
+
+
+def everything(one: Examiner, pair: Pair, rows: Floats) -> Floats:
+    """(n,): the signed distance of two links, each of their bodies measured in each sample."""
+    frames = one.frames(rows, pair)
+    found = np.full(len(rows), inf)
+    for first, second, gauge in one.gauges(pair):
+        for sample in range(len(rows)):
+            way = np.linalg.inv(frames[first][sample]) @ frames[second][sample]
+            distance = gauge.distance(way[:3, :3], way[:3, 3], inf)
+            found[sample] = min(found[sample], distance)
+    return found
+
+
+def arm(folder: Path) -> Subject:
+    """Six links with all sorts of bodies, some of them surfaces, that often collide."""
+    shell = mesh(cube(folder / "shell.stl", 0.06, 5))
+    solid = mesh(cube(folder / "solid.stl", 0.05))
+    turn = revolute(-2.5, 2.5, "0 1 0")
+    return robot(
+        link("base", box(0.3, 0.3, 0.1)),
+        link("a", cylinder(0.05, 0.3) + "@0 0 0.15", sphere(0.07)),
+        link("b", shell + "@0 0 0.1", solid + "@0 0 0.2"),
+        link("c", sphere(0.05), shell + "@0 0 0.1"),
+        link("d", solid + "@0 0 0.1"),
+        joint("base", "a", "continuous", "0 0 0.06", '<axis xyz="0 0 1"/>'),
+        joint("a", "b", "revolute", "0 0 0.3", turn),
+        joint("b", "c", "revolute", "0 0 0.25", turn),
+        joint("c", "d", "prismatic", "0 0 0.1", revolute(-0.1, 0.1)),
+    )
+
+
+def agree(one: Examiner, rows: Floats) -> int:
+    """Compare the shortcuts with measuring everything; how many collisions there are."""
+    pairs = list(combinations(one.links, 2))
+    counted = one.look(pairs).at(rows, count=True)
+    searched = one.look(pairs).at(rows, count=False)
+    total = 0
+    for pair, seen, quick in zip(pairs, counted, searched, strict=True):
+        true = everything(one, pair, rows)
+        hits = int((true < -TOUCH).sum())
+        total += hits
+        assert seen.hits == hits
+        assert quick.hits == (hits > 0)
+        assert seen.row >= 0
+        assert seen.distance == pytest.approx(true[seen.row], abs=1e-6)
+        if hits:
+            assert seen.distance < 0
+        else:
+            assert true.min() >= (1 - SLACK) * seen.distance - 1e-6
+    return total
+
+
+def test_a_robot_of_all_sorts_of_bodies(tmp_path: Path) -> None:
+    one = examiner(arm(tmp_path))
+    assert agree(one, one.chain.samples(200, 0, 0)) > 100
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "moveit_resources/panda_description/urdf/panda.urdf",
+        "moveit_resources/fanuc_description/urdf/fanuc.urdf",
+    ],
+)
+def test_real_arms(corpus: Path, path: str) -> None:
+    one = examiner(read(corpus / path))
+    assert agree(one, one.chain.samples(25, 1, 0)) > 0
+
+
+def test_a_look_goes_on_from_block_to_block(tmp_path: Path) -> None:
+    one = examiner(arm(tmp_path))
+    pairs = [(0, 3)]
+    rows = one.chain.samples(300, 0, 0)
+    look = one.look(pairs)
+    seen = [look.at(rows[start : start + 100], count=True)[0] for start in (0, 100, 200)]
+    (whole,) = one.look(pairs).at(rows, count=True)
+    assert sum(part.hits for part in seen) == whole.hits
+    assert min(part.distance for part in seen) == seen[-1].distance
+    free = one.look(pairs)
+    first = next(i for i, part in enumerate(seen) if part.hits)
+    hits = [free.at(rows[s : s + 100], count=False)[0].hits for s in (0, 100, 200)]
+    assert sum(hits) == 1
+    assert hits[first] == 1
+
+
+def test_what_is_beyond_the_limit_is_passed_over(tmp_path: Path) -> None:
+    one = examiner(
+        robot(link("a", sphere(0.1)), link("b", sphere(0.1)), joint("a", "b", origin="1 0 0"))
+    )
+    rows = one.chain.default[None]
+    (seen,) = one.look([(0, 1)]).at(rows, count=True)
+    assert (seen.hits, seen.row) == (0, 0)
+    assert seen.distance == pytest.approx(0.8)
+    (seen,) = one.look([(0, 1)], [0.5]).at(rows, count=True)
+    assert (seen.hits, seen.distance, seen.row) == (0, 0.5, -1)
+
+
+def test_memory_is_that_of_a_block() -> None:
+    """The frames of a thousand samples of a hundred links."""
+    names = [f"l{number}" for number in range(100)]
+    joints = [joint(a, b, "continuous", "0 0 1") for a, b in pairwise(names)]
+    arrays: Chain = chain(robot(*map(link, names), *joints).tree)
+    frames = arrays.frames(arrays.samples(1000, 0, 0), range(100))
+    assert sum(frame.nbytes for frame in frames.values()) < 15e6

@@ -1,0 +1,185 @@
+"""Poses as people give them: on the command line, in files, as states of an SRDF."""
+
+from __future__ import annotations
+
+import json
+from math import pi
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, needs_corpus
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.physics.poses import PoseError, outside_limits, pose
+
+ROBOT = """<robot name="r">
+<link name="base"/><link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/>
+<joint name="turn" type="revolute"><parent link="base"/><child link="a"/>
+  <limit lower="-1" upper="2" effort="1" velocity="1"/></joint>
+<joint name="slide" type="prismatic"><parent link="a"/><child link="b"/>
+  <limit lower="0" upper="0.1" effort="1" velocity="1"/></joint>
+<joint name="follower" type="continuous"><parent link="b"/><child link="c"/>
+  <mimic joint="turn"/></joint>
+<joint name="weld" type="fixed"><parent link="c"/><child link="d"/></joint>
+<joint name="free" type="floating"><parent link="d"/><child link="e"/></joint>
+</robot>"""
+
+SRDF = """<robot name="r">
+<group name="arm"><joint name="turn"/></group><group name="tool"><joint name="slide"/></group>
+<group_state name="ready" group="arm"><joint name="turn" value="0.5"/>
+  <joint name="follower" value="0.5"/><joint name="free" value="0 0 0 0 0 0 1"/></group_state>
+<group_state name="ready" group="tool"><joint name="slide" value="0.05"/></group_state>
+<group_state name="folded" group="arm"><joint name="turn" value="2"/></group_state>
+</robot>"""
+
+
+#: A list of lists that would be written with 10^12 letters.
+BOMB = "turn:\n- &a0 x\n" + "".join(
+    f"- &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]\n" for n in range(1, 13)
+)
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Subject:
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    (tmp_path / "r.srdf").write_text(SRDF)
+    return read(tmp_path / "r.urdf")
+
+
+@pytest.mark.parametrize(
+    ("joint", "text", "position"),
+    [
+        ("turn", "1.5", 1.5),
+        ("turn", "90deg", pi / 2),
+        ("turn", "-45 deg", -pi / 4),
+        ("turn", "180°", pi),
+        ("turn", " 1e-3 ", 0.001),
+        ("turn", 2, 2.0),
+        ("slide", 0.1, 0.1),
+    ],
+)
+def test_a_position(robot: Subject, joint: str, text: str | float, position: float) -> None:
+    assert pose(robot, {joint: text}) == {joint: pytest.approx(position, rel=1e-15)}
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"tunr": "1"}, "there is no joint 'tunr'; did you mean 'turn'?"),
+        ({"turn": "fast"}, "joint 'turn': 'fast' is no position; write 1.57, 90deg or 0.1"),
+        ({"turn": "nan"}, "joint 'turn': 'nan' is no position; write 1.57, 90deg or 0.1"),
+        ({"turn": "deg"}, "joint 'turn': 'deg' is no position; write 1.57, 90deg or 0.1"),
+        ({"slide": "5deg"}, "joint 'slide' slides; write its position in m, not in degrees"),
+        ({"follower": "1"}, "joint 'follower' follows 'turn'; give the position of that one"),
+        ({"weld": "1"}, "joint 'weld' is fixed: it does not move"),
+        (
+            {"free": "1"},
+            "joint 'free' is floating: it takes several numbers, and stays at its origin",
+        ),
+    ],
+)
+def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], told: str) -> None:
+    with pytest.raises(PoseError) as error:
+        pose(robot, given)
+    assert str(error.value) == told
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "turn: 90deg\nslide: 0.1\n",
+        "turn: 1.5707963267948966\nslide: 1e-1\n",
+        json.dumps({"turn": "90deg", "slide": 0.1}),
+        '{\n\t"turn": "90deg",\n\t"slide": 0.1\n}',
+    ],
+)
+def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
+    (tmp_path / "pose").write_text(text)
+    expected = {"turn": pytest.approx(pi / 2, rel=1e-15), "slide": 0.1}
+    assert pose(robot, name=str(tmp_path / "pose")) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", "it must hold one 'joint: position' a line, as YAML or JSON"),
+        ("- 1\n", "it must hold one 'joint: position' a line, as YAML or JSON"),
+        ("a: [", "neither YAML nor JSON"),
+        ("turn: [1]\n", "joint 'turn': 'list' is no position"),
+        ("turn: 0x" + 5000 * "f", "joint 'turn': 'int' is no position"),
+        (BOMB, "joint 'turn': 'list' is no position"),
+        ("turn: true\n", "joint 'turn': 'True' is no position"),
+        ("turn:\n", "joint 'turn': 'None' is no position"),
+        ("? [a, b]\n: 1\n", "neither YAML nor JSON"),
+        ("[" * 20_000, "nested too deeply"),
+        ("turn: 2001-02-30", "neither YAML nor JSON"),
+        ("#" * 1_100_000, "larger than 1 MiB"),
+        ("elbow: 1\nshoulder: 0\nelbow: 2\n", "joint 'elbow' is given twice"),
+        ('{"elbow": 1, "elbow": 2}', "joint 'elbow' is given twice"),
+    ],
+)
+def test_a_file_that_is_no_pose_is_told(
+    robot: Subject, tmp_path: Path, text: str, told: str
+) -> None:
+    (tmp_path / "pose.yaml").write_text(text)
+    with pytest.raises(PoseError) as error:
+        pose(robot, name=str(tmp_path / "pose.yaml"))
+    assert told in str(error.value)
+
+
+def test_a_folder_is_no_file(robot: Subject, tmp_path: Path) -> None:
+    with pytest.raises(UnreadableFile):
+        pose(robot, name=str(tmp_path))
+
+
+def test_a_state_of_the_srdf(robot: Subject) -> None:
+    assert pose(robot, name="ready") == {"turn": 0.5, "slide": 0.05}
+    assert pose(robot, name="arm/ready") == {"turn": 0.5}
+    assert pose(robot, {"slide": "0"}, "ready") == {"turn": 0.5, "slide": 0.0}
+
+
+def test_an_unknown_state_is_told_with_those_there_are(robot: Subject) -> None:
+    with pytest.raises(PoseError, match=r"did you mean 'folded'\?"):
+        pose(robot, name="fodled")
+    with pytest.raises(
+        PoseError, match="; there are ready, arm/ready, tool/ready, folded, arm/folded"
+    ):
+        pose(robot, name="xyz")
+
+
+def test_what_leaves_the_limits_is_told(robot: Subject) -> None:
+    assert outside_limits(robot.tree, {"turn": 2.0, "slide": 0.0}) == []
+    assert outside_limits(robot.tree, {"turn": 2.5, "slide": -0.01}) == [
+        "joint 'turn' at 2.5 rad is outside its limits -1 to 2 rad",
+        "joint 'slide' at -0.01 m is outside its limits 0 to 0.1 m",
+    ]
+
+
+def test_a_state_of_a_named_srdf(robot: Subject, tmp_path: Path) -> None:
+    (tmp_path / "other.srdf").write_text(SRDF.replace("0.5", "0.75"))
+    assert pose(robot, name=f"{tmp_path}/other.srdf:arm/ready") == {"turn": 0.75}
+    (tmp_path / "no.srdf").write_text("<sdf/>")
+    with pytest.raises(PoseError, match=r"no.srdf: it is no SRDF"):
+        pose(robot, name=f"{tmp_path}/no.srdf:ready")
+
+
+def test_without_an_srdf_there_are_no_states(tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    with pytest.raises(PoseError, match="no pose file 'ready', nor an SRDF with such a state"):
+        pose(read(tmp_path / "r.urdf"), name="ready")
+
+
+@needs_corpus
+def test_states_of_real_robots() -> None:
+    robots = CORPUS / "moveit_resources"
+    fanuc = read(robots / "fanuc_description" / "urdf" / "fanuc.urdf")
+    states = robots / "fanuc_moveit_config" / "config" / "fanuc.srdf"
+    zeros = {f"joint_{number}": 0.0 for number in range(1, 7)}
+    assert pose(fanuc, name=f"{states}:all-zeros") == zeros
+    panda = read(robots / "panda_description" / "urdf" / "panda.urdf")
+    states = robots / "panda_moveit_config" / "config" / "panda.srdf"
+    ready = pose(panda, name=f"{states}:ready")
+    assert ready["panda_joint4"] == -2.356
+    assert outside_limits(panda.tree, ready) == []

@@ -1,0 +1,33 @@
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+
+from urdfkit.core.spatial import IDENTITY, Frame, Rotation, multiply, rotate, transposed
+from urdfkit.robot.assets.visual_collision import QUARTERS, turned
+from urdfkit.robot.shapes import Box
+
+
+def test_the_quarter_turns_are_the_rotations_of_a_cube() -> None:
+    corners = {(x, y, z) for x, y, z in product((1.0, -1.0), repeat=3)}
+    assert len({*QUARTERS, IDENTITY}) == 24
+    for turn in QUARTERS:
+        assert multiply(turn, transposed(turn)) == IDENTITY
+        assert {rotate(turn, corner) for corner in corners} == corners
+    angles = [turn[0][0] + turn[1][1] + turn[2][2] for turn in QUARTERS]
+    assert angles == sorted(angles, reverse=True)
+
+
+@pytest.mark.parametrize("turn", QUARTERS)
+def test_a_box_is_turned_about_a_point(turn: Rotation) -> None:
+    about = Frame(position=(1, -2, 3))
+    box = Box((0.5, 0, 1), (2, 1, 4))
+    corners = [
+        about.apply(rotate(turn, (x - 1, y + 2, z - 3)))
+        for x, y, z in product(*zip(*box, strict=True))
+    ]
+    columns = list(zip(*corners, strict=True))
+    found = turned(box, turn, about)
+    assert found.low == pytest.approx([min(column) for column in columns])
+    assert found.high == pytest.approx([max(column) for column in columns])

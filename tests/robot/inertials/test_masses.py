@@ -1,0 +1,202 @@
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import manifest, model_id, needs_corpus
+from tests.massive import BALL, MESH, inertial, joint, link, masses, part, shape, subject
+from urdfkit.lint import engine, rule_examples, rules
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import TOLD_BY_MASSES, codes
+from urdfkit.robot.inertials.link_comparison import by_tensor
+from urdfkit.robot.inertials.masses import unlike
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
+EXPANDABLE = [entry for entry in manifest() if "mujoco_prepared" in entry[1].get("expect", ())]
+BALANCED = (0.004, 0.004, 0.004)
+
+
+def overlooked(one: Subject) -> set[str]:
+    """The codes of rules that were not called for and have something to say."""
+    if one.reading.document is None:
+        return set()
+    waiting = TOLD_BY_MASSES.intersection(codes()) - one.masses.told
+    return {code for code in waiting if any(rules.get(code).check(one))}
+
+
+def test_the_rules_about_masses_wait_to_be_called() -> None:
+    of_masses = {code for code in codes() if code.startswith("INE")}
+    assert of_masses | {"XAC014"} == TOLD_BY_MASSES
+
+
+@pytest.mark.parametrize("code", codes())
+@pytest.mark.parametrize("which", ["BAD", "GOOD"])
+def test_no_rule_is_overlooked_that_would_speak_of_an_example(code: str, which: str) -> None:
+    text = rules.get(code).example(which)
+    assert text
+    with rule_examples.laid_out(rules.get(code), text) as source:
+        assert overlooked(Subject(source, Resolver(environment={}))) == set()
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", PLAIN, ids=model_id)
+def test_no_rule_is_overlooked_that_would_speak_of_a_real_robot(
+    entry: tuple[Path, dict[str, Any]],
+) -> None:
+    folder, model = entry
+    assert (
+        overlooked(Subject(Source.read(folder / model["path"]), Resolver(environment={}))) == set()
+    )
+
+
+@pytest.mark.parametrize(("mass", "is_told"), [(-1, True), (0, True), (1e-9, False)])
+def test_a_mass_that_is_none_calls_its_rules(mass: float, is_told: bool) -> None:
+    robot = part("base", 1, BALANCED, BALL) + part("arm", mass, BALANCED, BALL)
+    told = masses(robot + joint("base", "arm", "revolute")).told
+    assert told.issuperset(("INE001", "INE016")) == is_told
+    assert told.isdisjoint(("INE001", "INE016")) != is_told
+
+
+@pytest.mark.parametrize(
+    ("moments", "found"),
+    [
+        ((0, 1, 1), True),
+        ((1e-9, 1, 1), True),
+        ((1.1e-9, 1, 1), False),
+        ((0, 1e-15, 1e-15), False),  # INE005 tells that there is none at all
+        ((0, 1.1e-15, 1.1e-15), True),
+    ],
+)
+def test_a_body_is_singular_if_it_has_no_moment_about_one_axis(
+    moments: tuple[float, float, float], found: bool
+) -> None:
+    robot = link("base", inertial(1, (1, 1, 1))) + link("rod", inertial(1, moments))
+    assert bool(masses(robot + joint("base", "rod", "revolute")).singular) == found
+    assert not masses(robot + joint("base", "rod")).singular
+
+
+def test_a_good_robot_calls_no_rule() -> None:
+    robot = (
+        part("base", 1, BALANCED, BALL)
+        + part("arm", 0.5, (0.002, 0.002, 0.002), BALL)
+        + link("tip")
+        + joint("base", "arm", "revolute")
+        + joint("arm", "tip")
+    )
+    assert masses(robot).told == set()
+
+
+def test_the_moments_of_a_body_and_what_matters() -> None:
+    found = masses(
+        part("base", 1, (0.1, 0.2, 0.25), BALL)
+        + part("mast", 1, (0.1, 0.2, 0.25), BALL)
+        + joint("base", "mast", xyz="0 0 2")
+    )
+    (body,) = found.bodies
+    assert found.moments_of(body) == pytest.approx((0.5, 2.2, 2.4))
+    assert found.matters(body, 0.0241)
+    assert not found.matters(body, 0.0239)
+
+
+def test_a_twin_hangs_where_its_twin_hangs() -> None:
+    arms = "".join(
+        part(f"{side}_{name}", 1, BALANCED, BALL)
+        for side in ("left", "right")
+        for name in ("arm", "hand")
+    )
+    good = (
+        arms
+        + link("torso")
+        + joint("torso", "left_arm")
+        + joint("torso", "right_arm")
+        + joint("left_arm", "left_hand")
+        + joint("right_arm", "right_hand")
+    )
+    assert names(good) == [("left_arm", "right_arm"), ("left_hand", "right_hand")]
+    odd = good.replace('<parent link="right_arm"/>', '<parent link="torso"/>')
+    assert names(odd) == [("left_arm", "right_arm")]
+
+
+def test_numbered_links_are_twins_if_they_mirror_each_other() -> None:
+    robot = link("base") + "".join(
+        part(f"wheel_{i}", 1, BALANCED, BALL) + joint("base", f"wheel_{i}", "continuous", xyz)
+        for i, xyz in enumerate(("0.1 0.2 0", "0.1 -0.2 0", "0.1 -0.3 0"))
+    )
+    assert names(robot) == [("wheel_0", "wheel_1")]
+
+
+def names(robot: str) -> list[tuple[str, str]]:
+    return [(left.link.name, right.link.name) for left, right in masses(robot).twins]
+
+
+@pytest.mark.parametrize(
+    ("mass", "moments", "expected"),
+    [
+        (1, (1, 1, 1), ""),
+        (1.19, (1, 1, 1), ""),
+        (1.21, (1, 1, 1), "mass"),
+        (0.8, (2, 2, 2), "mass"),
+        (1, (1, 1, 1.49), ""),
+        (1, (1, 1, 1.51), "inertia"),
+        (1, (0.6, 1, 1), "inertia"),
+    ],
+)
+def test_in_what_two_links_differ(mass: float, moments: tuple[float, ...], expected: str) -> None:
+    one, other = masses(part("a", 1, (1, 1, 1), BALL) + part("b", mass, moments, BALL)).weighed
+    assert unlike(one, other) == unlike(other, one) == expected
+
+
+def test_a_moment_that_is_next_to_nothing_may_differ() -> None:
+    robot = part("a", 1, (1, 1, 1e-5), BALL) + part("b", 1, (1, 1, 9e-3), BALL)
+    assert unlike(*masses(robot).weighed) == ""
+
+
+def test_groups_keep_the_order_of_the_document() -> None:
+    robot = "".join(part(f"l{i}", 1, (1 + i % 2,) * 3, BALL) for i in range(4))
+    groups = by_tensor(masses(robot).weighed)
+    assert [[one.link.name for one in group] for group in groups] == [["l0", "l2"], ["l1", "l3"]]
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        joint("a", "b") + joint("b", "a"),
+        joint("a", "b", "continuous") + joint("b", "a", "continuous"),
+        joint("a", "a"),
+        joint("x", "b"),
+        joint("c", "b") + joint("a", "b"),
+    ],
+)
+def test_every_graph_and_every_number(joints: str) -> None:
+    robot = (
+        part("a", 1, BALANCED, BALL)
+        + part("b", 1e300, (1e300, -1e300, 1e-300), BALL, xyz="1e300 0 0")
+        + part("b", -1, BALANCED, BALL)
+        + link("c", shape("collision", MESH), inertial(0, (0, 0, 0)))
+        + joints
+    )
+    report = engine.check(subject(robot).source, select=["INE", "GEO"])
+    assert report.crashed == ()
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", EXPANDABLE, ids=model_id)
+def test_mujoco_refuses_what_breaks_the_triangle_inequality(
+    entry: tuple[Path, dict[str, Any]],
+) -> None:
+    """MuJoCo names the first body that it refuses, and stops there."""
+    folder, model = entry
+    verdict = model["expect"]["mujoco_prepared"]
+    arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
+    report = engine.check(folder / model["path"], arguments=arguments, select=["INE002", "INE003"])
+    told = [diagnostic.element.split("/")[1] for diagnostic in report.diagnostics]
+    notes = [note.message for diagnostic in report.diagnostics for note in diagnostic.related]
+    if "A + B >= C" in verdict:
+        name = verdict.split("Element name '")[1].split("'")[0]
+        assert name in told or any(f"link '{name}'" in note for note in notes)
+    elif verdict == "ok":
+        assert told == []

@@ -1,0 +1,172 @@
+"""What the rules about joints share."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from tests.jointed import joint, limit, mimic, robot
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.robot import joints
+from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
+
+
+def model(text: str) -> RobotModel:
+    document, problems = read_xml(Source("robot.urdf", whole_robot(text).encode()))
+    assert document is not None
+    assert problems == []
+    return RobotModel(document)
+
+
+def one(kind: str, content: str) -> Joint:
+    return model(robot(joint("j", kind, content))).joints[0]
+
+
+@pytest.mark.parametrize(
+    ("kind", "content", "bounds"),
+    [
+        ("revolute", limit("-1", "2"), (-1.0, 2.0)),
+        ("prismatic", '<limit upper="2"/>', (0.0, 2.0)),
+        ("revolute", "<limit/>", (0.0, 0.0)),
+        ("revolute", limit("-1", "two"), None),
+        ("revolute", "", None),
+        ("continuous", limit("-1", "2"), None),
+        ("fixed", limit("-1", "2"), None),
+    ],
+)
+def test_bounds(kind: str, content: str, bounds: tuple[float, float] | None) -> None:
+    assert joints.bounds(one(kind, content)) == bounds
+
+
+@pytest.mark.parametrize(
+    ("content", "bounds"),
+    [
+        ('<safety_controller soft_lower_limit="-1" soft_upper_limit="2"/>', (-1.0, 2.0)),
+        ('<safety_controller soft_upper_limit="2"/>', (0.0, 2.0)),
+        ("<safety_controller/>", (0.0, 0.0)),
+        ('<safety_controller soft_lower_limit=""/>', None),
+        ("", None),
+    ],
+)
+def test_soft_bounds(content: str, bounds: tuple[float, float] | None) -> None:
+    assert joints.soft_bounds(one("continuous", content)) == bounds
+
+
+def test_units() -> None:
+    assert (joints.unit(one("revolute", "")), joints.effort_unit(one("revolute", ""))) == (
+        "rad",
+        "N m",
+    )
+    assert (joints.unit(one("prismatic", "")), joints.effort_unit(one("prismatic", ""))) == (
+        "m",
+        "N",
+    )
+
+
+@pytest.mark.parametrize(
+    ("count", "text"),
+    [
+        (1, "joint 'j0'"),
+        (2, "joints 'j0' and 'j1'"),
+        (3, "joints 'j0', 'j1' and 1 more"),
+        (9, "joints 'j0', 'j1' and 7 more"),
+    ],
+)
+def test_several(count: int, text: str) -> None:
+    robots = model(robot(*(joint(f"j{number}", "fixed") for number in range(count))))
+    assert joints.several(robots.joints) == text
+
+
+def test_driven() -> None:
+    text = robot(joint("a", "continuous"))
+    assert joints.driven(model(text)) == frozenset()
+    transmission = '<transmission name="t"><joint name="a"/><actuator name="m"/></transmission>'
+    control = (
+        '<ros2_control name="c" type="system"><joint name="b"><command_interface name="effort"/>'
+        '</joint><joint name="c"><state_interface name="position"/></joint></ros2_control>'
+    )
+    assert joints.driven(model(text + transmission + control)) == {"a", "b"}
+
+
+def zero(of: str, text: str) -> str:
+    """A limit in which effort or velocity is as given."""
+    return limit("-1", "1", **{of: text})
+
+
+def limited(of: str, text: str) -> list[str]:
+    """The joints whose effort or velocity is limited to zero."""
+    return [found.name for found, _ in joints.limited_to_zero(model(text), of)]
+
+
+@pytest.mark.parametrize("of", ["effort", "velocity"])
+@pytest.mark.parametrize(
+    ("kind", "text", "rest", "count"),
+    [
+        ("revolute", "0", "", 1),
+        ("prismatic", "0.0", "", 1),
+        ("continuous", "0", "", 1),
+        ("revolute", "5", "", 0),
+        ("revolute", "-1", "", 0),  # JNT028
+        ("revolute", "x", "", 0),  # URD005
+        ("fixed", "0", "", 0),
+        ("revolute", "0", mimic("b"), 0),  # nothing drives it
+    ],
+)
+def test_limited_to_zero(of: str, kind: str, text: str, rest: str, count: int) -> None:
+    other = "velocity" if of == "effort" else "effort"
+    joined = joint("a", kind, zero(of, text) + rest), joint("b", "revolute", zero(other, "0"))
+    assert limited(of, robot(*joined)) == ["a"] * count
+    assert limited(of, robot(joint("a", "continuous"))) == []
+
+
+TRANSMISSION = '<transmission name="t"><joint name="{}"/></transmission>'
+CONTROL = (
+    '<ros2_control name="c" type="system"><joint name="{}">'
+    '<command_interface name="position"/></joint>'
+    '<joint name="a"><state_interface name="position"/></joint></ros2_control>'
+)
+
+
+@pytest.mark.parametrize("of", ["effort", "velocity"])
+@pytest.mark.parametrize("drive", [TRANSMISSION, CONTROL])
+def test_a_joint_that_nothing_drives_is_passive_where_others_are_driven(
+    of: str, drive: str
+) -> None:
+    text = robot(joint("a", "revolute", zero(of, "0")), joint("b", "revolute", zero(of, "5")))
+    assert limited(of, text + drive.format("b")) == []
+    assert limited(of, text + drive.format("a")) == ["a"]
+
+
+def test_where_a_joint_moves() -> None:
+    """Limits, or all there is where they mean nothing; no more than a turn, with 0 if it may."""
+
+    def ends(kind: str, lower: str = "", upper: str = "") -> tuple[float, float]:
+        return joints.span(one(kind, limit(lower, upper) if lower else ""))
+
+    assert ends("revolute", "-1", "2") == (-1, 2)
+    assert ends("revolute", "0.5", "0.5") == (0.5, 0.5)
+    for free in (("revolute",), ("revolute", "1", "-1"), ("continuous",), ("continuous", "0", "1")):
+        assert ends(*free) == (-pi, pi)
+    assert ends("revolute", "-1e308", "1e308") == (-pi, pi)
+    assert ends("revolute", "-1", "9") == (-1, 2 * pi - 1)
+    assert ends("revolute", "-9", "1") == (1 - 2 * pi, 1)
+    assert ends("revolute", "0", "7") == (0, 2 * pi)
+    assert ends("revolute", "100", "110") == (100, 100 + 2 * pi)
+    assert ends("prismatic", "-0.1", "0.2") == (-0.1, 0.2)
+    assert ends("prismatic", "-1e308", "1e308") == (-joints.FAR, joints.FAR)
+    assert ends("prismatic", "2000", "3000") == (joints.FAR, joints.FAR)
+    for still in (("prismatic",), ("prismatic", "1", "-1"), ("fixed", "1", "2"), ("planar",)):
+        assert ends(*still) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "start"),
+    [("-1", "2", 0), ("0", "2", 0), ("-2", "0", 0), ("1", "2", 1.5), ("-2", "-1", -1.5)],
+)
+def test_where_a_joint_begins(lower: str, upper: str, start: float) -> None:
+    for kind in ("revolute", "prismatic"):
+        assert joints.start_of(one(kind, limit(lower, upper))) == start
+    assert joints.start_of(one("revolute", limit("7", "20"))) == pytest.approx(7 + pi)

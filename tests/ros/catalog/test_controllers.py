@@ -1,0 +1,51 @@
+"""The facts about controllers hang together."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.ros.catalog import ros_control
+from urdfkit.ros.catalog.controllers import classes, of_manager, parameters_of, successor
+
+KINDS = ("bool", "int", "double", "string")
+
+
+@pytest.mark.parametrize("name", classes(2))
+def test_a_class_of_ros_2_is_described_in_the_terms_that_are_documented(name: str) -> None:
+    known = parameters_of(name, 2)
+    assert known is not None
+    assert {kind.removesuffix("_array") for kind in known.types.values()} <= set(KINDS)
+    assert set(known.positive) <= {n for n, kind in known.types.items() if kind in KINDS[1:3]}
+    assert all(known.type_of(required) for required in known.required)
+
+
+@pytest.mark.parametrize("name", [n for n in classes(2) if n in ros_control.controllers()])
+def test_joints_are_texts(name: str) -> None:
+    known = parameters_of(name, 2)
+    assert known is not None
+    kinds = {known.type_of(joint) for joint in ros_control.controllers()[name].joints}
+    assert kinds <= {"string", "string_array", None}
+
+
+def test_a_name_may_stand_for_any_joint() -> None:
+    known = parameters_of("joint_trajectory_controller/JointTrajectoryController", 2)
+    assert known is not None
+    assert known.type_of("constraints.elbow.goal") == "double"
+    assert known.type_of("constraints.goal_time") == "double"
+    assert known.type_of("constraints.elbow.other") is None
+
+
+def test_what_is_not_known_is_nothing() -> None:
+    assert parameters_of("my_controllers/Mine", 2) is None
+    assert successor("my_controllers/Mine") is None
+
+
+def test_successors_are_there_and_their_forerunners_are_not() -> None:
+    moved = {name: meant for name in classes(1) if (meant := successor(name))}
+    assert moved
+    assert set(moved).isdisjoint(classes(2))
+    assert set(moved.values()) <= set(classes(2))
+
+
+def test_the_controller_manager_counts_in_whole_hertz() -> None:
+    assert of_manager().types == {"update_rate": "int"}

@@ -1,0 +1,37 @@
+"""The facts about the children of ``<gazebo>`` hang together."""
+
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.ros.catalog import data, extensions, plugins
+
+
+@pytest.mark.parametrize("tag", extensions.extensions())
+def test_a_tag_is_described_in_the_terms_that_are_documented(tag: str) -> None:
+    extension = extensions.extensions()[tag]
+    assert extension.tag == tag
+    assert extension.on in ("link", "joint", "model", "any")
+    assert extension.type in ("float", "int", "bool", "vector3", "string", "container", "any")
+    assert (extension.words in ("yes", "no")) is (extension.type == "bool")
+
+
+def test_wrong_names_are_wrong_and_right_ones_are_handled() -> None:
+    handled = extensions.extensions()
+    assert set(extensions.meant()).isdisjoint(handled)
+    assert set(extensions.meant().values()) <= set(handled)
+
+
+@pytest.mark.parametrize("kind", ["link", "joint", "model", "visual", "collision"])
+def test_children_of_sdf_are_sorted_and_unique(kind: str) -> None:
+    children = extensions.copied(kind)
+    assert children == sorted(set(children))
+
+
+def test_rewritten_parameters_are_read_by_some_plugin() -> None:
+    read = {name for plugin in plugins.all_plugins() for name in plugin.parameters}
+    assert set(extensions.rewritten()) <= read
+
+
+def test_the_source_is_named() -> None:
+    assert "parser_urdf.cc" in data("extensions")["source"]

@@ -1,0 +1,133 @@
+"""The facts about plugins hang together, and are found by every name that Gazebo accepts."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from urdfkit.ros.catalog import data, plugins
+
+TYPES = {
+    *plugins.REFERENCES,
+    *"frame float int bool string topic vector2 vector3 container path time color".split(),
+    *"quaternion pose angle".split(),
+}
+KINDS = {"model", "sensor", "visual", "world", "system", "actor"}
+GENERATIONS = {name for names in plugins.GENERATIONS.values() for name in names}
+
+each = pytest.mark.parametrize("plugin", plugins.all_plugins(), ids=lambda plugin: plugin.id)
+
+
+@each
+def test_a_plugin_is_described_in_the_terms_that_are_documented(plugin: plugins.Plugin) -> None:
+    assert plugin.files
+    assert plugin.generation in GENERATIONS
+    assert f"@{plugin.generation}" in plugin.id
+    assert set(plugin.kinds) <= KINDS
+    assert bool(plugin.kinds) is not plugin.removed
+    assert {parameter.type for parameter in plugin.parameters.values()} <= TYPES
+    assert all(name == parameter.name for name, parameter in plugin.parameters.items())
+    assert set(plugin.any_of) <= set(plugin.parameters)
+    assert all(re.compile(pattern) for pattern in plugin.patterns)
+    assert bool(plugin.class_name) <= (plugin.generation == "gz")
+    assert bool(plugin.fortress_class) == bool(plugin.fortress_files)
+
+
+@each
+def test_defaults_are_values_of_their_type(plugin: plugins.Plugin) -> None:
+    for parameter in plugin.parameters.values():
+        if parameter.default is not None and parameter.words and parameter.type == "string":
+            assert parameter.default in parameter.words
+        if parameter.default is not None and parameter.type == "bool":
+            assert parameter.default in ("true", "false")
+
+
+@each
+def test_every_name_leads_to_it(plugin: plugins.Plugin) -> None:
+    assert all(plugin in plugins.find(file) for file in (*plugin.files, *plugin.fortress_files))
+
+
+@each
+def test_every_successor_exists_in_another_generation(plugin: plugins.Plugin) -> None:
+    if plugin.successor is not None:
+        successors = [one for one in plugins.find(plugin.successor) if not one.removed]
+        assert successors
+        assert [one for one in successors if one.id != plugin.id]
+
+
+def test_ids_are_unique_and_one_class_of_a_file_is_one_plugin() -> None:
+    everything = plugins.all_plugins()
+    assert len({plugin.id for plugin in everything}) == len(everything) == 197
+    for file in plugins.files():
+        found = [(plugin.generation, plugin.class_name) for plugin in plugins.find(file)]
+        assert len(found) == len(set(found)), file
+
+
+def test_the_sources_of_every_generation_are_named() -> None:
+    assert set(data("plugins")["sources"]) == GENERATIONS
+
+
+def test_renames_lead_to_tags_that_some_plugin_of_ros2_reads() -> None:
+    read = {
+        name
+        for plugin in plugins.all_plugins()
+        if plugin.generation == "classic-ros2"
+        for name in plugin.parameters
+    }
+    old = {
+        name
+        for plugin in plugins.all_plugins()
+        if plugin.generation == "classic-ros1"
+        for name in plugin.parameters
+    }
+    renames = plugins.renames()
+    assert set(renames) <= old
+    assert set(renames.values()) <= read
+
+
+@pytest.mark.parametrize(
+    ("filename", "plugin"),
+    [
+        ("libgazebo_ros_diff_drive.so", "gazebo_ros_diff_drive@classic-ros1"),
+        ("gz-sim-diff-drive-system", "gz-sim-diff-drive-system@gz"),
+        ("gz-sim8-diff-drive-system", "gz-sim-diff-drive-system@gz"),
+        ("libgz-sim-diff-drive-system.so", "gz-sim-diff-drive-system@gz"),
+        ("/opt/ros/lib/libgz-sim8-diff-drive-system.so", "gz-sim-diff-drive-system@gz"),
+        ("ignition-gazebo6-diff-drive-system", "gz-sim-diff-drive-system@gz"),
+        ("libignition-gazebo-diff-drive-system", "gz-sim-diff-drive-system@gz"),
+        ("gz_ros2_control-system.so", "gz_ros2_control-system@gz"),
+    ],
+)
+def test_names_as_gazebo_forgives_them(filename: str, plugin: str) -> None:
+    assert plugin in [found.id for found in plugins.find(filename)]
+
+
+@pytest.mark.parametrize("filename", ["gazebo_ros_diff_drive", "libvendor.so", "", "gz-sim-"])
+def test_a_name_of_no_plugin(filename: str) -> None:
+    assert plugins.find(filename) == ()
+
+
+def test_what_a_plugin_reads() -> None:
+    (drive,) = (p for p in plugins.find("libgazebo_ros_diff_drive.so") if "ros2" in p.id)
+    assert drive.reads("left_joint")
+    assert drive.reads("ros")
+    assert drive.reads("ros/namespace")
+    assert not drive.reads("leftJoint")
+    (slip,) = plugins.find("libWheelSlipPlugin.so")
+    assert slip.reads("wheel")
+    assert slip.reads("wheel/@link_name")
+    assert not slip.reads("wheel/radius")
+    (harness,) = (p for p in plugins.find("libgazebo_ros_harness.so") if "ros1" in p.id)
+    assert harness.reads("joint/parent"), "a free-form block"
+    (hydrodynamics,) = plugins.find("gz-sim-hydrodynamics-system")
+    assert hydrodynamics.reads("xDotU")
+    assert not hydrodynamics.reads("xDotA")
+
+
+def test_each_file_name_finds_the_plugins_that_have_it() -> None:
+    having = {
+        file: [p for p in plugins.all_plugins() if file in (*p.files, *p.fortress_files)]
+        for file in plugins.files()
+    }
+    assert {file: list(plugins.find(file)) for file in plugins.files()} == having

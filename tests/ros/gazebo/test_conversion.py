@@ -1,0 +1,272 @@
+"""What Gazebo makes of a robot, against libsdformat itself."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tests.conftest import MODELS, manifest
+from urdfkit.lint.context import Subject
+from urdfkit.ros.gazebo.conversion import NEW, OLD, Conversion
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+DUMP = r"""
+#include <sdf/sdf.hh>
+#include <iomanip>
+#include <iostream>
+using std::cout, std::string;
+static void names(const sdf::ElementPtr &link, const string &kind) {
+  if (!link->HasElement(kind)) return;
+  for (auto e = link->GetElement(kind); e; e = e->GetNextElement(kind))
+    cout << kind << "\t" << e->Get<string>("name") << "\n";
+}
+int main(int count, char **files) {
+  sdf::Console::Instance()->SetQuiet(true);
+  cout << std::setprecision(15);
+  for (int i = 1; i < count; ++i) {
+    sdf::SDFPtr robot(new sdf::SDF());
+    sdf::init(robot);
+    sdf::Errors errors;
+    cout << "file\t" << files[i] << "\n";
+    if (!sdf::readFile(files[i], robot, errors) || !robot->Root()->HasElement("model")) continue;
+    auto model = robot->Root()->GetElement("model");
+    if (model->HasElement("link"))
+      for (auto l = model->GetElement("link"); l; l = l->GetNextElement("link")) {
+        cout << "link\t" << l->Get<string>("name");
+        if (l->HasElement("inertial")) {
+          auto inertial = l->GetElement("inertial");
+          auto at = inertial->Get<ignition::math::Pose3d>("pose").Pos();
+          auto moments = inertial->GetElement("inertia");
+          cout << "\t" << inertial->Get<double>("mass") << "\t" << at.X() << "\t" << at.Y() << "\t"
+               << at.Z() << "\t"
+               << moments->Get<double>("ixx") + moments->Get<double>("iyy") +
+                      moments->Get<double>("izz");
+        }
+        cout << "\n";
+        names(l, "collision");
+        names(l, "visual");
+      }
+    if (model->HasElement("joint"))
+      for (auto j = model->GetElement("joint"); j; j = j->GetNextElement("joint"))
+        cout << "joint\t" << j->Get<string>("name") << "\t" << j->Get<string>("type") << "\t"
+             << j->Get<string>("parent") << "\t" << j->Get<string>("child") << "\n";
+  }
+}
+"""
+
+
+class Simulated(NamedTuple):
+    """A model as libsdformat converts it."""
+
+    links: dict[str, tuple[float, ...]]
+    joints: dict[str, tuple[str, ...]]
+    collisions: list[str]
+    visuals: list[str]
+
+
+@pytest.fixture(scope="module")
+def sdformat(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A program that prints what libsdformat makes of URDF files."""
+    flags = None
+    if shutil.which("g++") and shutil.which("pkg-config"):
+        found = subprocess.run(
+            ["pkg-config", "--cflags", "--libs", "sdformat12"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        flags = found.stdout.split() if found.returncode == 0 else None
+    if flags is None:
+        pytest.skip("g++ and libsdformat 12 (Debian: libsdformat-dev) are not installed")
+    folder = tmp_path_factory.mktemp("sdformat")
+    (folder / "dump.cc").write_text(DUMP)
+    program = folder / "dump"
+    subprocess.run(
+        ["g++", "-std=c++17", "-O0", str(folder / "dump.cc"), "-o", str(program), *flags],
+        check=True,
+        capture_output=True,
+    )
+    return program
+
+
+def convert(program: Path, folder: Path, text: str) -> Simulated:
+    file = folder / "robot.urdf"
+    file.write_text(text)
+    lines = subprocess.run([program, file], capture_output=True, text=True, check=True).stdout
+    simulated = Simulated({}, {}, [], [])
+    for line in lines.splitlines():
+        kind, name, *rest = line.split("\t")
+        if kind == "link":
+            simulated.links[name] = tuple(map(float, rest))
+        elif kind == "joint":
+            simulated.joints[name] = tuple(rest)
+        elif kind in ("collision", "visual"):
+            getattr(simulated, f"{kind}s").append(name)
+    return simulated
+
+
+def compare(conversion: Conversion, expected: Simulated) -> None:
+    """Links with their mass properties, joints, and names of shapes are the same."""
+    links = {link.name: link for link in conversion.links}
+    assert set(links) == set(expected.links) - conversion.added
+    for name, link in links.items():
+        mass, tensor = link.properties, link.properties.tensor
+        measured = (mass.mass, *mass.center, tensor.ixx + tensor.iyy + tensor.izz)
+        assert measured == pytest.approx(expected.links[name], rel=1e-6, abs=1e-6)
+    joints = {
+        joint.joint.name: (joint.type, joint.parent, joint.child) for joint in conversion.joints
+    }
+    assert joints == {
+        name: joint for name, joint in expected.joints.items() if name not in conversion.added
+    }
+    for kind in ("collisions", "visuals"):
+        named = [name for link in conversion.links for name, _ in getattr(link, kind)]
+        assert sorted(named) == sorted(getattr(expected, kind))
+
+
+def robots() -> Iterator[object]:
+    for folder, model in manifest():
+        yield pytest.param(folder / model["path"], model, id=f"{folder.name}/{model['path']}")
+
+
+def subject(path: Path, *arguments: str) -> Subject:
+    values = dict(argument.split(":=", 1) for argument in arguments)
+    return Subject(Source.read(path), Resolver(), values)
+
+
+@pytest.mark.parametrize(("path", "model"), list(robots()))
+def test_every_robot_of_the_corpus_is_converted_as_libsdformat_does(
+    sdformat, tmp_path, path, model
+):
+    robot = subject(path, *model["xacro_args"])
+    if robot.reading.document is None:
+        pytest.skip("it does not expand here")
+    text = robot.reading.xacro.text() if robot.reading.xacro else robot.source.data.decode()
+    expected = convert(sdformat, tmp_path, text)
+    if not expected.links:
+        pytest.skip("libsdformat refuses it")
+    compare(Conversion(robot.tree, OLD), expected)
+
+
+LINK = (
+    '<link name="{}"><inertial><mass value="{}"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+)
+JOINT = (
+    '<joint name="{0}_{1}" type="{2}"><parent link="{0}"/><child link="{1}"/><axis xyz="0 0 1"/>'
+    '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+)
+KEEP = '<gazebo reference="{}"><preserveFixedJoint>true</preserveFixedJoint></gazebo>'
+
+
+def robot(*parts: str) -> str:
+    return "<robot name='r'>" + "".join(parts) + "</robot>"
+
+
+CASES = {
+    "a massless link is dropped with its subtree": robot(
+        LINK.format("a", 1),
+        '<link name="b"/>',
+        LINK.format("c", 1),
+        JOINT.format("a", "b", "revolute"),
+        JOINT.format("b", "c", "revolute"),
+    ),
+    "a merged massless link loses what moves on it": robot(
+        LINK.format("a", 1),
+        '<link name="b"/>',
+        LINK.format("c", 1),
+        JOINT.format("a", "b", "fixed"),
+        JOINT.format("b", "c", "revolute"),
+    ),
+    "a merged link with a heavy child keeps what moves on it": robot(
+        LINK.format("a", 1),
+        '<link name="b"/>',
+        LINK.format("c", 1),
+        LINK.format("d", 1),
+        JOINT.format("a", "b", "fixed"),
+        JOINT.format("b", "c", "fixed"),
+        JOINT.format("b", "d", "revolute"),
+    ),
+    "a massless root lives by what is merged into it": robot(
+        '<link name="a"/>', LINK.format("b", 1), JOINT.format("a", "b", "fixed")
+    ),
+    "a preserved joint keeps its child": robot(
+        LINK.format("a", 1),
+        LINK.format("b", 2),
+        JOINT.format("a", "b", "fixed"),
+        KEEP.format("a_b"),
+    ),
+    "a preserved joint with a massless child vanishes": robot(
+        LINK.format("a", 1), '<link name="b"/>', JOINT.format("a", "b", "fixed"), KEEP.format("a_b")
+    ),
+    "the world is no link, and what is fixed to it stays": robot(
+        '<link name="world"/>',
+        LINK.format("a", 1),
+        LINK.format("b", 1),
+        JOINT.format("world", "a", "fixed"),
+        JOINT.format("a", "b", "fixed"),
+    ),
+    "a millionth of a kilogram counts as nothing": robot(
+        LINK.format("a", 1), LINK.format("b", 1e-6), JOINT.format("a", "b", "revolute")
+    ),
+    "names of shapes": robot(
+        '<link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" '
+        'iyz="0" izz="1"/></inertial>'
+        + "<collision{}><geometry><sphere radius='1'/></geometry></collision>".format("") * 2
+        + "<collision name='base_x'><geometry><sphere radius='1'/></geometry></collision>"
+        + "<collision name='other'><geometry><sphere radius='1'/></geometry></collision></link>",
+        "<link name='base_laser'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' "
+        "iyy='1' iyz='0' izz='1'/></inertial>"
+        "<collision><geometry><sphere radius='1'/></geometry></collision></link>",
+        JOINT.format("base", "base_laser", "fixed"),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", CASES.values(), ids=CASES)
+def test_corner_cases_are_converted_as_libsdformat_does(sdformat, tmp_path, text):
+    compare(Conversion(_subject(text).tree, OLD), convert(sdformat, tmp_path, text))
+
+
+def _subject(text: str) -> Subject:
+    return Subject(Source("robot.urdf", text.encode()), Resolver())
+
+
+def test_newer_versions_keep_what_moves_on_a_merged_massless_link():
+    tree = _subject(CASES["a merged massless link loses what moves on it"]).tree
+    assert [link.name for link in Conversion(tree, OLD).links] == ["a"]
+    assert [link.name for link in Conversion(tree, NEW).links] == ["a", "c"]
+    assert Conversion(tree, OLD).dropped == {"c": "hangs on 'b', which is merged and has no mass"}
+
+
+def test_newer_versions_keep_a_tiny_mass():
+    tree = _subject(CASES["a millionth of a kilogram counts as nothing"]).tree
+    assert Conversion(tree, OLD).dropped == {"b": "mass 1e-06 kg"}
+    assert Conversion(tree, NEW).dropped == {}
+
+
+def test_the_mission_model():
+    conversion = subject(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").gazebo
+    assert [link.name for link in conversion.links] == [
+        "dummy", "wheel_1", "wheel_2", "wheel_3", "wheel_4",
+    ]  # fmt: skip
+    assert conversion.merged == dict.fromkeys(
+        ["base_footprint", "base_link", "imu_link", "camera_link", "laser_frame"], "dummy"
+    )
+    assert conversion.links[0].properties.mass == pytest.approx(8.2301)
+    assert conversion.dropped == {}
+
+
+def test_a_loop_of_fixed_joints_ends():
+    joint = '<joint name="{0}{1}" type="fixed"><parent link="{0}"/><child link="{1}"/></joint>'
+    body = '<inertial><mass value="1"/></inertial><collision name="of {0}"/>'
+    text = "".join(f'<link name="{name}">{body.format(name)}</link>' for name in "abc")
+    text += "".join(joint.format(*pair) for pair in ("ab", "bc", "cb"))
+    (link,) = Conversion(_subject(f'<robot name="r">{text}</robot>').tree).links
+    assert [element.get("name") for _, element in link.collisions] == ["of a", "of b", "of c"]

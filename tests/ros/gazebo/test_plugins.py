@@ -1,0 +1,119 @@
+"""The plugins of a model, and what Gazebo makes of the names in them."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.gazebos import BASE, block, child, plugin, sensor
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.ros.gazebo.plugins import Use, fate, generations
+from urdfkit.ros.targets import parse
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+DRIVE = "libgazebo_ros_diff_drive.so"
+
+
+def subject(text: str, *targets: str) -> Subject:
+    source = Source("robot.urdf", whole_robot(BASE + text).encode())
+    return Subject(source, Resolver(environment={}), targets=parse(targets) if targets else None)
+
+
+def only(text: str, *targets: str) -> Use:
+    (use,) = subject(text, *targets).plugins
+    return use
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        (plugin("libx.so"), "model"),
+        (block('<plugin name="p" filename="libx.so"/>'), "link"),
+        (sensor("ray", '<plugin name="p" filename="libx.so"/>'), "sensor"),
+        (block('<visual><plugin name="p" filename="libx.so"/></visual>'), "visual"),
+    ],
+)
+def test_the_place(text: str, place: str) -> None:
+    assert only(text).place == place
+
+
+@pytest.mark.parametrize(
+    ("tags", "targets", "generation"),
+    [
+        ("<leftJoint>a</leftJoint>", (), "classic-ros1"),
+        ("<left_joint>a</left_joint>", (), "classic-ros2"),
+        ("<leftJoint>a</leftJoint>", ("classic-ros2",), "classic-ros2"),
+        ("<left_joint>a</left_joint>", ("classic-ros1",), "classic-ros1"),
+        ("<left_joint>a</left_joint>", ("classic-ros1", "classic-ros2"), "classic-ros2"),
+        ("<leftJoint>a</leftJoint>", ("moveit",), "classic-ros1"),
+    ],
+)
+def test_the_target_tells_the_generation_and_then_the_tags(
+    tags: str, targets: tuple[str, ...], generation: str
+) -> None:
+    use = only(plugin(DRIVE, tags), *targets)
+    assert use.plugin is not None
+    assert use.plugin.generation == generation
+
+
+def test_a_plugin_that_the_target_does_not_load() -> None:
+    use = only(plugin(DRIVE), "gz-harmonic")
+    assert use.plugin is None
+    assert len(use.known) == 2
+
+
+def test_what_is_in_a_plugin() -> None:
+    use = only(plugin("libx.so", '<a><b c="d"> e </b></a><a/>'))
+    assert [(item.path, item.text) for item in use.items] == [
+        ("a", ""),
+        ("a/b", "e"),
+        ("a/b/@c", "d"),
+        ("a", ""),
+    ]
+    assert len(use.values("a")) == 2
+
+
+def test_references() -> None:
+    joints = "<jointName>a, b::c,d</jointName>"
+    use = only(plugin("libgazebo_ros_joint_state_publisher.so", joints), "classic-ros1")
+    assert [(one.kind, one.name) for one in use.references()] == [("joint", "a"), ("joint", "d")]
+
+
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [
+        (DRIVE, {"classic-ros1", "classic-ros2"}),
+        ("libgazebo_ros_laser.so", {"classic-ros1"}),
+        ("libLiftDragPlugin.so", {"classic", "classic-ros1", "classic-ros2"}),
+        ("libhector_gazebo_ros_imu.so", {"classic-ros1", "classic-ros2"}),
+        ("gz-sim-diff-drive-system", {"gz"}),
+        ("libvendor.so", set()),
+    ],
+)
+def test_generations(file: str, expected: set[str]) -> None:
+    assert generations(only(plugin(file))) == expected
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "expected"),
+    [
+        ("link", "base", "kept"),
+        ("link", "arm", "kept"),
+        ("link", "cam", "merged"),
+        ("link", "ghost", "dropped"),
+        ("link", "hand", "dropped"),
+        ("link", "extra", "kept"),
+        ("link", "nothing", "unknown"),
+        ("joint", "arm_joint", "kept"),
+        ("joint", "cam_joint", "merged"),
+        ("joint", "ghost_joint", "dropped"),
+        ("joint", "float_joint", "other"),
+        ("joint", "nothing", "unknown"),
+    ],
+)
+def test_what_becomes_of_a_name(kind: str, name: str, expected: str) -> None:
+    robot = child("arm") + child("cam", "fixed") + child("ghost", inside="")
+    robot += child("hand", parent="ghost") + child("float", "floating")
+    robot += block('<link name="extra"/>', "")
+    assert fate(subject(robot).gazebo, kind, name) == expected

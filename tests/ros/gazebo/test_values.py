@@ -1,0 +1,40 @@
+"""Values of tags as Gazebo reads them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from urdfkit.ros.gazebo.values import leading, value
+
+
+@pytest.mark.parametrize(
+    ("text", "read", "rest"),
+    [
+        ("1e3", "1e3", ""),
+        (" -.5 ", "-.5", ""),
+        ("5.", "5.", ""),
+        ("0x10", "0x10", ""),
+        ("inf", "inf", ""),
+        ("1,5", "1", ",5"),
+        ("1.2.3", "1.2", ".3"),
+        ("30 Hz", "30", ""),
+        ("3 deg", "3", "deg"),
+        ("1e", "1", "e"),
+        ("", "", ""),
+        ("${x}", "", ""),
+    ],
+)
+def test_a_number_ends_where_its_characters_end(text: str, read: str, rest: str) -> None:
+    assert leading(text) == (read, rest)
+
+
+def test_an_integer_ends_at_a_point() -> None:
+    assert leading("3.7", whole=True) == ("3", ".7")
+    assert leading("3.0", whole=True) == ("3", "")
+
+
+def test_values() -> None:
+    assert [value(text) for text in ("0x1F", "-.5", "+2e1")] == [31, -0.5, 20]
+    assert math.isnan(value("nan"))

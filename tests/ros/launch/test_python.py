@@ -1,0 +1,256 @@
+"""Launch files in Python: constants are followed, nothing is run."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.ros.launch import read_launch
+from urdfkit.ros.launch.contents import Launch
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+HEAD = """
+import os
+import xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
+    (tmp_path / "launch").mkdir()
+    return tmp_path
+
+
+def read(package: Path, body: str) -> Launch:
+    path = package / "launch" / "a.launch.py"
+    lines = "".join(f"    {line}\n" for line in body.strip().splitlines())
+    path.write_text(HEAD + lines)
+    return read_launch(Source.read(path), Resolver(environment={}))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        """
+share = get_package_share_directory('arm')
+path = os.path.join(share, 'urdf', 'arm.xacro')
+description = xacro.process_file(path, mappings={'side': 'left'}).toxml()
+""",
+        """
+description = Command([
+    PathJoinSubstitution([FindExecutable(name='xacro')]), ' ',
+    PathJoinSubstitution([FindPackageShare('arm'), 'urdf', 'arm.xacro']),
+    ' side:=', LaunchConfiguration('side'),
+])
+DeclareLaunchArgument('side', default_value='left')
+""",
+        """
+path = get_package_share_directory('arm') + '/urdf/arm.xacro'
+description = Command(['xacro ', path, ' side:=left'])
+""",
+        """
+name = 'arm'
+description = Command(f"xacro {get_package_share_directory(name)}/urdf/{name}.xacro side:=left")
+""",
+    ],
+)
+def test_the_robot_and_its_arguments(package, body):
+    (description,) = read(package, body).descriptions
+    assert Path(description.path) == package / "urdf" / "arm.xacro"
+    assert description.arguments == {"side": "left"}
+
+
+def test_files_and_packages(package):
+    launch = read(
+        package,
+        """
+config = os.path.join(get_package_share_directory('arm'), 'rviz', 'a.rviz')
+Node(package='rviz2', executable='rviz2', arguments=['-d', config])
+IncludeLaunchDescription(PythonLaunchDescriptionSource(
+    [FindPackageShare('no_such_pkg'), '/launch/x.launch.py']))
+""",
+    )
+    assert [(f.purpose, f.exists, f.span.text) for f in launch.files] == [
+        ("the RViz configuration", False, "config")
+    ]
+    assert {use.name: use.searched is None for use in launch.packages} == {
+        "arm": True,
+        "rviz2": False,
+        "no_such_pkg": False,
+    }
+
+
+def test_what_only_a_run_would_tell_is_left(package):
+    launch = read(package, "path = open('x').read()\nCommand(['xacro ', path])")
+    assert launch.descriptions == ()
+    assert launch.files == ()
+
+
+def test_names_that_refer_to_themselves_end(package):
+    assert read(package, "a = a + 'x'\nCommand(['xacro ', a])").descriptions == ()
+
+
+def test_nothing_is_run(package):
+    marker = package / "ran"
+    read(package, f"open({str(marker)!r}, 'w')")
+    assert not marker.exists()
+
+
+@pytest.mark.parametrize("data", [b"def (:\n", b"\x00", b"x = " + b"(" * 5000])
+def test_what_is_no_program_is_told_at_its_place(data):
+    launch = read_launch(Source("a.launch.py", data), Resolver(environment={}))
+    (problem,) = launch.problems
+    assert problem.code == "LAU001"
+    assert problem.span.line == 1
+
+
+def test_what_it_starts(package):
+    launch = read(
+        package,
+        """
+names = ['a', 'b']
+Node(package='p', executable='e', arguments=names + ['-x', unknown(), *more],
+     parameters=[{'rate': 1}])
+Node(package='p', executable='f', parameters=[config])
+ExecuteProcess(cmd=['ros2', 'run'])
+""",
+    )
+    given, unknown, program = launch.started
+    assert (given.package, given.executable) == ("p", "e")
+    assert given.parameters == frozenset(("rate",))
+    assert [word.text for word in given.words] == ["a", "b", "-x", None, None]
+    assert unknown.parameters is None
+    assert [word.text for word in program.words] == ["ros2", "run"]
+
+
+@pytest.mark.parametrize(
+    ("body", "found"),
+    [
+        ("if x:\n    f = 'a'\nelse:\n    f = 'b'\nCommand(['xacro ', f])", 0),
+        ("for f in ['a']:\n    Command(['xacro ', f])", 0),
+        ("with open('a') as f:\n    Command(['xacro ', f])", 0),
+        ("def g(f):\n    Command(['xacro ', f])\nf = 'a'", 0),
+        ("f = 'a'\ndef g():\n    Command(['xacro ', f])", 1),
+        ("f = 'a'\ndef g():\n    f = 'b'", 0),
+        ("f = 'a'\nf = 'a'\nCommand(['xacro ', f])", 1),
+    ],
+)
+def test_a_name_with_one_meaning_is_followed(package, body, found):
+    assert len(read(package, body).files) == found
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "doc = xacro.parse(open(FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'))",
+        "xacro.process_file(FindPackageShare(package='arm').find('arm') + '/urdf/arm.xacro')",
+    ],
+)
+def test_other_ways_to_the_robot(package, body):
+    (description,) = read(package, body).descriptions
+    assert Path(description.path) == package / "urdf" / "arm.xacro"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"x = {'+'.join(['a'] * 990)}\nx = {'+'.join(['b'] * 990)}\nCommand(['xacro ', x])",
+        f"x = {'[' * 150}{']' * 150}\nCommand(x)\nNode(arguments=x, parameters=x)",
+        "a = b\nb = a\nNode(package=a, arguments=b, parameters=[a])",
+        "Node()\nNode(*x, **y)\nIncludeLaunchDescription()\nCommand()\nopen()\nx.parse()",
+    ],
+    ids=["sum", "deep", "ring", "bare"],
+)
+def test_hostile_programs_are_read(text):
+    read_launch(Source("a.launch.py", text.encode()), Resolver(environment={}))
+
+
+def include(name: str, rest: str = "") -> str:
+    return (
+        "IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(\n"
+        f"    get_package_share_directory('arm'), 'launch', '{name}')){rest})"
+    )
+
+
+ARM = """
+side = LaunchConfiguration('side')
+DeclareLaunchArgument('side', default_value='none')
+Command(['xacro ', FindPackageShare('arm'), '/urdf/arm.xacro side:=', side])
+"""
+
+
+def included(package: Path, name: str = "rsp.launch.py", body: str = ARM) -> None:
+    lines = "".join(f"    {line}\n" for line in body.strip().splitlines())
+    (package / "launch" / name).write_text(HEAD + lines)
+
+
+@pytest.mark.parametrize(
+    ("body", "side"),
+    [
+        (include("rsp.launch.py"), "none"),
+        (include("rsp.launch.py", ", launch_arguments={'side': 'left'}.items()"), "left"),
+        (include("rsp.launch.py", ", launch_arguments=[('side', 'left')]"), "left"),
+        (
+            "DeclareLaunchArgument('side', default_value='right')\n" + include("rsp.launch.py"),
+            "right",
+        ),
+        ("yes = 'true'\n" + include("rsp.launch.py", ", condition=IfCondition(yes)"), "none"),
+    ],
+)
+def test_the_robot_of_an_included_file(package, body, side):
+    included(package)
+    (description,) = read(package, body).descriptions
+    assert description.arguments == {"side": side}
+    assert [step.name for step in description.frame.steps()] == ["a.launch.py", "rsp.launch.py"]
+
+
+@pytest.mark.parametrize(
+    "rest",
+    [
+        ", launch_arguments={'side': unknown()}.items()",
+        ", launch_arguments=unknown()",
+        ", condition=IfCondition('false')",
+        ", condition=UnlessCondition('True')",
+    ],
+)
+def test_what_is_not_known_of_an_included_file_is_left(package, rest):
+    included(package)
+    assert read(package, include("rsp.launch.py", rest)).descriptions == ()
+
+
+def test_files_that_include_each_other_end(package):
+    included(package, body=f"{ARM}\n{include('a.launch.py')}\n{include('rsp.launch.py')}")
+    assert len(read(package, include("rsp.launch.py")).descriptions) == 1
+
+
+def test_xml_includes_python_and_python_xml(package):
+    included(package)
+    (package / "launch" / "m.launch.xml").write_text(
+        "<launch><include file='$(find-pkg-share arm)/launch/rsp.launch.py'>"
+        "<arg name='side' value='left'/></include></launch>"
+    )
+    (description,) = read(package, include("m.launch.xml")).descriptions
+    assert description.arguments == {"side": "left"}
+    steps = [step.name for step in description.frame.steps()]
+    assert steps == ["a.launch.py", "m.launch.xml", "rsp.launch.py"]
+
+
+@pytest.mark.parametrize("mappings", ["{'side': unknown(), 'up': 'z'}", "unknown()"])
+def test_arguments_that_are_not_known(package, mappings):
+    path = "FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'"
+    (description,) = read(package, f"xacro.process_file({path}, mappings={mappings})").descriptions
+    assert not description.is_whole
+    assert "side" not in description.arguments

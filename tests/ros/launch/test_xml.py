@@ -1,0 +1,195 @@
+"""Launch files in XML: values, conditions, includes, and what each kind of ROS writes."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, MODELS, needs_corpus
+from urdfkit.ros.launch import read_launch
+from urdfkit.ros.launch.contents import Launch
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "urdf" / "arm.xacro").write_text("<robot name='r'/>")
+    (tmp_path / "launch").mkdir()
+    return tmp_path
+
+
+def read(package: Path, text: str, **arguments: str) -> Launch:
+    path = package / "launch" / "a.launch"
+    path.write_text(f"<launch>\n{text}\n</launch>")
+    return read_launch(Source.read(path), Resolver(environment={}), arguments)
+
+
+ROS_1 = '<param name="{name}" command="{command}"/>'
+ROS_2 = (
+    """<node pkg="a" exec="b"><param name="robot_description" value="$(command '{}')"/></node>"""
+)
+ARM = "$(find arm)/urdf/arm.xacro"
+
+
+def ros_1(command: str, name: str = "robot_description") -> str:
+    return ROS_1.format(name=name, command=command)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ros_1(f"$(find xacro)/xacro '{ARM}' side:=left"),
+        ros_1(f"xacro --inorder {ARM} side:=left"),
+        '<arg name="s" default="left"/>'
+        + ros_1(f"rosrun xacro xacro {ARM} side:=$(arg s)", "/ns/robot_description"),
+        '<let name="s" value="left"/>'
+        + ROS_2.format("xacro $(find-pkg-share arm)/urdf/arm.xacro side:=$(var s)"),
+        f"<group>{ros_1('xacro $(dirname)/../urdf/arm.xacro side:=left')}</group>",
+    ],
+)
+def test_the_robot_and_its_arguments(package, text):
+    (description,) = read(package, text).descriptions
+    assert Path(description.path).resolve() == package / "urdf" / "arm.xacro"
+    assert description.arguments == {"side": "left"}
+    (step,) = description.frame.steps()
+    assert (step.kind, step.name, step.span.line) == ("launch", "a.launch", 2)
+
+
+def test_a_plain_urdf_as_text(package):
+    launch = read(
+        package, '<param name="robot_description" textfile="$(find arm)/urdf/arm.xacro"/>'
+    )
+    assert [description.arguments for description in launch.descriptions] == [{}]
+
+
+def test_arguments_that_are_given_win(package):
+    text = '<arg name="m" default="none"/><rosparam file="$(find arm)/$(arg m).yaml"/>'
+    assert [Path(f.path).name for f in read(package, text).files] == ["none.yaml"]
+    assert [Path(f.path).name for f in read(package, text, m="a").files] == ["a.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"),
+    [
+        ('if="false"', 0),
+        ('if="0"', 0),
+        ('unless="true"', 0),
+        ('if="true"', 1),
+        ('if="$(arg x)"', 1),
+    ],
+)
+def test_conditions_that_are_known_count(package, condition, count):
+    assert len(read(package, f'<rosparam file="a.yaml" {condition}/>').files) == count
+
+
+def test_includes_are_followed_with_their_arguments(package):
+    (package / "launch" / "b.launch").write_text(
+        '<launch><arg name="m"/><param name="robot_description" '
+        'command="xacro $(find arm)/urdf/$(arg m).xacro"/></launch>'
+    )
+    launch = read(
+        package, '<include file="$(dirname)/b.launch"><arg name="m" value="arm"/></include>'
+    )
+    (description,) = launch.descriptions
+    assert [step.name for step in description.frame.steps()] == ["a.launch", "b.launch"]
+
+
+def test_includes_in_a_circle_end(package):
+    launch = read(package, '<include file="$(dirname)/a.launch"/>')
+    assert launch.problems == ()
+    assert len(launch.files) < 20
+
+
+def test_files_in_a_package_that_is_not_found_are_not_judged(package):
+    launch = read(package, '<rosparam file="$(find no_such_pkg)/a.yaml"/>')
+    assert launch.files == ()
+    (missing,) = launch.packages
+    assert missing.name == "no_such_pkg"
+    assert missing.searched
+
+
+def test_rviz_configuration(package):
+    text = '<node pkg="rviz" type="rviz" name="r" args="-f base -d $(find arm)/rviz/a.rviz"/>'
+    launch = read(package, text)
+    (file,) = launch.files
+    assert (file.exists, file.purpose) == (False, "the RViz configuration")
+    assert file.span.text.startswith("-f base")
+    assert "rviz" in [use.name for use in launch.packages]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [("<launch><node></launch>", "not a launch file"), ("<robot/>", "root"), ("", "empty")],
+)
+def test_what_is_no_launch_file_is_told(tmp_path, text, words):
+    launch = read_launch(Source("a.launch", text.encode()), Resolver(environment={}))
+    (problem,) = launch.problems
+    assert problem.code == "LAU001"
+    assert words in problem.message
+
+
+def test_substitutions_that_only_a_run_would_tell_are_unknown(package):
+    text = (
+        '<rosparam file="$(eval 1+1)"/><rosparam file="$(env HOME)/a"/><rosparam file="$(arg x"/>'
+    )
+    assert [file.text for file in read(package, text).files] == ["$(arg x"]
+
+
+def test_the_mission_launch_file():
+    path = MODELS / "gazebo_pkg" / "launch" / "view_waking_robot.launch"
+    launch = read_launch(Source.read(path), Resolver(environment={}))
+    assert [Path(d.path).name for d in launch.descriptions] == ["waking_robot_new.xacro"]
+    assert [(Path(f.path).name, f.exists) for f in launch.files] == [
+        ("waking_robot_new.xacro", True),
+        ("test.rviz", False),
+    ]
+
+
+@needs_corpus
+def test_the_launch_files_of_the_corpus():
+    described = {}
+    for path in sorted(CORPUS.rglob("*.launch")):
+        launch = read_launch(Source.read(path), Resolver(environment={}))
+        assert [p for p in launch.problems if p.code == "LAU001"] == [], path
+        described[path.name] = {Path(d.path).name for d in launch.descriptions}
+    assert described["spawn_husky.launch"] == {"husky.urdf.xacro"}
+    assert described["rrbot_world.launch"] == {"rrbot.xacro"}
+    assert sum(1 for names in described.values() if names) >= 14
+
+
+def test_files_that_include_themselves_many_times_end(package):
+    again = '<include file="$(dirname)/a.launch"/>' * 20
+    assert read(package, again).is_whole is False
+
+
+def test_what_it_starts(package):
+    text = """<arg name="more" default="b"/><node pkg="p" type="e" name="n"
+      args="a $(arg more) $(env X)/c"/><executable cmd="ros2 run"/>"""
+    node, program = read(package, text).started
+    assert (node.package, node.executable) == ("p", "e")
+    assert [word.text for word in node.words] == ["a", "b", None]
+    assert [word.text for word in program.words] == ["ros2", "run"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<group>" * 5000 + "</group>" * 5000,
+        '<node name="n" pkg="p" type="t" args="' + "$(arg " * 3000 + ")" * 3000 + '"/>',
+        "<words/><tell_undeclared/><path a='b'/><level/>",
+        '<arg name="a" default="$(arg a)"/><param name="$(arg a)" value="b"/>',
+        "<nod/>" * 3000,
+    ],
+    ids=["deep", "nested", "names", "ring", "many"],
+)
+def test_hostile_files_are_read(package, text):
+    assert len(read(package, text).problems) <= 1001
+
+
+def test_an_included_file_in_yaml_is_no_xml(package):
+    for name in ("b.launch.yml", "b.launch.yaml"):
+        (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
+        launch = read(package, f'<include file="$(dirname)/{name}"/>')
+        assert launch.problems == ()

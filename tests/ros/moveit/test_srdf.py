@@ -1,0 +1,167 @@
+"""Finding an SRDF, and MoveIt's real ones."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import CORPUS, needs_corpus
+from tests.srdfs import ROBOT
+from urdfkit import check
+from urdfkit.lint.context import Subject
+from urdfkit.ros.moveit.srdf import Srdf, find
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import read_xml
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.siblings import srdf_files
+
+
+def test_it_is_found_in_the_package_and_in_the_moveit_package_made_for_the_robot(tmp_path):
+    robots, moveit, other = (
+        tmp_path / name for name in ("arm", "arm_moveit_config", "b_moveit_config")
+    )
+    for folder in (robots / "urdf", robots / "config", moveit / "config", other / "config"):
+        folder.mkdir(parents=True)
+    for package in (robots, moveit, other):
+        (package / "package.xml").write_text(f"<package><name>{package.name}</name></package>")
+    robot = robots / "urdf" / "r.urdf"
+    robot.write_text(ROBOT)
+    for place in (robots / "config", moveit / "config", other / "config"):
+        (place / "r.srdf").write_text('<robot name="r"/>')
+    setup = (
+        "moveit_setup_assistant_config:\n  URDF:\n    package: {}\n    relative_path: urdf/r.urdf\n"
+    )
+    (moveit / ".setup_assistant").write_text(setup.format("arm"))
+    (other / ".setup_assistant").write_text(setup.format("b"))
+    assert srdf_files(str(robot), Resolver(environment={})) == [
+        str(robots / "config" / "r.srdf"),
+        str(moveit / "config" / "r.srdf"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "codes"), [("", ["SRD018"]), ("<robot", ["SRD018"]), ("<srdf/>", [])]
+)
+def test_what_cannot_be_read_is_no_srdf(tmp_path, text, codes):
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    (tmp_path / "r.srdf").write_text(text)
+    report = check(tmp_path / "r.urdf", select=["SRD"])
+    assert [found.code for found in report.diagnostics] == codes
+
+
+@pytest.mark.parametrize(
+    ("names", "chosen"),
+    [
+        (["r"], "a.srdf"),
+        (["other"], "a.srdf"),  # SRD011 tells that it has another name
+        (["other", "r"], "b.srdf"),
+        (["other", "another"], None),
+        (["r", "r"], None),
+        (["r", "other", "r"], None),
+    ],
+)
+def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names, chosen):
+    robot = tmp_path / "r.urdf"
+    robot.write_text(ROBOT)
+    for letter, name in zip("abc", names, strict=False):
+        (tmp_path / f"{letter}.srdf").write_text(f'<robot name="{name}"/>')
+    resolver = Resolver(environment={})
+    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    assert (found and Path(found.path).name) == chosen
+
+
+def srdf(text: str) -> Srdf:
+    subject = Subject(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
+    document, _ = read_xml(Source("r.srdf", text.encode()))
+    assert document is not None
+    return Srdf("r.srdf", document.root, subject.tree)
+
+
+def test_a_way_goes_down_the_tree():
+    robot = srdf("<robot name='r'/>")
+    assert [joint.name for joint in robot.way("base", "finger") or ()] == [
+        "shoulder", "wrist", "knuckle",
+    ]  # fmt: skip
+    assert robot.way("finger", "base") is None
+    assert robot.way("arm", "arm") == []
+
+
+def test_the_links_of_a_group_come_from_all_its_parts():
+    text = """<robot name='r'>
+      <group name='a'><chain base_link='base' tip_link='arm'/><group name='b'/></group>
+      <group name='b'><joint name='wrist'/><link name='finger'/><group name='a'/></group>
+    </robot>"""
+    assert srdf(text).links_of("a") == {"arm", "hand", "finger"}
+
+
+@needs_corpus
+@pytest.mark.parametrize(
+    ("robot", "semantic"),
+    [
+        ("fanuc_description/urdf/fanuc.urdf", "fanuc_moveit_config/config/fanuc.srdf"),
+        ("panda_description/urdf/panda.urdf", "panda_moveit_config/config/panda.srdf"),
+    ],
+)
+def test_moveits_own_robots_are_calm(tmp_path: Path, robot: str, semantic: str):
+    folder = CORPUS / "moveit_resources"
+    copied = tmp_path / Path(robot).name
+    copied.write_bytes((folder / robot).read_bytes())
+    (tmp_path / "robot.srdf").write_bytes((folder / semantic).read_bytes())
+    report = check(copied, select=["SRD"])
+    assert report.diagnostics == ()
+    subject = Subject(Source.read(copied), Resolver(environment={}))
+    assert subject.srdf is not None
+
+
+def test_an_srdf_of_another_robot_in_the_package_is_not_the_robots(tmp_path):
+    (tmp_path / "r.urdf").write_text(ROBOT)
+    hand = "".join(f'<link name="finger_{i}"/>' for i in range(8))
+    group = f'<robot name="hand"><group name="all">{hand}{{}}</group></robot>'
+    (tmp_path / "hand.srdf").write_text(group.format(""))
+    assert check(tmp_path / "r.urdf", select=["SRD"]).diagnostics == ()
+    (tmp_path / "hand.srdf").write_text(group.format('<joint name="wrist"/>' * 8))
+    codes = [found.code for found in check(tmp_path / "r.urdf", select=["SRD"]).diagnostics]
+    assert sorted(codes) == ["SRD001"] * 8 + ["SRD011"]
+
+
+SETUP = """\
+moveit_setup_assistant_config:
+  urdf:
+    package: arm
+    relative_path: urdf/r.urdf{}
+  srdf:
+    relative_path: config/r/r.srdf
+"""
+ARGUMENTS = "\n    xacro_args: side:=left"
+
+
+@pytest.mark.parametrize(
+    ("place", "setup", "srdf", "is_found"),
+    [
+        ("arm_moveit_config/config/r", SETUP.format(""), "", True),
+        ("arm_moveit_config/config/r", SETUP.format(ARGUMENTS), "", True),
+        ("arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", False),
+        ("all_moveit_configs/arm_moveit_config/config", "", "", True),
+        ("arm_moveit/srdf", "", "", True),
+        ("arm_moveit/srdf", "", '<group name="a"><link name="bsae"/></group>', True),
+        ("arm_moveit/srdf", "", '<group name="a"><link name="x"/><link name="y"/></group>', False),
+        ("arm_planning/srdf", "", "", False),
+    ],
+)
+def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
+    package = tmp_path / "arm"
+    (package / "urdf").mkdir(parents=True)
+    (tmp_path / "LICENSE").touch()
+    robot = package / "urdf" / "r.urdf"
+    robot.write_text(ROBOT)
+    (tmp_path / place).mkdir(parents=True)
+    first, second, *_ = place.split("/")
+    home = tmp_path / first / second if "moveit" in second else tmp_path / first
+    for folder in (package, home):
+        (folder / "package.xml").write_text(f"<package><name>{folder.name}</name></package>")
+    if setup:
+        (home / ".setup_assistant").write_text(setup)
+    known = "".join(f'<passive_joint name="{name}"/>' for name in ("shoulder", "wrist", "knuckle"))
+    (tmp_path / place / "r.srdf").write_text(f'<robot name="r">{known}{srdf}</robot>')
+    resolver = Resolver(environment={})
+    found = find(str(robot), Subject(Source.read(robot), resolver).tree, resolver, trust=False)
+    assert (found is not None) is is_found

@@ -1,0 +1,173 @@
+from __future__ import annotations
+
+from pathlib import Path
+from time import process_time
+
+import pytest
+
+from tests.controls import ROBOT, plugin
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.ros.controllers import Controller, controllers, parameter_files, read
+from urdfkit.text.located_yaml import MAX_BYTES
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+DRIVE = "diff_drive_controller/DiffDriveController"
+PLAIN = f"""\
+controller_manager:
+  ros__parameters:
+    update_rate: 50
+    drive:
+      type: {DRIVE}
+drive:
+  ros__parameters:
+    left_wheel_names: ["größe", 'left']
+    wheel_radius: 0.1
+    linear:
+      x: {{max: 1.0}}
+"""
+
+
+def of(text: str | bytes) -> list[Controller]:
+    return read(Source("c.yaml", text.encode() if isinstance(text, str) else text))
+
+
+def plain(controller: Controller) -> dict[str, list[str]]:
+    return {name: [v.text for v in vs] for name, vs in controller.parameters.items()}
+
+
+def test_a_controller_and_its_parameters() -> None:
+    (drive,) = of(PLAIN)
+    assert (drive.name, drive.type) == ("drive", DRIVE)
+    assert plain(drive) == {
+        "left_wheel_names": ["größe", "left"],
+        "wheel_radius": ["0.1"],
+        "linear.x.max": ["1.0"],
+    }
+    found = drive.values(["wheel_radius", "nothing", "left_wheel_names"])
+    assert [value.text for value in found] == ["0.1", "größe", "left"]
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_the_place_of_a_value(end: str) -> None:
+    (drive,) = of(PLAIN.replace("\n", end))
+    radius, first, second = drive.values(["wheel_radius", "left_wheel_names"])
+    assert (radius.span.line, radius.span.column, radius.span.text) == (9, 19, "0.1")
+    assert (first.span.line, first.span.column, first.span.text) == (8, 24, '"größe"')
+    assert second.span.text == "'left'"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"drive:\n  ros__parameters: {{type: {DRIVE}, wheel_radius: 0.1}}",
+        "/**/controller_manager:\n  ros__parameters:\n    drive.type: " + DRIVE + "\n"
+        "/**/drive:\n  ros__parameters:\n    wheel_radius: 0.1",
+        "/**:\n  controller_manager:\n    ros__parameters:\n      drive: {type: " + DRIVE + "}\n"
+        "  drive:\n    ros__parameters: {wheel_radius: 0.1}",
+        "robot:\n  controller_manager:\n    ros__parameters:\n      drive: {type: " + DRIVE + "}\n"
+        "/robot/drive:\n  ros__parameters: {wheel_radius: 0.1}",
+    ],
+)
+def test_the_ways_to_write_it(text: str) -> None:
+    (drive,) = of(text)
+    assert (drive.name, drive.type) == ("drive", DRIVE)
+    assert plain(drive)["wheel_radius"] == ["0.1"]
+
+
+def test_namespaces_are_kept_apart() -> None:
+    text = "a:\n  controller_manager:\n    ros__parameters:\n      drive: {type: T}\n"
+    (drive,) = of(text + "b:\n  drive:\n    ros__parameters: {wheel_radius: 0.1}\n")
+    assert drive.parameters == {}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "text",
+        "- list",
+        "a: [",
+        "\t",
+        "\0",
+        b"\xff\xfe\xff",
+        "ros__parameters: {type: T}",
+        "/**: {ros__parameters: {type: T}}",
+        "a: {ros__parameters: [type, T]}",
+        "a: {ros__parameters: {type: []}}",
+        "a: {ros__parameters: {type: {b: T}}}",
+        "? {a: b}\n: c",
+        "&a a: *a",
+        "a: &a [*a]",
+    ],
+)
+def test_what_holds_no_controller(text: str | bytes) -> None:
+    assert of(text) == []
+
+
+def test_an_alias_is_no_value() -> None:
+    (drive,) = of("a: {ros__parameters: {type: T, x: &x [1, 2], y: *x, z: [*x, 3]}}")
+    assert plain(drive) == {"type": ["T"], "x": ["1", "2"], "z": ["3"]}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[" * 300_000,
+        "{a: " * 200_000,
+        "- " * 300_000,
+        "a: {ros__parameters: {type: T, x: [" + "1," * 200_000 + "1]}}",
+        "a: &a [x,x]\n" + "".join(f"b{n}: &b{n} [*a,*a]\n" for n in range(9_000)),
+        "a" * (MAX_BYTES + 1),
+    ],
+)
+def test_hostile_files_take_no_time(text: str) -> None:
+    start = process_time()
+    of(text)
+    assert process_time() - start < 5
+
+
+def subject(folder: Path, *paths: str) -> Subject:
+    parameters = "".join(f"<parameters> {path} </parameters>" for path in paths)
+    text = whole_robot(ROBOT + plugin("libgazebo_ros2_control.so", parameters))
+    return Subject(Source(str(folder / "r.urdf"), text.encode()), Resolver(environment={}))
+
+
+def test_the_files_that_a_plugin_names(tmp_path: Path) -> None:
+    here = tmp_path / "c.yaml"
+    here.write_text(PLAIN, encoding="utf-8")
+    model = subject(tmp_path, str(here), "/nowhere/c.yaml", str(here))
+    assert [(file.path, file.found) for file in parameter_files(model)] == [
+        (str(here), str(here)),
+        ("/nowhere/c.yaml", None),
+    ]
+    ((file, (drive,)),) = controllers(model)
+    assert file.element is not None
+    assert file.element.text == f" {here} "
+    assert drive.name == "drive"
+    assert drive.values(["wheel_radius"])[0].span.source.path == str(here)
+
+
+def test_paths_that_say_nothing_here(tmp_path: Path) -> None:
+    model = subject(tmp_path, "c.yaml", "$(find p)/c.yaml", "/${x}.yaml", "", "package://p/c.yaml")
+    assert parameter_files(model) == []
+
+
+def test_a_file_that_a_build_would_install(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "bringup" / "config").mkdir(parents=True)
+    source = tmp_path / "bringup" / "config" / "c.yaml"
+    source.write_text(PLAIN, encoding="utf-8")
+    (file,) = parameter_files(subject(tmp_path, str(tmp_path / "config" / "c.yaml")))
+    assert file.found == str(source)
+
+
+def test_a_file_outside_of_the_workspace_is_not_read(tmp_path: Path) -> None:
+    workspace, outside = tmp_path / "ws" / "p", tmp_path / "c.yaml"
+    workspace.mkdir(parents=True)
+    (workspace / "package.xml").write_text("<package><name>p</name></package>")
+    outside.write_text(PLAIN, encoding="utf-8")
+    model = subject(workspace, str(outside))
+    assert [file.found for file in parameter_files(model)] == [str(outside)]
+    assert list(controllers(model)) == []

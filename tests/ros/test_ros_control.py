@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import MODELS
+from tests.controls import CLASSIC, ROBOT, control, driven, plugin, transmission
+from urdfkit.lint import engine, rules
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.lint.runner import applicable
+from urdfkit.ros.ros_control import (
+    components,
+    control_plugins,
+    driven_joints,
+    is_of_pr2,
+    parameter,
+    reads_transmissions,
+)
+from urdfkit.ros.targets import parse
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
+
+
+def subject(text: str) -> Subject:
+    return Subject(Source("robot.urdf", whole_robot(text).encode()), Resolver(environment={}))
+
+
+def test_a_component_and_its_parts() -> None:
+    sensor = '<sensor name="imu"><state_interface name="orientation.x"/></sensor>'
+    block = control(driven("swing", more='<param name="p">1</param>'), sensor, plugin=CLASSIC)
+    (component,) = components(subject(ROBOT + block).model)
+    assert (component.name, component.hardware) == ("c", CLASSIC)
+    assert component.called == "<ros2_control> 'c'"
+    assert [(part.kind, part.name) for part in component.parts] == [
+        ("joint", "swing"),
+        ("sensor", "imu"),
+    ]
+    (joint,) = component.joints
+    assert [(one.direction, one.name) for one in joint.interfaces] == [
+        ("command", "position"),
+        ("state", "position"),
+    ]
+    assert [one.name for one in joint.of("state")] == ["position"]
+    found = parameter(joint.at, "p")
+    assert found is not None
+    assert found.text == "1"
+    assert parameter(joint.at, "q") is None
+
+
+@pytest.mark.parametrize(("text", "value"), [("-1.5", -1.5), (" 2 ", 2.0), ("", None), ("x", None)])
+def test_the_bounds_of_an_interface(text: str, value: float | None) -> None:
+    joint = f'<joint name="j"><command_interface name="v"><param name="min">{text}</param>'
+    block = control(f"{joint}</command_interface></joint>")
+    interface = components(subject(block).model)[0].joints[0].interfaces[0]
+    assert interface.bound("min") == value
+    assert interface.bound("max") is None
+
+
+def test_an_empty_block_is_read() -> None:
+    (component,) = components(subject(ROBOT + "<ros2_control/>").model)
+    assert component.plugin is None
+    assert component.parts == ()
+    assert (component.hardware, component.called) == ("", "<ros2_control>")
+
+
+def test_control_plugins_among_others() -> None:
+    text = plugin("libgazebo_ros_control.so") + plugin("libgazebo_ros_joint_pose_trajectory.so")
+    text += plugin("libacme_control.so") + plugin("gz_ros2_control-system")
+    found = control_plugins(subject(ROBOT + text).model)
+    assert [(one.kind, one.filename) for one in found] == [
+        ("gazebo_ros_control", "libgazebo_ros_control.so"),
+        ("gz_ros2_control", "gz_ros2_control-system"),
+    ]
+
+
+def test_transmissions() -> None:
+    model = subject(ROBOT + transmission("swing") + PR2).model
+    ((joint, of),) = driven_joints(model)
+    assert (joint.get("name"), of) == ("swing", model.transmissions[0])
+    assert [is_of_pr2(one) for one in model.transmissions] == [False, True]
+    slip = '<transmission type="SimpleTransmission"><joint name="swing"/>{}</transmission>'
+    for content, older in (("", False), ("<mechanicalReduction/>", True), ("<type/>", False)):
+        (one,) = subject(ROBOT + slip.format(content)).model.transmissions
+        assert is_of_pr2(one) is older
+
+
+@pytest.mark.parametrize(
+    ("targets", "read"),
+    [
+        ([], True),
+        (["ros1"], True),
+        (["ros2"], False),
+        (["gz-harmonic", "ros2"], False),
+        (["classic-ros1", "ros2"], True),
+        (["kdl"], True),
+    ],
+)
+def test_who_reads_the_transmissions_of_ros1(targets: list[str], read: bool) -> None:
+    assert reads_transmissions(parse(targets)) is read
+
+
+def families(text: str) -> set[str]:
+    return {rule.code[:3] for rule in applicable(subject(text), rules.codes())}
+
+
+def test_without_control_the_rules_need_not_be_imported() -> None:
+    assert "RCT" not in families(ROBOT)
+    assert "RCT" not in families(ROBOT + plugin("libgazebo_ros_imu_sensor.so"))
+    for piece in (transmission("swing"), control(), plugin("libgazebo_ros_control.so")):
+        assert "RCT" in families(ROBOT + piece)
+
+
+def test_the_robot_of_the_mission_has_nothing_to_do_with_control() -> None:
+    report = engine.check(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["RCT"])
+    assert report.crashed == ()
+    assert report.diagnostics == ()

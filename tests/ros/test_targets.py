@@ -1,0 +1,113 @@
+"""The programs that a check is for: as they are named, and as a model gives them away."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import manifest, model_id, needs_corpus
+from tests.gazebos import BASE, plugin
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.ros.targets import GAZEBO, TARGETS, Targets, UnknownTarget, parse
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+MOVE = "libgazebo_ros_planar_move.so"
+OLD, NEW = "<odometryFrame>o</odometryFrame>", "<odometry_frame>o</odometry_frame>"
+ROS = "<ros><namespace>a</namespace></ros>"
+
+
+def inferred(text: str, folder: Path, build: str = "") -> tuple[str, ...]:
+    if build:
+        manifest = f"<package><name>p</name><buildtool_depend>{build}</buildtool_depend></package>"
+        (folder / "package.xml").write_text(manifest)
+    source = Source(str(folder / "robot.urdf"), whole_robot(BASE + text).encode())
+    names = Subject(source, Resolver(environment={})).targets.names
+    return tuple(name for name in names if name.startswith(("classic", "gz")))
+
+
+@pytest.mark.parametrize(
+    ("file", "tags", "build", "generation"),
+    [
+        (MOVE, "", "", "classic-ros1"),
+        (MOVE, OLD, "", "classic-ros1"),
+        (MOVE, NEW, "", "classic-ros2"),
+        (MOVE, OLD, "ament_cmake", "classic-ros2"),
+        (MOVE, NEW, "catkin", "classic-ros1"),
+        (MOVE, ROS, "catkin", "classic-ros2"),
+        ("libgazebo_ros_ray_sensor.so", "", "", "classic-ros2"),
+        ("libgazebo_ros_laser.so", NEW, "", "classic-ros1"),
+        ("libgazebo_ros_laser.so", "", "ament_cmake", "classic-ros2"),
+        ("gz-sim-imu-system", "", "", "gz-harmonic"),
+        ("ignition-gazebo-imu-system", "", "", "gz-fortress"),
+    ],
+)
+def test_generation(file: str, tags: str, build: str, generation: str, tmp_path: Path) -> None:
+    assert inferred(plugin(file, tags), tmp_path, build) == (generation,)
+
+
+def test_names_are_taken_in_one_order() -> None:
+    assert parse(["moveit", "ros2", "moveit"]) == Targets(("ros2", "moveit"))
+    assert parse(TARGETS) == Targets(tuple(TARGETS))
+    assert set(GAZEBO) < set(TARGETS)
+
+
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("mojoco", "; did you mean 'mujoco'?"),
+        ("gz-harmonik", "; did you mean 'gz-harmonic'?"),
+        ("unreal", ""),
+    ],
+)
+def test_an_unknown_name_is_an_error_with_the_nearest(name: str, hint: str) -> None:
+    with pytest.raises(UnknownTarget) as error:
+        parse(["ros2", name])
+    assert str(error.value) == f"there is no target '{name}'{hint} ({', '.join(TARGETS)})"
+
+
+def test_any_of() -> None:
+    assert Targets(("ros1", "classic-ros1")).any_of(GAZEBO)
+    assert not Targets(("ros1",)).any_of(GAZEBO)
+
+
+def test_what_was_given_is_not_inferred() -> None:
+    source = Source("robot.urdf", whole_robot(BASE + plugin("gz-sim-imu-system", "")).encode())
+    given = parse(["mujoco"])
+    assert Subject(source, Resolver(environment={}), targets=given).targets == given
+    inferred = Subject(source, Resolver(environment={})).targets
+    assert inferred == Targets(("gz-harmonic",), ("gz-harmonic: plugin gz-sim-imu-system",))
+
+
+def test_a_plain_robot_gives_nothing_away() -> None:
+    source = Source("robot.urdf", whole_robot(BASE).encode())
+    assert Subject(source, Resolver(environment={})).targets == Targets(())
+
+
+WITH_PLUGINS = [entry for entry in manifest() if entry[1].get("expect", {}).get("gazebo_plugins")]
+
+
+def generation(plugins: list[str], is_ros2: bool) -> str:
+    """What a person says who knows the plugins and the package."""
+    if any(name.startswith(("gz_ros2_control", "gz-sim")) for name in plugins):
+        return "gz-harmonic"
+    return "classic-ros2" if is_ros2 else "classic-ros1"
+
+
+@needs_corpus
+@pytest.mark.parametrize("entry", WITH_PLUGINS, ids=model_id)
+def test_the_generation_of_real_robots(entry: tuple[Path, dict[str, Any]]) -> None:
+    folder, facts = entry
+    path = folder / facts["path"]
+    arguments = dict(word.split(":=", 1) for word in facts["xacro_args"])
+    targets = Subject(Source.read(path), Resolver(), arguments).targets
+    package = next(at for at in path.parents if (at / "package.xml").is_file())
+    is_ros2 = b"ament" in (package / "package.xml").read_bytes()
+    expected = generation(facts["expect"]["gazebo_plugins"], is_ros2)
+    assert targets.names == ("ros2" if is_ros2 else "ros1", expected)
+    assert targets.evidence[0] == f"{targets.names[0]}: package.xml"
+    named = targets.evidence[1].removeprefix(f"{expected}: plugin ")
+    assert named in facts["expect"]["gazebo_plugins"]

@@ -1,0 +1,48 @@
+from __future__ import annotations
+
+import pytest
+
+from urdfkit.text.located_yaml import MAX_BYTES, MAX_LEVELS, Value, load
+from urdfkit.text.source import Source
+
+
+def texts(node: object) -> object:
+    if isinstance(node, dict):
+        return {key: texts(value) for key, value in node.items()}
+    if isinstance(node, list):
+        return [texts(value) for value in node]
+    return node.text if isinstance(node, Value) else node
+
+
+def test_values_know_their_places() -> None:
+    source = Source("c.yaml", "# \u00e9\na: {b: [1, 'two']}\n".encode())
+    node = load(source)
+    assert texts(node) == {"a": {"b": ["1", "two"]}}
+    assert isinstance(node, dict)
+    inner = node["a"]
+    assert isinstance(inner, dict)
+    assert isinstance(inner["b"], list)
+    one, two = inner["b"]
+    assert isinstance(one, Value)
+    assert isinstance(two, Value)
+    assert (one.span.line, one.span.column, one.span.text) == (2, 9, "1")
+    assert two.span.text == "'two'"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a: [", "\t- x", "[" * (MAX_LEVELS + 1) + "]" * (MAX_LEVELS + 1), "a: " + "b" * MAX_BYTES],
+    ids=["unfinished", "tab", "deep", "large"],
+)
+def test_what_is_no_list_of_parameters_is_nothing(text: str) -> None:
+    assert load(Source("c.yaml", text.encode())) is None
+
+
+def test_aliases_are_not_followed() -> None:
+    assert texts(load(Source("c.yaml", b"a: &x [1]\nb: *x\n"))) == {"a": ["1"], "b": None}
+
+
+def test_a_key_that_comes_again_goes_on_as_in_ros_2() -> None:
+    text = b"/**:\n  a: {x: 1}\n/**:\n  b: 2\n  a: {y: 3}\nc: 1\nc: 2\n"
+    found = texts(load(Source("c.yaml", text)))
+    assert found == {"/**": {"a": {"x": "1", "y": "3"}, "b": "2"}, "c": "2"}

@@ -1,0 +1,44 @@
+"""Files that cannot be read: the reason and the remedy."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.text.source import Source
+
+
+@pytest.mark.parametrize(
+    ("word", "reason"),
+    [
+        ("robt.urdf", "there is no such file; did you mean 'robot.urdf'?"),
+        ("robot.xml", "there is no such file; did you mean 'robot.urdf'?"),
+        ("missing.urdf", "there is no such file"),  # the suffix alone is no likeness
+        ("none/robot.urdf", "there is no folder '{}/none'"),
+        ("", "is a folder; name the files in it"),
+    ],
+)
+def test_a_missing_file_is_told_with_the_one_that_was_meant(
+    tmp_path: Path, word: str, reason: str
+) -> None:
+    for name in ("robot.urdf", "bin.urdf"):
+        (tmp_path / name).touch()
+    with pytest.raises(UnreadableFile) as caught:
+        Source.read(tmp_path / word)
+    assert str(caught.value) == f"{tmp_path / word}: {reason.format(tmp_path)}"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
+def test_a_link_that_leads_back_to_itself(tmp_path: Path) -> None:
+    loop = tmp_path / "loop.urdf"
+    loop.symlink_to(loop)
+    with pytest.raises(UnreadableFile, match="is a link that leads back to itself"):
+        Source.read(loop)
+
+
+def test_what_was_read_already_is_not_read_again() -> None:
+    source = Source("gone.urdf", b"<robot/>")
+    assert Source.of(source) is source

@@ -1,0 +1,331 @@
+"""Slips of XML: what is said, where, and how often."""
+
+from __future__ import annotations
+
+from xml.parsers import expat
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.conftest import CORPUS, MODELS, needs_corpus
+from urdfkit.text.source import Source
+from urdfkit.text.tag_matching import MAX_ERRORS
+from urdfkit.text.xml_errors import MAX_TAGS, syntax_slips
+
+
+def slips(text: str) -> list[tuple[int, int, str]]:
+    """Line, column and message of every slip."""
+    data = text.encode()
+    source = Source("robot.urdf", data)
+    return [(*source.position(slip.start), slip.message) for slip in syntax_slips(data)]
+
+
+def one(text: str) -> tuple[str, str]:
+    """The text that the only slip marks, and its message; ``|`` where something is missing."""
+    data = text.encode()
+    (slip,) = syntax_slips(data)
+    return data[slip.start : slip.end].decode() or "|", slip.message
+
+
+def inside(text: str) -> str:
+    return f'<robot name="r">{text}</robot>'
+
+
+class TestAttributes:
+    @pytest.mark.parametrize(
+        ("tag", "marked", "message"),
+        [
+            ("<link name=a/>", "a", "the value of 'name' needs quotes: name=\"a\""),
+            ('<link name="a" type/>', "type", "attribute 'type' has no value"),
+            ('<link name="a" type= />', "|", "attribute 'type' has no value"),
+            ('<link name="a"type="b"/>', "|", "a blank is missing before 'type'"),
+            ('<link name="a", type="b"/>', ",", "',' does not belong into <link>"),
+            ('<link name="a""/>', '"', "'\"' does not belong into <link>"),
+            ('<parent link="a"//>', "/", "'/' does not belong into <parent>"),
+            ('<link 1="a"/>', '1="a"', "'1=\"a\"' does not belong into <link>"),
+            ('<origin xyz=0 0 0" rpy="0 0 0"/>', "|", "the value of 'xyz' has no opening quote"),
+            ('<origin xyz="0 0 0 rpy="0 0 0"/>', '"', "the value of 'xyz' has no closing quote"),
+            ('<link name="a/><link name="b"/>', '"', "the value of 'name' has no closing quote"),
+            ('<link name="a></link>', '"', "the value of 'name' has no closing quote"),
+            ('<if value="${a < b}"/>', "<", "'<' inside a value must be written '&lt;'"),
+            ('<link name="a & b"/>', "&", "'&' must be written '&amp;'"),
+        ],
+    )
+    def test_slip(self, tag: str, marked: str, message: str) -> None:
+        assert one(inside(tag)) == (marked, message)
+
+    def test_given_twice(self) -> None:
+        data = inside('<link name="a" name="b"/>').encode()
+        (slip,) = syntax_slips(data)
+        assert slip.message == "attribute 'name' is given twice"
+        assert (slip.start, slip.end) == (31, 35)
+        assert slip.notes == ((22, 26, "first given here"),)
+
+    def test_of_the_same_name_in_another_element_is_none(self) -> None:
+        assert syntax_slips(inside('<link name="a"/><link name="a"/>').encode()) == []
+
+
+class TestText:
+    @pytest.mark.parametrize(
+        ("text", "marked", "message"),
+        [
+            ("a & b", "&", "'&' must be written '&amp;'"),
+            ("1 < 2", "<", "'<' begins no tag; in a text it must be written '&lt;'"),
+            ("a&nbsp;b", "&nbsp;", "'&nbsp;' is not defined; XML knows &lt; &gt; &amp; only"),
+            ("&#0;", "&#0;", "'&#0;' is no character"),
+            ("&#xD800;", "&#xD800;", "'&#xD800;' is no character"),
+            ("]]>", "]]>", "']]>' in a text must be written ']]&gt;'"),
+            ("\x01", "\x01", "the control character U+0001 is not allowed in XML"),
+            ("\0", "\0", "a NUL byte is not allowed in XML"),
+            ("a </1 b", "</", "'</' begins no end tag: a name must follow"),
+            ("< link/>", "< link", "no blank may stand between '<' and 'link'"),
+        ],
+    )
+    def test_slip(self, text: str, marked: str, message: str) -> None:
+        assert one(inside(text)) == (marked, message)
+
+    @pytest.mark.parametrize("text", ["&lt;&gt;&amp;&quot;&apos;", "&#228;", "&#x1F916;", "a > b"])
+    def test_what_xml_allows(self, text: str) -> None:
+        assert syntax_slips(inside(text).encode()) == []
+
+    def test_an_entity_that_the_file_declares_is_none(self) -> None:
+        text = '<!DOCTYPE robot [<!ENTITY b "c">]>' + inside("&b;")
+        assert syntax_slips(text.encode()) == []
+
+
+class TestComments:
+    def test_dashes(self) -> None:
+        assert one(inside("<!-- a -- b -->")) == ("--", "'--' is not allowed inside a comment")
+
+    def test_a_third_dash_at_the_end(self) -> None:
+        assert slips(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
+
+    def test_a_row_of_dashes_is_one_slip(self) -> None:
+        assert one(inside("<!---------->"))[1] == "'--' is not allowed inside a comment"
+
+    def test_without_an_end_hides_the_rest_and_nothing_follows_from_it(self) -> None:
+        message = "the comment never ends: '-->' is missing"
+        assert slips(inside("<link><!-- a <b>")) == [(1, 23, message)]
+
+    def test_anything_else_may_stand_in_it(self) -> None:
+        assert syntax_slips(inside("<!-- <a & b - c> \"'' -->").encode()) == []
+
+
+class TestTags:
+    def test_not_closed_names_the_tag_and_where_it_should_have_ended(self) -> None:
+        data = b'<robot name="r">\n  <link name="arm">\n</robot>'
+        (slip,) = syntax_slips(data)
+        assert data[slip.start : slip.end] == b'<link name="arm">'
+        assert slip.message == '<link name="arm"> is not closed before </robot>'
+        ((start, end, note),) = slip.notes
+        assert data[start:end] == b"</robot>"
+        assert note == "</robot> closes the element around it"
+
+    def test_two_not_closed(self) -> None:
+        assert slips('<robot><link name="a"><link name="b"></robot>') == [
+            (1, 8, '<link name="a"> is not closed before </robot>'),
+            (1, 23, '<link name="b"> is not closed before </robot>'),
+        ]
+
+    def test_an_end_tag_of_another_name(self) -> None:
+        data = b'<robot name="r"><joint name="j"></link></robot>'
+        (slip,) = syntax_slips(data)
+        assert data[slip.start : slip.end] == b"</link>"
+        assert slip.message == "</link> stands where </joint> is expected"
+        assert slip.notes == ((16, 32, '<joint name="j"> is open since here'),)
+
+    def test_an_end_tag_of_another_name_that_is_open_too(self) -> None:
+        text = '<robot><link name="a"><visual></link></link></robot>'
+        assert slips(text) == [(1, 31, "</link> stands where </visual> is expected")]
+
+    def test_not_closed_inside_one_that_is(self) -> None:
+        text = '<robot><link name="a"><visual></link><link name="b"/></robot>'
+        assert slips(text) == [(1, 23, "<visual> is not closed before </link>")]
+
+    def test_an_empty_element_that_is_closed_again(self) -> None:
+        data = b'<robot><link name="a"/>\n<visual/></link></robot>'
+        (slip,) = syntax_slips(data)
+        assert slip.message == "</link> closes nothing: no <link> is open"
+        ((start, end, note),) = slip.notes
+        assert data[start:end] == b'<link name="a"/>'
+        assert note == "<link .../> closes itself: its '/' is one too many"
+
+    def test_closed_in_the_wrong_order_is_one_slip(self) -> None:
+        assert slips("<robot><a><b></a></b></robot>") == [(1, 11, "<b> is not closed before </a>")]
+
+    def test_without_its_bracket(self) -> None:
+        text = '<robot><parent link="a"\n  <child link="b"/></robot>'
+        assert slips(text) == [(1, 24, "'>' is missing at the end of <parent")]
+
+    def test_without_its_bracket_may_have_content(self) -> None:
+        text = '<robot><link name="a"\n  <visual/></link></robot>'
+        assert slips(text) == [(1, 22, "'>' is missing at the end of <link")]
+
+    def test_an_end_tag_with_attributes(self) -> None:
+        message = "an end tag holds nothing but its name: </link>"
+        assert slips('<robot><link></link name="a"></robot>') == [(1, 14, message)]
+
+    def test_an_end_tag_without_its_bracket(self) -> None:
+        text = "<robot><link></link</robot>"
+        assert slips(text) == [(1, 14, "'>' is missing behind </link")]
+
+
+class TestTheWholeFile:
+    def test_cut_off_between_tags(self) -> None:
+        data = b'<robot name="r">\n  <link name="a">\n    <visual>\n'
+        (slip,) = syntax_slips(data)
+        assert slip.message == "the file ends before </visual>, </link>, </robot>"
+        assert slip.start == slip.end == len(data) - 1
+        assert [message for _, _, message in slip.notes] == [
+            "<visual> is not closed",
+            '<link name="a"> is not closed',
+            '<robot name="r"> is not closed',
+        ]
+
+    @pytest.mark.parametrize("end", ["<link", '<link name="a"', "<link name=", '<link name="a'])
+    def test_cut_off_inside_a_tag_is_one_slip(self, end: str) -> None:
+        ((line, column, _),) = slips(f"<robot>\n  {end}")
+        assert (line, column >= 3) == (2, True)
+
+    def test_a_second_root(self) -> None:
+        data = b"<robot/><link/><link/>"
+        (slip,) = syntax_slips(data)
+        assert slip.trailing
+        assert (slip.start, slip.end) == (8, 15)
+        assert slip.message == "<link> behind the end of <robot>"
+        assert slip.notes == ((0, 8, "<robot> begins here"),)
+
+    def test_text_behind_the_end(self) -> None:
+        (slip,) = syntax_slips(b"<robot></robot>\n  bye <b>\n")
+        assert slip.trailing
+        assert (slip.start, slip.end) == (18, 21)
+
+    def test_an_end_tag_behind_the_end(self) -> None:
+        assert slips("<robot></robot></robot>") == [
+            (1, 16, "</robot> closes nothing: no <robot> is open")
+        ]
+
+    def test_text_before_the_first_tag(self) -> None:
+        assert slips("hello <robot/>") == [(1, 1, "text before the first tag")]
+
+    @pytest.mark.parametrize(
+        ("text", "message"),
+        [
+            ("", "the file is empty"),
+            (" \r\n\t", "the file is empty"),
+            ("<!-- nothing -->", "there is no element in the file"),
+            ("links: [a, b]", "the file is no XML: there is no tag in it"),
+            (
+                "<!DOCTYPE html>\n<html><br></html>",
+                "the file is a web page, not a robot",
+            ),
+            (
+                "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n",
+                "the file is a pointer of Git LFS, not the robot itself",
+            ),
+        ],
+    )
+    def test_is_something_else(self, text: str, message: str) -> None:
+        assert slips(text) == [(1, 1, message)]
+
+    def test_binary_is_one_slip(self) -> None:
+        (slip,) = syntax_slips(b"<robot>" + bytes(range(32)) * 9)
+        assert slip.message == "the file is no text: it holds 261 control characters"
+
+    @pytest.mark.parametrize(
+        "declaration", ['<?xml verison="1.0"?>', "<?xml?>", '<?xml version="1.0" standalone="x"?>']
+    )
+    def test_a_wrong_declaration(self, declaration: str) -> None:
+        message = 'the XML declaration must read <?xml version="1.0"?>'
+        assert slips(declaration + "<robot/>") == [(1, 1, message)]
+
+    def test_a_declaration_further_down(self) -> None:
+        message = "the XML declaration must stand at the very beginning of the file"
+        assert slips('\n<?xml version="1.0"?><robot/>') == [(2, 1, message)]
+
+    def test_other_instructions_are_fine(self) -> None:
+        assert syntax_slips(b'<?xml-model href="a"?><robot><?php ?></robot>') == []
+
+
+class TestPlaces:
+    def test_columns_count_characters(self) -> None:
+        assert slips("<robot>\n\tÄ€🤖 & b</robot>") == [(2, 6, "'&' must be written '&amp;'")]
+
+    @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+    def test_lines_end_as_they_may(self, end: str) -> None:
+        text = end.join(["<robot>", "  <link>", "</robot>", ""])
+        assert slips(text) == [(2, 3, "<link> is not closed before </robot>")]
+
+    def test_all_slips_are_told_in_the_order_of_the_file(self) -> None:
+        text = inside('\n<link name=a/>\n<!-- -- -->\n<b c="1"d="2"/>\n& <x>')
+        assert [(line, column) for line, column, _ in slips(text)] == [
+            (2, 12),
+            (3, 6),
+            (4, 9),
+            (5, 1),
+            (5, 3),
+        ]
+
+    def test_in_a_line_of_a_megabyte(self) -> None:
+        text = inside("<link/>" * 150_000 + "&")
+        assert slips(text) == [(1, 16 + 1_050_000 + 1, "'&' must be written '&amp;'")]
+
+
+class TestBounds:
+    @pytest.mark.parametrize(
+        "data",
+        [
+            b"<" * 1_000_000,
+            b"&" * 1_000_000,
+            b"</a>" * 400_000,
+            b"<a><b></a>" * 100_000,
+            b"<a b='" * 200_000,
+            b'<a b="<' * 200_000,
+            b"<a " + b"b " * 500_000,
+            b"<!--" * 300_000,
+            b"<!DOCTYPE " + b"<!-- " * 100_000,
+            b"<a>" + b"--" * 500_000,
+        ],
+        ids=range(10),
+    )
+    def test_hostile_text_ends_soon_and_is_refused(self, data: bytes) -> None:
+        found = syntax_slips(data)
+        assert 0 < len(found) <= MAX_ERRORS
+
+    def test_beyond_the_bound_on_tags_the_parser_says_what_is_wrong(self) -> None:
+        assert syntax_slips(b"<a>" * (MAX_TAGS + 1)) == []
+
+
+def refused_by_expat(data: bytes) -> bool:
+    try:
+        expat.ParserCreate("utf-8").Parse(data, True)
+    except expat.ExpatError:
+        return True
+    return False
+
+
+@needs_corpus
+def test_no_slip_is_found_where_expat_finds_none() -> None:
+    files = [path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".xacro", ".xml")]
+    accepted = [path for path in files if not refused_by_expat(path.read_bytes())]
+    assert len(accepted) > 300
+    assert [path for path in accepted if syntax_slips(path.read_bytes())] == []
+
+
+MODEL = (MODELS / "good" / "gripper.urdf").read_bytes()
+PIECES = [b"<", b">", b'"', b"&", b"/", b"--", b"</link>", b"<link>", b"]]>", b" ", b"=", b"\0"]
+
+
+@settings(max_examples=300, derandomize=True, deadline=None)
+@given(
+    st.integers(0, len(MODEL)),
+    st.integers(0, 40),
+    st.sampled_from([b"", *PIECES]),
+)
+def test_slips_are_found_exactly_where_expat_refuses(at: int, length: int, piece: bytes) -> None:
+    data = MODEL[:at] + piece + MODEL[at + length :]
+    found = syntax_slips(data)
+    assert bool(found) == refused_by_expat(data)
+    assert [slip.start for slip in found] == sorted({slip.start for slip in found})
+    assert all(0 <= slip.start <= slip.end <= len(data) for slip in found)

@@ -1,0 +1,239 @@
+"""The viewer as a process: who gets an answer, and what a saved file does."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import shutil
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import MODELS, ROOT
+from tests.output.report.browsers import browser, needs_browser
+
+for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
+    pytest.importorskip(module)
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.output.report.translations import Words
+from urdfkit.viewer import server
+from urdfkit.viewer.state import Wish
+
+BASE = MODELS / "good" / "mobile_base"
+
+
+class Running:
+    """A viewer of a copy of a robot."""
+
+    def __init__(self, folder: Path, *more: str) -> None:
+        shutil.copytree(BASE, folder / "mobile_base")
+        self.robot = folder / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
+        words = [sys.executable, "-m", "urdfkit", "view", str(self.robot), "--no-open", *more]
+        self.process = subprocess.Popen(words, cwd=ROOT, stderr=subprocess.PIPE, text=True)
+        assert self.process.stderr
+        self.address = self.process.stderr.readline().strip()
+
+    def get(self, path: str = "", body: bytes | None = None, **headers: str) -> tuple[int, bytes]:
+        request = urllib.request.Request(self.address + path, body, headers)
+        try:
+            with urllib.request.urlopen(request, timeout=20) as answer:
+                return answer.status, answer.read()
+        except urllib.error.HTTPError as error:
+            return error.code, error.read()
+
+    def state(self, wanted: Callable[[Any], bool] = lambda state: True) -> Any:
+        """The state, as soon as it is one that is wanted."""
+        for _ in range(200):
+            state = json.loads(self.get("state")[1])
+            if wanted(state):
+                return state
+            time.sleep(0.1)
+        raise AssertionError("no such state")
+
+    def after(self, before: Any) -> Any:
+        """The state as soon as the robot was read again."""
+        return self.state(lambda state: state["shape"] > before["shape"])
+
+    def edit(self, old: str, new: str, file: Path | None = None) -> None:
+        path = file or self.robot
+        text = path.read_text(encoding="utf-8")
+        assert old in text
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+    def end(self) -> None:
+        self.process.terminate()
+        self.process.wait(10)
+        assert self.process.stderr
+        self.process.stderr.close()
+
+
+@pytest.fixture(scope="module")
+def viewer(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
+    running = Running(tmp_path_factory.mktemp("viewer"))
+    try:
+        yield running
+    finally:
+        running.end()
+
+
+def test_it_answers_at_a_local_address_that_nobody_guesses(viewer: Running) -> None:
+    match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/([\w-]{32})/", viewer.address)
+    assert match
+    status, page = viewer.get()
+    assert status == 200
+    assert b"mobile_base" in page
+    for address in ("../", "../" + "x" * 32 + "/", "../state"):
+        assert viewer.get(address)[0] == 404
+    assert viewer.get(Host="robots.example.org")[0] == 400
+    assert viewer.get(Host=f"127.0.0.1:{match[1]}")[0] == 200
+
+
+def test_the_page_may_load_from_here_only(viewer: Running) -> None:
+    page = viewer.get()[1].decode()
+    assert "connect-src &#39;self&#39; blob: data:" in page
+    assert "unsafe-eval" not in page
+
+
+@pytest.mark.parametrize("body", [b"", b"[]", b'{"a": 1}', b"{" * 90_000, b" " * 200_000])
+def test_nonsense_is_refused(viewer: Running, body: bytes) -> None:
+    assert viewer.get("arguments", body or b"\0")[0] == 400
+
+
+def test_every_file_of_the_robot_is_watched(viewer: Running) -> None:
+    before = viewer.state()
+    assert before["files"] == 3
+    dimensions = viewer.robot.parents[1] / "config" / "dimensions.yaml"
+    viewer.edit("mass: 6.0", "mass: 7.0", dimensions)
+    after = viewer.after(before)
+    masses = {link["name"]: link.get("mass") for link in after["robot"]["links"]}
+    assert masses["base_link"] == 7.0
+    included = viewer.robot.parent / "inertials.xacro"
+    viewer.edit("</robot>", "</robot><oops>", included)
+    broken = viewer.after(after)
+    assert broken["readable"] is False
+    assert "model" not in broken
+    assert "inertials.xacro" in broken["content"]
+    viewer.edit("<oops>", "", included)
+    assert viewer.after(broken)["readable"] is True
+
+
+def test_what_takes_a_while_follows(viewer: Running) -> None:
+    viewer.edit("mass: 7.0", "mass: 6.5", viewer.robot.parents[1] / "config" / "dimensions.yaml")
+    whole = viewer.state(lambda state: state["whole"] and state["readable"])
+    for section in ("pictures", "statics", "collisions"):
+        assert f'<section id="{section}">' in whole["content"]
+    same = json.loads(viewer.get(f"state?shown={whole['shape']}")[1])
+    assert same["content"] == whole["content"]
+    assert "model" not in same
+    assert "model" in whole
+
+
+def test_a_file_that_goes_and_comes_back(viewer: Running) -> None:
+    text = viewer.robot.read_text(encoding="utf-8")
+    viewer.robot.unlink()
+    gone = viewer.state(lambda state: state["error"])
+    assert "mobile_base.urdf.xacro" in gone["error"]
+    viewer.robot.write_text(text, encoding="utf-8")
+    assert viewer.after(gone)["error"] == ""
+
+
+def test_arguments_are_those_of_the_xacro(viewer: Running) -> None:
+    before = viewer.state()
+    assert before["declared"] == {"prefix": ""}
+    assert viewer.get("arguments", b'{"prefix": "left_"}')[0] == 204
+    after = viewer.after(before)
+    assert after["declared"] == {"prefix": "left_"}
+    assert after["robot"]["links"][0]["name"] == "left_base_footprint"
+    viewer.get("arguments", b'{"prefix": ""}')
+
+
+@needs_browser
+def test_an_open_page_follows(viewer: Running) -> None:
+    pytest.importorskip("selenium")
+    viewer.get("arguments", b'{"prefix": ""}')
+    before = viewer.state()
+    viewer.edit('velocity="20"', 'velocity="0"')
+    viewer.after(before)
+    with browser() as page:
+        page.open(viewer.address)
+        page.run("urdfkit.move('left_wheel_joint', 0.5)")
+        shown = "return document.querySelectorAll('.finding:not([hidden])').length"
+        assert page.run(shown) > 0
+        page.run("document.querySelector('.filter [name=words]').value = 'no such words'")
+        before = page.run("return urdfkit.frame('left_wheel')")
+        viewer.edit('xyz="0.08 ', 'xyz="0.18 ')
+        viewer.edit('effort="5"', 'effort="0"')
+        seen = (
+            "new Promise((done) => { const look = () => { const at = urdfkit.frame('left_wheel');"
+            f" if (Math.abs(at[12] - {before[12]}) > 1e-6) done(at);"
+            " else setTimeout(look, 50); }; look(); })"
+        )
+        after = page.wait(seen)
+        assert after[12] - before[12] == pytest.approx(0.1)  # it moved, and
+        assert after[:12] == pytest.approx(before[:12])  # the joint is where it was put
+        assert page.run(shown) == 0  # and the filter stays
+        field = page.find("#arguments input[name=prefix]")
+        field.send_keys("r_")
+        page.find("#arguments button").click()
+        page.wait(
+            "new Promise((done) => { const look = () => document.querySelector("
+            "'[data-link=r_base_link]') ? done(1) : setTimeout(look, 50); look(); })"
+        )
+        assert page.errors == []
+
+
+def test_a_port_that_is_taken_is_said(viewer: Running, capfd: pytest.CaptureFixture[str]) -> None:
+    from urdfkit.cli import main
+
+    port = viewer.address.split(":")[2].partition("/")[0]
+    assert main(["view", str(viewer.robot), "--no-open", "--port", port]) == 2
+    assert f"port {port} of 127.0.0.1" in capfd.readouterr().err
+    assert main(["view", "none.urdf", "--no-open"]) == 2
+
+
+def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
+    first = Running(tmp_path / "first")
+    first.get()
+    first.end()
+    again = Running(tmp_path / "again", "--port", first.address.split(":")[2].partition("/")[0])
+    try:
+        assert again.get()[0] == 200
+    finally:
+        again.end()
+
+
+@pytest.mark.parametrize(
+    ("error", "told"),
+    [
+        (UnreadableFile("r.urdf: there is no such file"), "r.urdf: there is no such file"),
+        (ValueError("boom"), "urdfkit failed with ValueError: boom"),
+    ],
+)
+def test_what_fails_is_told_once_and_does_not_end_the_viewer(
+    error: Exception, told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = str(MODELS / "good" / "gripper.urdf")
+
+    async def follow() -> tuple[str, int, str]:
+        viewer = server.Viewer(Wish(file, {}, {}), Words())
+        with monkeypatch.context() as broken:
+            broken.setattr(server, "read", fail)
+            await viewer.refresh()
+            await viewer.refresh()
+        message, revision = viewer.error, viewer.revision
+        await viewer.refresh()
+        return message, revision, viewer.error
+
+    def fail(*_: object) -> None:
+        raise error
+
+    assert asyncio.run(follow()) == (told, 2, "")

@@ -1,0 +1,74 @@
+"""The viewer looks at every file that a robot is made from."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytest.importorskip("numpy")
+pytest.importorskip("PIL")
+pytest.importorskip("jinja2")
+
+from tests.mesh import made
+from urdfkit.mesh import samples
+from urdfkit.output.report.document import Told, describe
+from urdfkit.viewer import state as module
+from urdfkit.viewer.state import Wish, read
+
+ROBOT = """<robot name="r"><link name="l"><visual><geometry>
+<mesh filename="{}"/></geometry></visual></link></robot>"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Meshes of several files."""
+    (tmp_path / "a.obj").write_bytes(made.obj())
+    (tmp_path / "a.mtl").write_text("newmtl paint\nKd 1 0 0\nmap_Kd wood.png\n")
+    (tmp_path / "a.dae").write_bytes(
+        samples.collada(look='<diffuse><texture texture="image" texcoord="uv"/></diffuse>')
+    )
+    content = json.loads(samples.gltf())
+    (tmp_path / "numbers.bin").write_bytes(bytes(36))
+    content["buffers"][0]["uri"] = "numbers.bin"
+    (tmp_path / "a.gltf").write_text(json.dumps(content))
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("mesh", "changed"),
+    [
+        ("a.obj", "a.obj"),
+        ("a.obj", "a.mtl"),
+        ("a.obj", "wood.png"),  # which is missing and comes
+        ("a.dae", "wood.png"),
+        ("a.gltf", "numbers.bin"),
+    ],
+)
+def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> None:
+    robot = folder / "robot.urdf"
+    robot.write_text(ROBOT.format(mesh))
+    state = read(Wish(str(robot), {}, {}))
+    assert not state.is_stale
+    with (folder / changed).open("a") as file:
+        file.write("\n")
+    assert state.is_stale
+
+
+def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = folder / "robot.urdf"
+    robot.write_text(ROBOT.format("a.obj"))
+    wish = Wish(str(robot), {}, {})
+    known = read(wish).stamps
+
+    def described(*words: Any, **more: Any) -> Told:
+        told = describe(*words, **more)
+        (folder / "a.mtl").write_text("newmtl other\n")
+        return told
+
+    monkeypatch.setattr(module, "describe", described)
+    state = read(wish, [*known, str(folder / "of_an_older_state.stl")])
+    assert state.is_stale
+    assert str(folder / "of_an_older_state.stl") not in state.stamps

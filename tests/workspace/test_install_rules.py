@@ -1,0 +1,79 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.workspace.install_rules import Shipping
+
+INSTALL = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n".format
+
+
+def installs(folder: Path, text: str, path: str, file: str = "CMakeLists.txt") -> bool:
+    (folder / file).write_text(text)
+    return Shipping(str(folder), "arm").installs(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "path", "installed"),
+    [
+        (INSTALL("urdf meshes"), "meshes/a.stl", True),
+        (INSTALL("urdf"), "meshes/a.stl", False),
+        (INSTALL("meshes_old"), "meshes/a.stl", False),
+        ("install(DIRECTORY v DESTINATION share/arm/meshes)", "meshes", True),
+        (INSTALL("."), "meshes/a.stl", True),
+        (INSTALL("src/meshes"), "meshes/a.stl", True),
+        (INSTALL("urdf # meshes\n"), "meshes/a.stl", False),
+        (INSTALL("${FOLDERS}"), "meshes/a.stl", True),
+        ("set(F meshes)\n" + INSTALL("${F}"), "meshes/a.stl", True),
+        ("set(F urdf)\n" + INSTALL("${F}"), "meshes/a.stl", False),
+        ("file(GLOB F *)\n" + INSTALL("urdf ${F}"), "meshes/a.stl", True),
+        ("foreach(d urdf)\n" + INSTALL("${d}") + "endforeach()", "meshes/a.stl", False),
+        ("add_subdirectory(more)\n" + INSTALL("urdf"), "meshes/a.stl", True),
+        ("include(cmake/more.cmake)\n" + INSTALL("urdf"), "meshes/a.stl", True),
+        ("include(GNUInstallDirs)\n" + INSTALL("urdf"), "meshes/a.stl", False),
+        ("my_install_all()\n" + INSTALL("urdf"), "meshes/a.stl", True),
+        ("catkin_install_python(PROGRAMS a)\n" + INSTALL("urdf"), "meshes/a.stl", False),
+        ("project(arm)\n", "meshes/a.stl", True),
+        ("install(TARGETS arm DESTINATION lib/arm)", "meshes/a.stl", True),
+    ],
+)
+def test_cmake(tmp_path: Path, text: str, path: str, installed: bool) -> None:
+    assert installs(tmp_path, text, path) is installed
+
+
+@pytest.mark.parametrize(
+    ("text", "installed"),
+    [
+        ("data_files=[('share/arm/meshes', glob('meshes/*'))]", True),
+        ("data_files=[('share/arm/urdf', glob('urdf/*'))]", False),
+        ("for root, _, files in os.walk('.'): pass", True),
+        ("glob('**/*', recursive=True)", True),
+    ],
+)
+def test_setup_py(tmp_path: Path, text: str, installed: bool) -> None:
+    assert installs(tmp_path, text, "meshes/a.stl", "setup.py") is installed
+
+
+def test_no_build_file(tmp_path: Path) -> None:
+    shipping = Shipping(str(tmp_path), "arm")
+    assert shipping.file == ""
+    assert shipping.installs("meshes/a.stl")
+
+
+def test_the_remedy(tmp_path: Path) -> None:
+    (tmp_path / "setup.py").write_text("")
+    assert Shipping(str(tmp_path), "arm").remedy("urdf") == (
+        "add the files of urdf to data_files in setup.py"
+    )
+    (tmp_path / "CMakeLists.txt").write_text("")
+    assert Shipping(str(tmp_path), "arm").remedy("urdf") == (
+        "write install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})"
+    )
+
+
+def test_comments_make_no_files(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text("# the header file (see below)\nproject(arm)\n")
+    assert not Shipping(str(tmp_path), "arm").makes_files
+    (tmp_path / "CMakeLists.txt").write_text("file(COPY a DESTINATION b)\n")
+    assert Shipping(str(tmp_path), "arm").makes_files

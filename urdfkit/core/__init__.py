@@ -1,0 +1,1 @@
+"""What everything rests on: records, optional libraries, vectors, safe writing."""

@@ -1,0 +1,112 @@
+"""Vectors, rotations and frames of URDF, without numpy: a robot has a thousand of them.
+
+Lengths in metres, angles in radians. A rotation is three rows; a vector in the child frame
+becomes one in the parent frame by ``rotation @ vector``.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, sin
+
+from urdfkit.core.record import Record
+
+Vector = tuple[float, float, float]
+Rotation = tuple[Vector, Vector, Vector]
+
+IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+ORIGIN: Vector = (0.0, 0.0, 0.0)
+
+
+class Frame(Record):
+    """Where a frame is in another: its axes and its origin."""
+
+    rotation: Rotation = IDENTITY
+    position: Vector = ORIGIN
+
+    def __matmul__(self, inner: Frame) -> Frame:
+        """The frame ``inner``, given in this frame, in this frame's parent."""
+        return Frame(multiply(self.rotation, inner.rotation), self.apply(inner.position))
+
+    def apply(self, point: Vector) -> Vector:
+        """A point of this frame in the parent frame."""
+        x, y, z = rotate(self.rotation, point)
+        return (x + self.position[0], y + self.position[1], z + self.position[2])
+
+    @property
+    def inverse(self) -> Frame:
+        """The frame of the parent in this one."""
+        back = transposed(self.rotation)
+        x, y, z = rotate(back, self.position)
+        return Frame(back, (-x, -y, -z))
+
+
+def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:
+    """Rotation about the fixed axes x, y, z in that order, as URDF's ``rpy`` means it."""
+    if roll == pitch == yaw == 0:
+        return IDENTITY  # which most frames have, and nothing need be computed for
+    cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
+    return (
+        (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
+        (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
+        (-sp, cp * sr, cp * cr),
+    )
+
+
+def to_rpy(rotation: Rotation) -> Vector:
+    """Roll, pitch and yaw of a rotation, as URDF's ``rpy`` means them.
+
+    Where the pitch is a right angle, roll and yaw turn about the same axis: the yaw is 0 then.
+    """
+    (xx, xy, _), (yx, yy, _), (zx, zy, zz) = rotation
+    flat = hypot(xx, yx)
+    pitch = atan2(-zx, flat)
+    if flat < 1e-9:
+        return (atan2(xy if zx < 0 else -xy, yy), pitch, 0.0)
+    return (atan2(zy, zz), pitch, atan2(yx, xx))
+
+
+def rotate(rotation: Rotation, vector: Vector) -> Vector:
+    """``rotation @ vector``."""
+    if rotation is IDENTITY:
+        return vector
+    x, y, z = vector
+    a, b, c = rotation
+    return (
+        a[0] * x + a[1] * y + a[2] * z,
+        b[0] * x + b[1] * y + b[2] * z,
+        c[0] * x + c[1] * y + c[2] * z,
+    )
+
+
+def multiply(left: Rotation, right: Rotation) -> Rotation:
+    """``left @ right``."""
+    if left is IDENTITY:
+        return right
+    if right is IDENTITY:
+        return left
+    columns = [rotate(left, column) for column in zip(*right, strict=True)]
+    a, b, c = zip(*columns, strict=True)
+    return (a, b, c)
+
+
+def transposed(rotation: Rotation) -> Rotation:
+    """The inverse of a rotation."""
+    if rotation is IDENTITY:
+        return rotation
+    a, b, c = rotation
+    return ((a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2]))
+
+
+def dot(a: Vector, b: Vector) -> float:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def minus(a: Vector, b: Vector) -> Vector:
+    """The difference: from ``b`` to ``a``."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """The vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

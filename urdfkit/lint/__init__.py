@@ -1,0 +1,1 @@
+"""The checking: rules, their context, the runner, fixes, suppression."""

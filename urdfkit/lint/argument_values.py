@@ -1,0 +1,215 @@
+"""Values for the xacro arguments that a description lacks, from the files around it.
+
+A robot's file may want arguments that a launch file gives. Where no launch file tells all of them,
+a value is likely that is declared for the same name, or that names a directory which a path with
+the argument leads to: ``config/$(arg ur_type)/limits.yaml``. Such values are tried, not believed.
+"""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.lint.rules import get
+from urdfkit.ros.launch.robot_arguments import MAX_GIVEN, declared, given
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import Source, shown
+from urdfkit.text.xml_reader import Problem
+from urdfkit.workspace.config_file import nearest
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Reading
+    from urdfkit.xacro import Xacro
+
+#: Values of one argument that a message names.
+_FEW = 10
+
+_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
+_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"'<>]+)["']""")
+_DECLARATION = re.compile(rb"<xacro:arg\b[^<>]*>")
+_ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
+#: A path in which a whole folder is the value of an argument, or of a parameter called like it.
+_PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
+_FIND = re.compile(r"\$\(find\s+([\w.-]+)\s*\)|^package://([\w.-]+)")
+_EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
+
+
+class Values(Record):
+    """Values that one argument may have.
+
+    Attributes:
+        values: in the order in which they are found.
+        origin: path of the launch file, xacro file or folder that they are from.
+    """
+
+    values: tuple[str, ...]
+    origin: str
+
+
+def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -> Iterator[Problem]:
+    """What reading met; of arguments without a value it is told which ones are found.
+
+    Args:
+        problems: of a description.
+        xacro: its expansion.
+        resolver: finds packages, and reads files.
+    """
+    for problem in problems:
+        name = missing_argument(problem)
+        found = found_values(name, xacro, resolver) if name else None
+        yield problem._replace(help=f"{problem.help}; {told(found)}") if found else problem
+
+
+def missing_argument(problem: Problem) -> str:
+    """The argument without which a xacro cannot be expanded; empty if that is not the problem."""
+    return problem.message.split("'")[1] if problem.code == "XAC010" else ""
+
+
+def told(found: Values) -> str:
+    """Values of an argument, and where they are from."""
+    few = ", ".join(found.values[:_FEW])
+    more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
+    verb = "has" if os.path.isdir(found.origin) else "gives"
+    return f"{shown(found.origin)} {verb} {few}{more}"
+
+
+def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
+    """Why a description that cannot be read is not checked, and what to do about it.
+
+    Args:
+        reading: of the description.
+        source: its file.
+        resolver: finds packages, and reads files.
+    """
+    names = tuple(dict.fromkeys(filter(None, map(missing_argument, reading.problems))))
+    if not names or reading.xacro is None:
+        errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
+        first = next(errors, None)
+        what = "cannot be read" if reading.xacro is None else "does not expand"
+        why = f"it {what}" + (f": {first.message} ({first.code})" if first else "")
+        return why, f"urdfkit check {shown(source.path)} --select XML,XAC tells what is wrong"
+    found = {name: found_values(name, reading.xacro, resolver) for name in names}
+    known = "; ".join(f"{name}: {told(one)}" for name, one in found.items() if one)
+    quoted = ", ".join(f"'{name}'" for name in names)
+    why = f"it needs the {'argument' if len(names) == 1 else 'arguments'} {quoted}"
+    why += f" (found for {known}, with which it does not expand)" if known else ""
+    config = nearest(source.path)
+    folder = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
+    file = os.path.relpath(source.path, folder).replace(os.sep, "/")
+    values = {name: one.values[0] if one else "VALUE" for name, one in found.items()}
+    words = " ".join(f"{name}:={value}" for name, value in values.items())
+    lines = ["[[robot]]", f'file = "{file}"']
+    lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]
+    return why, f"pass {words}, or add to urdfkit.toml: {', '.join(lines)}"
+
+
+def found_values(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+    """The values that one argument of a description may have; None if there are none."""
+    robot = xacro.sources[0].path
+    if sets := given(robot, (name,), resolver):
+        return Values(tuple(dict.fromkeys(one.arguments[name] for one in sets)), sets[0].launch)
+    for launch, choices in declared(robot, resolver):
+        if name in choices:
+            return Values(tuple(choices[name]), launch)
+    return _of_includes(name, xacro, resolver) or _of_folders(name, xacro, resolver)
+
+
+def combinations(
+    names: Collection[str], xacro: Xacro, resolver: Resolver
+) -> Iterator[dict[str, tuple[str, str]]]:
+    """Sets of values for some arguments, each value with where it is from.
+
+    One argument takes each of its values, and the others then their first one. There are none
+    unless each of them has a value.
+    """
+    found: dict[str, Values] = {}
+    for name in names:
+        values = found_values(name, xacro, resolver)
+        if values is None:
+            return
+        found[name] = values
+    first = {name: (one.values[0], one.origin) for name, one in found.items()}
+    varied = (
+        {name: (value, one.origin)} for name, one in found.items() for value in one.values[1:]
+    )
+    yield from islice((first, *(first | change for change in varied)), MAX_GIVEN)
+
+
+def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+    """The default in an included file to which the expansion does not come."""
+    read = {os.path.realpath(source.path) for source in xacro.sources}
+    for source in xacro.sources:
+        for file in _INCLUDE.findall(_COMMENT.sub(b"", source.data)):
+            path = _plain_path(file.decode("utf-8", "replace"), source, resolver)
+            if not path or os.path.realpath(path) in read or not resolver.allows(path, source.path):
+                continue
+            default = _default(name, path, resolver)
+            if default is not None:
+                return Values((default,), path)
+    return None
+
+
+def _default(name: str, path: str, resolver: Resolver) -> str | None:
+    """The default of an argument that a file declares; None if there is none."""
+    try:
+        data = resolver.read(path).data
+    except UnreadableFile:
+        return None
+    for tag in _DECLARATION.findall(_COMMENT.sub(b"", data)):
+        words = _attributes(tag, b"name", b"default")
+        if words.get(b"name") == name and "$" not in words.get(b"default", "$"):
+            return words[b"default"]
+    return None
+
+
+def _attributes(tag: bytes, *names: bytes) -> Mapping[bytes, str]:
+    found = {name: re.search(_ATTRIBUTE % name, tag) for name in names}
+    return {name: at.group(1).decode("utf-8", "replace") for name, at in found.items() if at}
+
+
+def _of_folders(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:
+    """The names of the folders to which all paths with the argument lead."""
+    word = re.escape(name)
+    common: set[str] | None = None
+    origin = ""
+    for source in xacro.sources:
+        text = _COMMENT.sub(b"", source.data).decode("utf-8", "replace")
+        for head, rest in dict.fromkeys(re.findall(_PATH % (word, word), text)):
+            folder = _plain_path(head, source, resolver)
+            if not folder or not resolver.allows(folder, source.path):
+                continue
+            there = set(_leading_to(rest, name, folder, resolver))
+            common, origin = (there, folder) if common is None else (common & there, origin)
+    return Values(tuple(sorted(common)), origin) if common else None
+
+
+def _plain_path(text: str, source: Source, resolver: Resolver) -> str:
+    """A path in a file, absolute; empty if only the expansion would tell."""
+    here = os.path.dirname(os.path.abspath(source.path))
+
+    def package(match: re.Match[str]) -> str:
+        try:
+            return resolver.package(match.group(1) or match.group(2), source.path)
+        except PackageNotFound:
+            return "$"
+
+    text = _FIND.sub(package, text.removeprefix("file://")).replace("$(dirname)", here)
+    return "" if "$" in text else os.path.normpath(os.path.join(here, text))
+
+
+def _leading_to(rest: str, name: str, folder: str, resolver: Resolver) -> Iterator[str]:
+    """The folders below one in which the rest of a path is there."""
+    itself = re.compile(rf"\$\(arg\s+{re.escape(name)}\s*\)|\$\{{\s*{re.escape(name)}\s*\}}")
+    for entry, is_folder in (resolver.folders.entries(folder) or {}).items():
+        if is_folder and re.fullmatch(r"\w[\w.-]*", entry):
+            plain = map(glob.escape, _EXPRESSION.split(itself.sub(entry, rest)))
+            pattern = glob.escape(os.path.join(folder, entry)) + "*".join(plain)
+            if any(True for _ in glob.iglob(pattern)):
+                yield entry

@@ -1,0 +1,386 @@
+"""The configuration of a project: ``[tool.urdfkit]`` in pyproject.toml, or ``urdfkit.toml``.
+
+A setting that does not exist is an error with the nearest name: a slip that is passed over would
+check something else than was asked for.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import RuleError, UnknownRule, UrdfkitError
+from urdfkit.lint import rules
+from urdfkit.text.diagnostic import Severity
+from urdfkit.text.source import why_unreadable
+
+
+class ConfigError(UrdfkitError):
+    """The configuration cannot be understood; the message names file, setting and remedy."""
+
+
+class FileIgnore(Record):
+    """Rules that are left out for some files.
+
+    Attributes:
+        files: patterns of paths, relative to the configuration's folder.
+        codes: of the rules.
+        reason: why, for whoever reads the configuration.
+    """
+
+    files: tuple[str, ...]
+    codes: frozenset[str]
+    reason: str
+
+
+class Robot(Record):
+    """An entry point: a description that is checked, with the arguments it needs.
+
+    Attributes:
+        file: absolute path.
+        name: of the variant; empty if there is one only.
+        arguments: for xacro.
+    """
+
+    file: str
+    name: str
+    arguments: dict[str, str]
+
+
+class Config(Record):
+    """The settings of a project.
+
+    Attributes:
+        path: of the file; empty if there is none.
+        select, ignore: codes of rules; ``select`` is empty for all.
+        fail_on: the mildest severity that counts.
+        targets: names of consumers; inferred from each model if empty.
+        packages: folders of packages by name, absolute.
+        arguments: for every xacro.
+        severities: other severities by code.
+        file_ignores: rules left out for some files.
+        robots: the entry points; found by the include graph if empty.
+        exclude: patterns of paths that a folder's check passes over.
+        rules: codes of the rules of other packages that run, too.
+        trust: True if models may run any expression and read any file.
+        width: columns of a line that is laid out; 0 for the usual.
+        warnings: what is odd about the configuration, and does not change what is checked.
+    """
+
+    path: str = ""
+    select: frozenset[str] = frozenset()
+    ignore: frozenset[str] = frozenset()
+    fail_on: Severity = Severity.WARNING
+    targets: tuple[str, ...] = ()
+    packages: Mapping[str, str] = {}
+    arguments: Mapping[str, str] = {}
+    severities: Mapping[str, Severity] = {}
+    file_ignores: tuple[FileIgnore, ...] = ()
+    robots: tuple[Robot, ...] = ()
+    exclude: tuple[str, ...] = ()
+    rules: tuple[str, ...] = ()
+    trust: bool = False
+    width: int = 0
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def folder(self) -> str:
+        """The folder that its paths start from."""
+        return os.path.dirname(os.path.abspath(self.path)) if self.path else os.getcwd()
+
+    def entries(
+        self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
+    ) -> tuple[Robot, ...]:
+        """The variants of a description, each with all arguments that it is read with.
+
+        Those that are given win over those of the variant, and these over those of every xacro.
+        With given arguments and no name it is one description, with what its variants share.
+
+        Args:
+            path: of the description.
+            given: arguments for xacro.
+            variant: the name of the only one that is meant; all if empty.
+
+        Raises:
+            ConfigError: there is no variant of this name.
+        """
+        real = os.path.realpath(path)
+        own = [robot for robot in self.robots if os.path.realpath(robot.file) == real]
+        if variant:
+            names = [robot.name for robot in own if robot.name]
+            own = [robot for robot in own if robot.name == variant]
+            if not own:
+                there = f"there are {', '.join(names)}" if names else "it has none"
+                raise ConfigError(f"{path}: there is no variant '{variant}'; {there}")
+        elif given and len(own) > 1:
+            shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
+            own = [Robot(path, "", dict(shared))]
+        return tuple(
+            Robot(path, robot.name, {**self.arguments, **robot.arguments, **(given or {})})
+            for robot in own or [Robot(path, "", {})]
+        )
+
+    def entry(self, path: str, given: Mapping[str, str] | None = None, variant: str = "") -> Robot:
+        """The same where one description is wanted.
+
+        Raises:
+            ConfigError: there are several, or none of this name.
+        """
+        found = self.entries(path, given, variant)
+        if len(found) > 1:
+            names = ", ".join(robot.name for robot in found)
+            raise ConfigError(f"{path} has several variants: name one with --variant ({names})")
+        return found[0]
+
+    def relative(self, path: str) -> str:
+        """A path as the patterns of the configuration see it."""
+        return os.path.relpath(os.path.abspath(path), self.folder).replace(os.sep, "/")
+
+    def ignores(self, code: str, path: str) -> bool:
+        """True if a rule is left out for a file."""
+        return any(
+            code in entry.codes and matches(self.relative(path), entry.files)
+            for entry in self.file_ignores
+        )
+
+
+def matches(path: str, patterns: tuple[str, ...]) -> bool:
+    """True if a path or a folder above it matches a pattern; ``*`` also matches ``/``."""
+    import fnmatch  # not needed where nothing is left out
+
+    return any(
+        fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")
+        for pattern in patterns
+    )
+
+
+def load(path: str, *, trusted: bool = True) -> Config:
+    """The configuration in a file.
+
+    Args:
+        path: of the file.
+        trusted: False if it comes with a robot from anywhere. What would let it run code, the
+            setting ``trust`` and modules as ``rules``, is then an error.
+
+    Raises:
+        ConfigError: there is none, or it cannot be understood.
+    """
+    table = _table(path)
+    if table is None:
+        raise ConfigError(f"{path}: there is no [tool.urdfkit] in it")
+    return _read(_Reader(path, table, ""), trusted=trusted)
+
+
+def _table(path: str) -> dict[str, Any] | None:
+    """urdfkit's settings in a file; None if a pyproject.toml has none."""
+    try:
+        with open(path, "rb") as file:
+            data = file.read()
+    except OSError as error:
+        raise ConfigError(f"{path}: {why_unreadable(path, error)}") from error
+    own_file = os.path.basename(path) != "pyproject.toml"
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        document: dict[str, Any] = tomllib.loads(data.decode())
+    except (ValueError, RecursionError) as error:  # the latter of brackets within brackets
+        raise ConfigError(f"{path}: not TOML: {error}") from error
+    if own_file:
+        return document
+    tools = document.get("tool")
+    table = tools.get("urdfkit") if isinstance(tools, dict) else None
+    return table if isinstance(table, dict) else None
+
+
+def _read(reader: _Reader, *, trusted: bool) -> Config:
+    foreign = reader.rules(trusted=trusted)  # before other settings name their codes
+    ignoring = reader.tables("per-file-ignores")
+    config = Config(
+        reader.path,
+        select=reader.codes("select"),
+        ignore=reader.ignored("ignore"),
+        fail_on=reader.severity("fail-on", Severity.WARNING),
+        targets=reader.targets(),
+        packages=reader.packages(),
+        arguments=reader.arguments("arguments"),
+        severities=reader.severities(),
+        file_ignores=tuple(_file_ignore(inner) for inner in ignoring),
+        robots=tuple(
+            robot for inner in reader.tables("robot") for robot in _robots(inner, reader.folder)
+        ),
+        exclude=reader.texts("exclude"),
+        rules=foreign,
+        trust=reader.trust(trusted=trusted),
+        width=reader.width(),
+    )
+    reader.finish()
+    warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
+    return config._replace(warnings=tuple(warnings))
+
+
+def _file_ignore(reader: _Reader) -> FileIgnore:
+    entry = FileIgnore(
+        reader.texts("files"), reader.ignored("codes"), str(reader.take("reason", str, ""))
+    )
+    reader.finish()
+    if not entry.files or not (entry.codes or reader.warnings):
+        raise reader.error("it needs 'files' and 'codes'")
+    return entry
+
+
+def _robots(reader: _Reader, folder: str) -> list[Robot]:
+    """The variants of one entry point; every one with the common arguments too."""
+    file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
+    if not os.path.isfile(file):
+        raise reader.error(f"file not found: '{file}'")
+    common = reader.arguments("arguments")
+    variants = reader.take("variants", dict, {})
+    reader.finish()
+    if not variants:
+        return [Robot(file, "", common)]
+    robots = []
+    for name, arguments in variants.items():
+        inner = _Reader(reader.path, {"arguments": arguments}, f"{reader.where}.variants.{name}")
+        robots.append(Robot(file, name, {**common, **inner.arguments("arguments")}))
+    return robots
+
+
+#: What TOML calls the values that settings have.
+_KINDS = {
+    bool: "true or false",
+    dict: "a table",
+    int: "a whole number",
+    list: "a list",
+    str: "text",
+}
+
+
+class _Reader:
+    """Takes settings out of a table one by one; what is left at the end does not exist."""
+
+    def __init__(self, path: str, table: dict[str, Any], where: str) -> None:
+        self.path = path
+        self.folder = os.path.dirname(os.path.abspath(path))
+        self.where = where
+        self.warnings: list[str] = []
+        self._left = dict(table)
+        self._known: list[str] = []
+
+    def error(self, message: str) -> ConfigError:
+        where = f"{self.where}: " if self.where else ""
+        return ConfigError(f"{self.path}: {where}{message}")
+
+    def take(self, key: str, kind: type, default: Any) -> Any:
+        self._known.append(key)
+        value = self._left.pop(key, default)
+        if not isinstance(value, kind):
+            raise self.error(f"'{key}' must be {_KINDS[kind]}, not {value!r}")
+        return value
+
+    def width(self) -> int:
+        value = self.take("width", int, 0)
+        if value and not 40 <= value <= 400:
+            raise self.error(f"'width' must be from 40 to 400, not {value}")
+        return int(value)
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        values = self.take(key, list, [])
+        for value in values:
+            if not isinstance(value, str):
+                raise self.error(f"'{key}' must hold texts, not {value!r}")
+        return tuple(values)
+
+    def rules(self, *, trusted: bool) -> tuple[str, ...]:
+        """The codes of the rules of other packages."""
+        names = self.texts("rules")
+        if not names:
+            return ()
+        from urdfkit.lint.rule_packages import add
+
+        try:
+            return tuple(add(names, modules=trusted, beside=self.folder))
+        except RuleError as error:
+            raise self.error(f"'rules': {error}") from error
+
+    def trust(self, *, trusted: bool) -> bool:
+        wanted: bool = self.take("trust", bool, False)
+        if wanted and not trusted:
+            raise self.error(
+                "'trust' counts only if you say so yourself: give --trust, or --config FILE"
+            )
+        return wanted
+
+    def codes(self, key: str) -> frozenset[str]:
+        try:
+            return frozenset(code for word in self.texts(key) for code in rules.matching(word))
+        except UnknownRule as error:
+            raise self.error(f"'{key}': {error}") from error
+
+    def ignored(self, key: str) -> frozenset[str]:
+        """The codes of rules that are left out; a word that means none leaves out nothing."""
+        found, unknown = rules.ignored(self.texts(key))
+        self.warnings += (str(self.error(f"'{key}': {error}")) for error in unknown)
+        return frozenset(found)
+
+    def severity(self, key: str, default: Severity) -> Severity:
+        return self._as_severity(key, self.take(key, str, default.value))
+
+    def _as_severity(self, key: str, value: Any) -> Severity:
+        known = [severity.value for severity in Severity]
+        if value not in known:
+            raise self.error(f"'{key}' must be one of {', '.join(known)}, not {value!r}")
+        return Severity(value)
+
+    def severities(self) -> dict[str, Severity]:
+        table = self.take("severity", dict, {})
+        found: dict[str, Severity] = {}
+        for word, value in table.items():
+            try:
+                codes = rules.matching(word)
+            except UnknownRule as error:
+                raise self.error(f"'severity': {error}") from error
+            found.update(dict.fromkeys(codes, self._as_severity(f"severity.{word}", value)))
+        return found
+
+    def targets(self) -> tuple[str, ...]:
+        from urdfkit.ros.targets import UnknownTarget, parse
+
+        try:
+            return parse(self.texts("targets")).names
+        except UnknownTarget as error:
+            raise self.error(str(error)) from error
+
+    def packages(self) -> dict[str, str]:
+        table = self.take("packages", dict, {})
+        folders = {name: os.path.join(self.folder, str(value)) for name, value in table.items()}
+        for name, folder in folders.items():
+            if not os.path.isdir(folder):
+                raise self.error(f"'packages.{name}': there is no folder '{folder}'")
+        return {name: os.path.normpath(folder) for name, folder in folders.items()}
+
+    def arguments(self, key: str) -> dict[str, str]:
+        """Values as the command line would give them: ``true``, ``0.5``, ``left_``."""
+        table = self.take(key, dict, {})
+        for name, value in table.items():
+            if not isinstance(value, (str, int, float)):
+                raise self.error(f"'{key}.{name}' must be a text, a number or a boolean")
+        return {
+            name: str(value).lower() if isinstance(value, bool) else str(value)
+            for name, value in table.items()
+        }
+
+    def tables(self, key: str) -> list[_Reader]:
+        values = self.take(key, object, [])
+        if not (isinstance(values, list) and all(isinstance(value, dict) for value in values)):
+            raise self.error(f"'{key}' must be tables, written [[{key}]]")
+        return [_Reader(self.path, value, f"{key}[{i}]") for i, value in enumerate(values, 1)]
+
+    def finish(self) -> None:
+        for key in self._left:
+            raise self.error(f"there is no setting '{key}'{did_you_mean(key, self._known)}")

@@ -1,0 +1,487 @@
+"""One description under check; its parts are computed when a rule first asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.core import libraries
+from urdfkit.core.record import Record
+from urdfkit.text.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from urdfkit.lint.suppress import Ignore
+    from urdfkit.mesh.measures import Measures
+    from urdfkit.physics.collision.robot import Collisions
+    from urdfkit.physics.dynamics.pinocchio_reading import Opinion
+    from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.robot.assets.measured_meshes import Measured
+    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.triangles import Meshes
+    from urdfkit.robot.assets.visual_collision import Likenesses
+    from urdfkit.robot.inertials.masses import Masses
+    from urdfkit.robot.model import Body, Joint, RobotModel, Shape
+    from urdfkit.robot.shapes import Lump
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.gazebo.parameters import Unread
+    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.launch.contents import FileUse, Launch
+    from urdfkit.ros.moveit.srdf import Srdf
+    from urdfkit.ros.targets import Targets
+    from urdfkit.text.diagnostic import Diagnostic, Related
+    from urdfkit.text.grammar import Deviation
+    from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro import Xacro
+
+
+_WITHOUT_PINOCCHIO = "Pinocchio is not installed ({}): pip install 'urdfkit[dynamics]'"
+WITHOUT_COAL = "coal is not installed: pip install 'urdfkit[dynamics]'"
+
+
+class Unavailable(Exception):
+    """A part that a rule needs is not to be had for this description; the text says why."""
+
+
+class Reading(Record):
+    """A description as it was read.
+
+    Attributes:
+        document: after expansion; None if it could not be read.
+        problems: what is wrong with the text.
+        xacro: what the expansion met; None for plain XML.
+    """
+
+    document: Document | None
+    problems: tuple[Problem, ...]
+    xacro: Xacro | None
+
+
+class Outcome(Record):
+    """What the rules found so far, for the rules about the checking itself.
+
+    Attributes:
+        diagnostics: of the other rules, before suppression.
+        chosen: codes of all rules of this check.
+    """
+
+    diagnostics: tuple[Diagnostic, ...] = ()
+    chosen: frozenset[str] | None = None
+
+
+class Subject:
+    """One description, its model and what belongs to it.
+
+    Attributes:
+        source: the file.
+        resolver: finds packages and files.
+        arguments: ``name:=value`` for xacro.
+        trust: True if the model's expressions and files are not fenced in.
+        frame: the launch file that asks for it; None if it was named itself.
+        parameters: the files of parameters that this launch file loads.
+        cache: True if measures of meshes may be kept for the next run.
+        progress: is told how many of the model's mesh files have been read, and how many it has.
+        outcome: what the rules before the present one found; set by the engine alone.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        resolver: Resolver,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        trust: bool = False,
+        targets: Targets | None = None,
+        frame: Frame | None = None,
+        parameters: tuple[FileUse, ...] = (),
+        cache: bool = False,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> None:
+        self.frame = frame
+        self.parameters = parameters
+        self.cache = cache
+        self.progress = progress
+        self._given_targets = targets
+        self.outcome = Outcome()
+        self.source = source
+        self.resolver = resolver
+        self.arguments = dict(arguments or {})
+        self.trust = trust
+        self._beside: dict[tuple[object, ...], Subject] = {}
+
+    @cached_property
+    def reading(self) -> Reading:
+        if not is_xacro(self.source):
+            document, problems = read_xml(self.source, self.frame)
+            return Reading(document, tuple(problems), None)
+        from urdfkit.xacro import expand
+
+        xacro = expand(
+            self.source, self.resolver, self.arguments, trust=self.trust, frame=self.frame
+        )
+        met = xacro.problems
+        if any(problem.code == "XAC010" for problem in met):
+            from urdfkit.lint.argument_values import with_values
+
+            met = tuple(with_values(met, xacro, self.resolver))
+        return Reading(xacro.document, met, xacro)
+
+    def problems(self, code: str) -> list[Problem]:
+        """What reading met that a rule explains, in a description or a launch file."""
+        read = self.launch if is_launch(self.source.path) else self.reading
+        return [problem for problem in read.problems if problem.code == code]
+
+    @property
+    def xacro(self) -> Xacro:
+        """What the expansion met.
+
+        Raises:
+            Unavailable: the description is plain XML, or did not expand.
+        """
+        if self.reading.xacro is None:
+            raise Unavailable("not a xacro")
+        if self.reading.document is None:
+            raise Unavailable("the xacro does not expand")
+        return self.reading.xacro
+
+    @property
+    def document(self) -> Document:
+        """The expanded document.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.document is None:
+            raise Unavailable("the description cannot be read")
+        return self.reading.document
+
+    @property
+    def text(self) -> bytes:
+        """The URDF, expanded.
+
+        Raises:
+            Unavailable: it could not be read.
+        """
+        if self.reading.xacro is None:
+            return self.source.data
+        return self.xacro.text().encode("utf-8", "replace")
+
+    @cached_property
+    def _traced(self) -> Xacro:
+        """The expansion once more, with notes of where every value comes from."""
+        from urdfkit.xacro import expand
+
+        return expand(self.source, self.resolver, self.arguments, trust=self.trust, traced=True)
+
+    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+        """Where in YAML files the values stand that expressions wrote at a place of the document.
+
+        Expands a second time, if the first one read YAML files and there is an expression.
+        """
+        reading = self.reading
+        element = at if isinstance(at, Element) else at.element
+        if reading.xacro is None or not reading.xacro.data_files or not self._has(element):
+            return ()
+        attributes = at.attributes.values() if isinstance(at, Element) else (at,)
+        if not any("$" in attribute.span.text for attribute in attributes):
+            return ()
+        return self._traced.data_places(at)
+
+    def _has(self, element: Element) -> bool:
+        """True for an element of the document, not of an SRDF or a manifest beside it."""
+        while element.parent is not None:
+            element = element.parent
+        return self.reading.document is not None and element is self.reading.document.root
+
+    @cached_property
+    def uses(self) -> Mapping[Tag, int]:
+        """How often each tag stands in the document: those of a macro, once for each call."""
+        from collections import Counter
+        from operator import attrgetter
+
+        return Counter(map(attrgetter("tag_at"), self.document.root.walk()))
+
+    @cached_property
+    def deviations(self) -> dict[str, list[Deviation]]:
+        """Where the document deviates from the grammar, by the code of the rule that tells it."""
+        if self.is_srdf:
+            return {}
+        from urdfkit.text.grammar import deviations
+        from urdfkit.text.schema import XACRO_TAGS
+
+        xacro = self.reading.xacro
+        if xacro is None:
+            return deviations(self.document, plain=True)
+        claimed = {*XACRO_TAGS, *(macro.name for macro in xacro.macros)}  # XAC002
+        return deviations(self.document, plain=False, claimed=claimed)
+
+    @cached_property
+    def is_srdf(self) -> bool:
+        """True for a semantic description (MoveIt's SRDF), whose root is ``<robot>``, too."""
+        from urdfkit.text.schema import SRDF_TAGS
+
+        children = self.document.root.children
+        return not any(child.tag == "link" for child in children) and any(
+            child.tag in SRDF_TAGS for child in children
+        )
+
+    @cached_property
+    def is_part(self) -> bool:
+        """True for a file that makes sense inside another one only, and is no robot by itself.
+
+        That is a library of macros; or a description that another file includes and that lacks
+        a name, or a link from which the others hang.
+        """
+        from urdfkit.workspace.includes import is_included
+
+        xacro = self.reading.xacro
+        if (xacro is not None and xacro.is_library) or self.is_srdf:
+            return True
+        if self.document.root.get("name") is None and self.problems("XAC018"):
+            return True  # calls that the including file answers
+        children = {joint.child.value for joint in self.model.joints if joint.child}
+        has_base = any(root.name not in children for root in self.tree.roots)
+        if self.document.root.get("name") is not None and has_base:
+            return False
+        return is_included(self.source.path, self.resolver.packages)
+
+    @cached_property
+    def model(self) -> RobotModel:
+        """The robot in the document."""
+        from urdfkit.robot.model import RobotModel
+
+        return RobotModel(self.document)
+
+    @cached_property
+    def tree(self) -> KinematicTree:
+        """The kinematic tree of the model."""
+        from urdfkit.robot.tree import KinematicTree
+
+        return KinematicTree(self.model)
+
+    @cached_property
+    def ignores(self) -> tuple[Ignore, ...]:
+        """The ignore comments in its files."""
+        sources: tuple[Source, ...] = (self.source,)
+        if not is_launch(self.source.path) and self.reading.xacro:
+            sources = self.reading.xacro.sources
+        if not any(b"urdfkit" in source.data for source in sources):
+            return ()
+        from urdfkit.lint.suppress import ignores
+
+        return tuple(ignore for source in sources for ignore in ignores(source))
+
+    @cached_property
+    def targets(self) -> Targets:
+        """The consumers that it is checked for: as given, else as the model gives away."""
+        if self._given_targets is not None:
+            return self._given_targets
+        return self.inferred_targets
+
+    @property
+    def inferred_targets(self) -> Targets:
+        """The consumers that the model gives away."""
+        from urdfkit.ros.targets import infer
+        from urdfkit.workspace.manifest import manifest_of
+
+        return infer(self.model, manifest_of(self.resolver, self.source.path))
+
+    @cached_property
+    def joint_twins(self) -> list[tuple[Joint, Joint]]:
+        """The moving joints of the left and of the right that are made to be mirror images."""
+        from urdfkit.robot.symmetry import joint_pairs
+
+        return joint_pairs(self.tree)
+
+    @cached_property
+    def gazebo(self) -> Conversion:
+        """What Gazebo makes of the model: merged, dropped and renamed links."""
+        from urdfkit.ros.gazebo.conversion import Conversion
+
+        return Conversion(self.tree)
+
+    @cached_property
+    def plugins(self) -> tuple[Use, ...]:
+        """The plugins that the model gives to Gazebo."""
+        from urdfkit.ros.gazebo.plugins import uses
+
+        return uses(self.model, self.targets)
+
+    @cached_property
+    def unread(self) -> tuple[tuple[Use, Unread], ...]:
+        """The tags that those plugins are given and do not read."""
+        from urdfkit.ros.gazebo.parameters import unread
+
+        return tuple((use, found) for use in self.plugins for found in unread(use))
+
+    @cached_property
+    def srdf(self) -> Srdf | None:
+        """The SRDF beside the robot, if there is one; a part has none, an SRDF is of the whole."""
+        if self.is_part:
+            return None
+        from urdfkit.ros.moveit.srdf import find
+
+        return find(self.source.path, self.tree, self.resolver, trust=self.trust)
+
+    @cached_property
+    def other_variant(self) -> str:
+        """What is wrong if the SRDF is for another variant of the robot; empty if it is not."""
+        if self.srdf is None:
+            return ""
+        from urdfkit.ros.moveit.srdf_variant import other_variant
+
+        return other_variant(self, self.srdf)
+
+    @cached_property
+    def launch(self) -> Launch:
+        """What the launch file needs.
+
+        Raises:
+            Unavailable: the file is no launch file.
+        """
+        from urdfkit.ros.launch import read_launch
+
+        if not is_launch(self.source.path):
+            raise Unavailable("not a launch file")
+        return read_launch(self.source, self.resolver, self.arguments)
+
+    def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:
+        """Another description, read in the same way; the same one each time."""
+        key = (path, *sorted(arguments.items()))
+        if key not in self._beside:
+            self._beside[key] = Subject(
+                self.resolver.read(path),
+                self.resolver,
+                arguments,
+                trust=self.trust,
+                cache=self.cache,
+            )
+        return self._beside[key]
+
+    @cached_property
+    def masses(self) -> Masses:
+        """The masses and inertias of the model, and what is doubtful about them."""
+        from urdfkit.robot.inertials.masses import Masses
+
+        return Masses(self.model, self.tree, self.lump)
+
+    @cached_property
+    def likenesses(self) -> Likenesses:
+        """The collisions of each link beside its visuals."""
+        from urdfkit.robot.assets.visual_collision import Likenesses
+
+        return Likenesses(self.model, self.lump, self.files.is_turned_by_some)
+
+    def lump(self, body: Body) -> Lump | None:
+        """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
+        if body.shape is None or body.shape.filename is None:
+            return None
+        try:
+            return self.measured.lump(body)
+        except Unavailable:
+            return None
+
+    @cached_property
+    def dynamics(self) -> Dynamics:
+        """The robot in Pinocchio.
+
+        Raises:
+            Unavailable: Pinocchio is not installed, or cannot hold the robot.
+        """
+        try:
+            from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
+        except ImportError as error:
+            raise Unavailable(_WITHOUT_PINOCCHIO.format(error)) from error
+        try:
+            return Dynamics(self.tree)
+        except Unsuitable as reason:
+            raise Unavailable(str(reason)) from reason
+
+    @cached_property
+    def is_crowded(self) -> bool:
+        """True if bodies of two links may overlap where the robot begins; no library is needed."""
+        from urdfkit.robot.clearance import may_overlap
+
+        return may_overlap(self.tree)
+
+    @cached_property
+    def collisions(self) -> Collisions:
+        """Which links collide with one another, by coal.
+
+        Raises:
+            Unavailable: coal is not installed, or the robot has too many bodies.
+        """
+        from urdfkit.robot.clearance import MAX_BODIES
+
+        bodies = sum(len(link.collisions) for link in self.model.links)
+        if bodies > MAX_BODIES:
+            raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
+        if libraries.find("coal") is None:
+            raise Unavailable(WITHOUT_COAL)
+        try:
+            from urdfkit.physics.collision.robot import Collisions
+        except ImportError as error:
+            raise Unavailable(WITHOUT_COAL) from error
+        return Collisions(self)
+
+    @cached_property
+    def opinion(self) -> Opinion:
+        """What Pinocchio itself makes of the text.
+
+        Raises:
+            Unavailable: Pinocchio is not installed.
+        """
+        if libraries.find("pinocchio") is None:
+            raise Unavailable(_WITHOUT_PINOCCHIO.format("no module 'pinocchio'"))
+        from urdfkit.physics.dynamics.pinocchio_reading import opinion
+
+        return opinion(self.text)
+
+    @property
+    def given_targets(self) -> tuple[str, ...]:
+        """The consumers that were named; none where they are to be inferred."""
+        return self._given_targets.names if self._given_targets else ()
+
+    @cached_property
+    def files(self) -> Files:
+        """The mesh files that the model names, found and sniffed."""
+        from urdfkit.robot.assets.mesh_files import Files
+
+        return Files(self.model, self.resolver)
+
+    @cached_property
+    def measured(self) -> Measured:
+        """The mesh files that the model names, measured.
+
+        Raises:
+            Unavailable: a library that measures them is not installed.
+        """
+        if reason := libraries.why_unmeasured():
+            raise Unavailable(f"meshes are {reason}")
+        from urdfkit.mesh import measure_cache
+        from urdfkit.robot.assets.measured_meshes import Measured
+
+        kept = measure_cache.shared(cached=self.cache)
+        return Measured(self.model, self.files, kept, self.progress)
+
+    def measures(self, shape: Shape) -> Measures | str:
+        """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.
+
+        Args:
+            shape: a mesh.
+        """
+        if reason := libraries.why_unmeasured():
+            return f"is {reason}"
+        return self.measured.measures(shape)
+
+    @cached_property
+    def meshes(self) -> Meshes:
+        """The triangles of those files."""
+        from urdfkit.robot.assets.triangles import Meshes
+
+        return Meshes(self.files, self.progress)

@@ -1,0 +1,379 @@
+"""Which files of a folder are robots: its entry points, by the include graph.
+
+A xacro that another file includes is checked through that file, not alone. Includes are read from
+the text, without expanding anything, so that a change of one file leads to the robots it is part
+of in a few milliseconds per file.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
+from itertools import islice
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.config import Config, Robot, matches
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.resolve import Resolver
+
+#: Files of one folder that are looked at.
+MAX_FILES = 20_000
+
+SUFFIXES = (".urdf", ".xacro")
+#: Of files that descriptions include.
+_INCLUDED = (*SUFFIXES, ".gazebo", ".trans", ".xml")
+#: Of files that hold no robot; the others are looked into.
+_NO_ROBOTS = frozenset(
+    ".bmp .bt .c .cc .cfg .cmake .cpp .csv .dae .db3 .gif .glb .gltf .gz .h .hpp .htm .html .ipynb "
+    ".jpeg .jpg .js .json .launch .lua .material .mcap .md .mp4 .msg .mtl .obj .pcd .pdf .pgm .ply "
+    ".png .py .rst .rviz .sdf .sh .srdf .srv .step .stl .stp .svg .tga .toml .ttf .txt .usd .webp "
+    ".world .yaml .yml .zip".split()
+)
+#: Bytes of a file in which its root is looked for.
+_HEAD = 4096
+_PASSED_OVER = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
+#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
+_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.DOTALL)
+_MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
+_INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
+_ROBOT = re.compile(rb"<robot[\s>]")
+_ROOT = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<robot[\s>]")
+_LINK = re.compile(rb"<link[\s>]")
+_NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
+_ARGUMENT = re.compile(rb"\$\(arg\s+([\w-]+)\s*\)")
+_DEFAULT = re.compile(rb"<xacro:arg\b(?=[^<>]*\sdefault\s*=)[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
+_MARK = b"\xef\xbb\xbf"
+_NOT_CONFIGURED = "the configuration has no [[robot]] for it"
+_UNUSUAL = "has the root <robot>, but its suffix is not that of one, and no launch file names it"
+_FIND = re.compile(r"\$\(find\s+([\w-]+)\s*\)")
+_EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
+_CONTENT = re.compile(
+    rb"<(link|joint|include)\b|<xacro:(?!include|macro|property|arg|if|unless|insert)\w"
+)
+
+
+class Found(Record):
+    """What a folder holds.
+
+    Attributes:
+        robots: the entry points, sorted by path.
+        libraries: files of macros, properties or materials that no file includes.
+        closed: descriptions that cannot be opened: links that lead nowhere, no permission.
+        others: files that look like robots and are none of these, by why they are left out.
+    """
+
+    robots: tuple[Robot, ...]
+    libraries: tuple[str, ...]
+    closed: tuple[str, ...] = ()
+    others: Mapping[str, str] = {}
+
+
+def discover(folder: str, config: Config, resolver: Resolver) -> Found:
+    """The entry points of a folder: those of the configuration in it, else by the includes.
+
+    Raises:
+        UnreadableFile: the folder cannot be read, or holds no description.
+    """
+    graph = _graph(folder, config, resolver)
+    found = graph.entry_points()
+    configured = tuple(robot for robot in config.robots if _is_within(robot.file, folder))
+    if configured:
+        named = {os.path.realpath(robot.file) for robot in configured}
+        reached = {path for robot in named for path in graph.closure(robot)}
+        left = [one.file for one in found.robots if os.path.realpath(one.file) not in reached]
+        return Found(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
+    if not any(found):
+        raise UnreadableFile(
+            f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
+        )
+    return found
+
+
+def _graph(folder: str, config: Config, resolver: Resolver) -> IncludeGraph:
+    """The descriptions of a folder, and what looks like one whatever it is called."""
+    files = [*descriptions(folder, config), *_lookalikes(folder, config)]
+    return IncludeGraph(files, resolver, launch_files(folder, config))
+
+
+def _lookalikes(folder: str, config: Config) -> Iterator[str]:
+    """The files with the root ``<robot>`` whose suffix is not that of a description."""
+    for path in islice(_below(folder), MAX_FILES):
+        suffix = os.path.splitext(path)[1].lower()
+        if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
+            continue
+        head = _COMMENT.sub(b"", peek(path, _HEAD)).removeprefix(_MARK)
+        if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
+            yield path
+
+
+def launch_files(folder: str, config: Config) -> Iterator[str]:
+    """The launch files below a folder that can be read, sorted."""
+    for path in islice(_below(folder), MAX_FILES):
+        is_meant = is_launch(path) and not matches(config.relative(path), config.exclude)
+        if is_meant and os.path.isfile(path) and os.access(path, os.R_OK):
+            yield path
+
+
+def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
+    """The entry points that some changed files are part of, each once.
+
+    A description is part of the robots whose includes lead to it, wherever in the repository
+    they are. Any other file (a mesh, a YAML file, a launch file) stands for every robot of its
+    package, and for those elsewhere that name it: which of them use it is known only after
+    expansion. Hidden files, such as the settings of a CI server, are part of no robot.
+    """
+    changed: dict[str, list[str]] = {}
+    for file in map(os.path.abspath, files):
+        folder = _repository(file, resolver)
+        if f"{os.sep}." not in file[len(folder.rstrip(os.sep)) :]:
+            changed.setdefault(folder, []).append(file)
+    robots: list[Robot] = []
+    libraries: list[str] = []
+    for folder, here in sorted(changed.items()):
+        graph = _graph(folder, config, resolver)
+        found = graph.entry_points()
+        known = [robot for robot in config.robots if _is_within(robot.file, folder)]
+        # A configuration names the robots below itself; it knows nothing of others beside it.
+        others = [r for r in found.robots if not (known and _is_within(r.file, config.folder))]
+        robots += sorted(
+            (
+                robot
+                for robot in (*known, *others)
+                if any(graph.concerns(robot.file, file) for file in here)
+            ),
+            key=lambda robot: robot[:2],
+        )
+        libraries += [path for path in found.libraries if path in here]
+    return Found(tuple(robots), tuple(libraries))
+
+
+def _repository(file: str, resolver: Resolver) -> str:
+    """The folder in which a file is shared: its repository, else its package, else its own."""
+    folder = os.path.dirname(file)
+    while not os.path.isdir(folder):  # the file is gone, with its folder
+        folder = os.path.dirname(folder)
+    above = own = folder
+    while not os.path.exists(os.path.join(above, ".git")):
+        above, below = os.path.dirname(above), above
+        if above == below:
+            package = resolver.packages.enclosing(os.path.join(own, "x"))
+            return package[1] if package else own
+    return above
+
+
+def _is_within(path: str, folder: str) -> bool:
+    return path.startswith(os.path.join(os.path.abspath(folder), ""))
+
+
+def _package_folder(file: str, resolver: Resolver) -> str:
+    package = resolver.packages.enclosing(file)
+    return package[1] if package else os.path.dirname(file)
+
+
+def descriptions(folder: str, config: Config) -> Iterator[str]:
+    """The files below a folder that may be descriptions or parts of them, sorted."""
+    if not os.path.isdir(folder):
+        raise UnreadableFile(f"{folder}: no such folder")
+    count = 0
+    for path in _below(folder):
+        is_part = path.lower().endswith(_INCLUDED)
+        is_meant = is_part and not matches(config.relative(path), config.exclude)
+        # A link to nothing is told; a pipe or a device may never end.
+        if is_meant and (os.path.isfile(path) or not os.path.exists(path)):
+            count += 1
+            if count > MAX_FILES:
+                raise UnreadableFile(f"{folder}: more than {MAX_FILES} descriptions")
+            yield path
+
+
+def _below(folder: str) -> Iterator[str]:
+    """The files below a folder, apart from hidden ones and from what a build makes."""
+    for parent, folders, files in os.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and name not in _PASSED_OVER
+        )
+        yield from (os.path.join(parent, name) for name in sorted(files))
+
+
+def _is_description(name: str) -> bool:
+    name = name.lower()  # SolidWorks writes .URDF
+    return name.endswith(SUFFIXES) and not name.endswith((".srdf.xacro", ".sdf.xacro"))
+
+
+class IncludeGraph:
+    """Who includes whom among some files.
+
+    Args:
+        files: descriptions and parts of them.
+        resolver: finds packages, and reads files.
+        launches: paths of launch files; what they name is a robot, whatever its suffix.
+    """
+
+    def __init__(
+        self, files: Iterable[str], resolver: Resolver, launches: Iterable[str] = ()
+    ) -> None:
+        self.resolver = resolver
+        self._launches = launches
+        self._sources: dict[str, Source] = {}
+        self._names: dict[str, str] = {}
+        self.closed: list[str] = []
+        for path in files:
+            try:
+                source = resolver.read(path)
+            except UnreadableFile:
+                self.closed += [path] if _is_description(path) else []
+                continue
+            # A .urdf is meant to be one whatever is in it: nothing, a pointer of Git LFS.
+            if _ROBOT.search(source.data) or path.lower().endswith(".urdf"):
+                real = os.path.realpath(path)
+                self._sources[real] = source
+                self._names[real] = path
+        self.includes = {path: self._includes(path) for path in self._sources}
+
+    def _includes(self, path: str) -> frozenset[str]:
+        source = self._sources[path]
+        if b"xacro:include" not in source.data:
+            return frozenset()
+        data = _COMMENT.sub(b"", source.data)
+        found: set[str] = set()
+        for name in _INCLUDE.findall(data):
+            found.update(self._targets(name.decode("utf-8", "replace"), source.path))
+        return frozenset(found - {path})
+
+    def _targets(self, name: str, near: str) -> Iterator[str]:
+        """The files that an include may mean; by their name where its folder is an expression."""
+        text = _FIND.sub(lambda match: self._package(match.group(1), near), name)
+        text = text.replace("$(dirname)", os.path.dirname(os.path.abspath(near)))
+        if "$" not in text and not set("*?[") & set(text):
+            path = os.path.join(os.path.dirname(os.path.abspath(near)), text)
+            if "\0" not in path:  # which no file has in its name
+                yield os.path.realpath(self._existing(path))
+            return
+        yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
+
+    def _alike(self, pattern: str, near: str) -> Iterator[str]:
+        """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""
+        if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
+            return  # nothing but an expression: it may mean any file
+        folder = os.path.join(os.path.realpath(_package_folder(near, self.resolver)), "")
+        for path in self._sources:
+            if path.startswith(folder) and fnmatchcase(os.path.basename(path), pattern):
+                yield path
+
+    def _existing(self, path: str) -> str:
+        return path if os.path.exists(path) else self.resolver.installed(path) or path
+
+    def _package(self, name: str, near: str) -> str:
+        from urdfkit.errors import PackageNotFound
+
+        try:
+            return self.resolver.package(name, near)
+        except PackageNotFound:
+            return f"$(find {name})"
+
+    def entry_points(self) -> Found:
+        """The descriptions that no other file includes, and the libraries among them.
+
+        Where files include one another in a ring, one of them.
+        """
+        included = {target for targets in self.includes.values() for target in targets}
+        roots = [
+            name
+            for path, name in self._names.items()
+            if path not in included and _is_description(name)
+        ]
+        roots += self._in_rings(roots)
+        libraries = tuple(filter(self.is_library, roots))
+        outer = [path for path in roots if path not in libraries]
+        unusual = [
+            name
+            for path, name in self._names.items()
+            if path not in included and not _is_description(name) and self._is_robot(path)
+        ]
+        started = self._launched(unusual)
+        robots = sorted({*outer, *self._within(outer), *started})
+        named = tuple(Robot(path, "", {}) for path in robots)
+        others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
+        return Found(named, libraries, tuple(self.closed), others)
+
+    def _is_robot(self, path: str) -> bool:
+        """True for a file with the root ``<robot>`` that has links outside of macros."""
+        data = _COMMENT.sub(b"", self._sources[path].data)
+        return bool(_ROOT.match(data) and _LINK.search(_MACRO.sub(b"", data)))
+
+    def _launched(self, files: list[str]) -> list[str]:
+        """The files whose name stands in a launch file."""
+        texts = [self.resolver.read(path).data for path in self._launches] if files else []
+        return [
+            path
+            for path in files
+            if any(os.fsencode(os.path.basename(path)) in text for text in texts)
+        ]
+
+    def _in_rings(self, roots: Iterable[str]) -> Iterator[str]:
+        """One file of each ring of includes that no root leads to; its check tells of the ring."""
+        reached = {path for root in roots for path in self.closure(os.path.realpath(root))}
+        for path, name in sorted(self._names.items()):
+            if path not in reached and _is_description(name):
+                reached |= self.closure(path)
+                yield name
+
+    def _within(self, robots: Iterable[str]) -> Iterator[str]:
+        """Whole robots that are included by such as cannot be expanded for want of arguments."""
+        for robot in map(os.path.realpath, robots):
+            closure = self.closure(robot)
+            if not self._lacking(closure):
+                continue
+            for path in closure.intersection(self._sources) - {robot}:
+                name = self._names[path]
+                is_whole = _is_description(name) and _NAMED.search(self._sources[path].data)
+                if is_whole and not self.is_library(name) and not self._lacking(self.closure(path)):
+                    yield name
+
+    def _lacking(self, files: Iterable[str]) -> set[bytes]:
+        """The arguments that some files use together, and none of them gives a default."""
+        used: set[bytes] = set()
+        known: set[bytes] = set()
+        for path in self._sources.keys() & files:
+            data = _COMMENT.sub(b"", self._sources[path].data)
+            used.update(_ARGUMENT.findall(data))
+            known.update(_DEFAULT.findall(data))
+        return used - known
+
+    def concerns(self, root: str, file: str) -> bool:
+        """True if a changed file may be part of a robot."""
+        closure = self.closure(os.path.realpath(root))
+        if os.path.realpath(file) in closure:
+            return True
+        if file.lower().endswith(SUFFIXES):
+            return False
+        packages = self.resolver.packages
+        package = packages.enclosing(file)
+        if package is not None and package == packages.enclosing(root):
+            return True
+        name = os.path.basename(file).encode("utf-8", "surrogateescape")
+        return any(name in self._sources[path].data for path in closure if path in self._sources)
+
+    def closure(self, path: str) -> set[str]:
+        """A file and everything that it includes, directly or not."""
+        found = {path}
+        queue = [path]
+        while queue:
+            for target in self.includes.get(queue.pop(), ()):
+                if target not in found:
+                    found.add(target)
+                    queue.append(target)
+        return found
+
+    def is_library(self, path: str) -> bool:
+        """True if a file only defines things: outside of macros it makes no link and calls none."""
+        if not _ROBOT.search(self._sources[os.path.realpath(path)].data):
+            return False
+        data = _COMMENT.sub(b"", self._sources[os.path.realpath(path)].data)
+        outside = _MACRO.sub(b"", data)
+        return not _CONTENT.search(outside) and not _INCLUDE.search(outside)

@@ -1,0 +1,323 @@
+"""What forbids a fix: that it makes anything worse, for anybody, or that it does not help."""
+
+from __future__ import annotations
+
+import os
+from bisect import bisect_left
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cached_property
+from itertools import chain, zip_longest
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config
+from urdfkit.lint.context import Subject
+from urdfkit.lint.discovery import affected
+from urdfkit.lint.engine import check, subjects
+from urdfkit.text.diagnostic import Diagnostic, Edit, Report, Severity
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.lint.engine import Options
+    from urdfkit.text.document import Element
+
+#: A finding in any round: its code, its file and its message, since places move.
+Key = tuple[str, str, str]
+
+#: An edit, known in every robot that includes its file: real path, first and last byte, new text.
+Place = tuple[str, int, int, str]
+
+#: Reads the robots of a report, in its order.
+Robots = Callable[[], Iterable[Subject | None]]
+
+#: Rules that simulate the robot and so take long; they know no error, and have no fix.
+SLOW = rules.TOLD_BY_COAL | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
+
+
+def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:
+    """What forbids the fixes between two checks of the same robots; empty if nothing does.
+
+    Only what both versions can see is compared. Errors of rules that could not look before were
+    there, but hidden, and so were those of elements that the document did not have before.
+
+    Args:
+        before: the check without the fixes.
+        after: the check with them.
+        old: the subjects of the first, which are read only where an error is new.
+        new: the subjects of the second.
+    """
+    if lost := {(s.path, s.code) for s in after.skipped} - {
+        (s.path, s.code) for s in before.skipped
+    }:
+        path = min(lost)[0]
+        return f"dropped: with it, {path} could not be checked any more"
+    hidden = {skipped.code for skipped in before.skipped}
+    added = [
+        {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
+        for now, then in zip_longest(after.errors, before.errors, fillvalue=())
+    ]
+    if any(added):
+        robots = zip_longest(added, after.errors, old(), new())
+        for codes, errors, then, now in robots:
+            revealed = _revealed(then, now) if codes and then and now else frozenset[str]()
+            visible = Counter(codes) - _codes(one for one in errors or () if _is_at(one, revealed))
+            if visible:
+                return f"dropped: it would add {min(visible)}"
+    crashed = {(crash.path, crash.code) for crash in before.crashed}
+    if failed := {(crash.path, crash.code) for crash in after.crashed} - crashed:
+        return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
+    return ""
+
+
+def _codes(diagnostics: Iterable[Diagnostic]) -> Counter[str]:
+    return Counter(one.code for one in diagnostics)
+
+
+def _is_at(diagnostic: Diagnostic, paths: Collection[str]) -> bool:
+    """True if a finding is about elements with these paths only, or about their attributes."""
+    places = [call.element for call in diagnostic.calls]
+    return bool(places) and all(
+        place in paths or place.rpartition("@")[0] in paths for place in places
+    )
+
+
+def _revealed(before: Subject, after: Subject) -> frozenset[str]:
+    """The paths of the elements that a document has only after a fix.
+
+    An element with a new name in the place of one with the old is the same one.
+    """
+    if before.reading.document is None or after.reading.document is None:
+        return frozenset()
+    old = {element.path: element for element in before.document.root.walk()}
+    new = {element.path: element for element in after.document.root.walk()}
+    renamed = {_kind(element) for path, element in old.items() if path not in new}
+    found: set[str] = set()
+    for path, element in new.items():  # parents first
+        is_below = element.parent is not None and element.parent.path in found
+        if is_below or (path not in old and _kind(element) not in renamed):
+            found.add(path)
+    return frozenset(found)
+
+
+def _kind(element: Element) -> tuple[str, str]:
+    return (element.parent.path if element.parent else "", element.tag)
+
+
+def useless(before: Report, after: Report, applied: list[Diagnostic]) -> str:
+    """Says so if a fix left its finding as it was; it would be applied for ever."""
+    expected = Counter(map(key_of, before.diagnostics))
+    expected.subtract(Counter(map(key_of, applied)))
+    now = Counter(map(key_of, after.diagnostics))
+    stays = any(now[key] > expected[key] for key in map(key_of, applied))
+    return "dropped: the finding stays" if stays else ""
+
+
+class Look:
+    """Checks robots with some texts in the place of those on disk.
+
+    Args:
+        files: that somebody wants fixed.
+        options: of ``check``.
+        codes: of all rules that fixes are to answer or must not offend.
+    """
+
+    def __init__(
+        self, files: Iterable[str | os.PathLike[str]], options: Options, codes: Iterable[str]
+    ) -> None:
+        self._files = tuple(files)
+        self._options = options
+        self._codes = frozenset(codes)
+        self.config = options.get("config") or Config()
+        packages = {**self.config.packages, **(options.get("packages") or {})}
+        self.resolver = Resolver(packages, texts=self._texts({}))
+
+    def report(self, texts: Mapping[str, bytes]) -> Report:
+        """What is reported to people: the rules that they asked for."""
+        now: Options = {**self._options, "texts": self._texts(texts)}
+        return check(*self._files, resolver=self.resolver, **now)
+
+    def guard(self, texts: Mapping[str, bytes]) -> Report:
+        """What fixes start from and are judged by, without the rules that cannot matter."""
+        raised = {code for code, one in self.config.severities.items() if one is Severity.ERROR}
+        return self._check(self._files, texts, self._codes - (SLOW - raised))
+
+    def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
+        """Whether robots that were not asked for have errors."""
+        return self._check(files, texts, self._errors)
+
+    def proposals(
+        self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
+    ) -> tuple[tuple[Edit, ...], ...]:
+        """The edits that each of some robots asks for by some rules."""
+        return self._check(files, texts, codes).proposals
+
+    def robots(
+        self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
+    ) -> Iterator[Subject | None]:
+        """The robots of a check, in its order."""
+        now: Options = {**self._options, "texts": self._texts(texts)}
+        return subjects_of(self._files if files is None else files, now)
+
+    def _check(
+        self,
+        files: Iterable[str | os.PathLike[str]],
+        texts: Mapping[str, bytes],
+        codes: Iterable[str],
+    ) -> Report:
+        now: Options = {
+            **self._options,
+            "texts": self._texts(texts),
+            "select": tuple(codes),
+            "ignore": (),
+        }
+        return check(*files, resolver=self.resolver, **now)
+
+    def _texts(self, texts: Mapping[str, bytes]) -> dict[str, bytes]:
+        return {**(self._options.get("texts") or {}), **texts}
+
+    @cached_property
+    def _errors(self) -> list[str]:
+        """The rules that may find errors."""
+
+        def severities(rule: rules.Rule) -> Iterable[Severity]:
+            configured = self.config.severities.get(rule.code)
+            return (configured,) if configured else (rule.severity, *rule.by_target.values())
+
+        found = map(rules.get, self._codes)
+        return [rule.code for rule in found if Severity.ERROR in severities(rule)]
+
+
+def subjects_of(
+    files: Iterable[str | os.PathLike[str]], options: Options
+) -> Iterator[Subject | None]:
+    """The descriptions that a check with some options looks at, in its order."""
+    return subjects(
+        *files,
+        arguments=options.get("arguments"),
+        packages=options.get("packages"),
+        trust=options.get("trust", False),
+        config=options.get("config"),
+        variant=options.get("variant", ""),
+        changed=options.get("changed", False),
+        texts=options.get("texts"),
+    )
+
+
+class Watch:
+    """Looks at what fixes may break in other robots of the workspace that include a file."""
+
+    def __init__(self, look: Look) -> None:
+        self._look = look
+        self._found: dict[frozenset[str], list[str]] = {}
+
+    def disputes(
+        self, chosen: Iterable[Diagnostic], texts: Mapping[str, bytes], report: Report
+    ) -> set[Key]:
+        """The findings whose fix edits what another robot uses without asking for the edit.
+
+        Args:
+            chosen: findings with fixes.
+            texts: in the place of those on disk.
+            report: that they are from.
+        """
+        chosen = tuple(chosen)
+        edits = {key_of(one): [place_of(e) for e in one.fix.edits] for one in chosen if one.fix}
+        files = {place[0] for places in edits.values() for place in places}
+        others = self._others(files, report.files)
+        if not others and len(report.proposals) < 2:
+            return set()
+        robots, proposals = self._look.robots(texts), report.proposals
+        if others:
+            robots = chain(robots, self._look.robots(texts, others))
+            codes = {one.code for one in chosen}
+            proposals += self._look.proposals(texts, others, codes)
+        found: set[Key] = set()
+        for subject, proposed in zip(robots, proposals, strict=True):
+            asked = set(map(place_of, proposed))
+            missing = {key: set(places) - asked for key, places in edits.items()}
+            if subject is None or not any(missing.values()):
+                continue
+            tags = _tags(subject, files)
+            found |= {
+                key for key, places in missing.items() if any(_is_used(one, tags) for one in places)
+            }
+        return found
+
+    def harm(
+        self, before: Mapping[str, bytes], after: Mapping[str, bytes], known: Iterable[str]
+    ) -> str:
+        """What forbids the change from some texts to others; empty if nothing does.
+
+        Args:
+            before: texts in the place of those on disk.
+            after: likewise.
+            known: the descriptions that were checked already.
+        """
+        look = self._look
+        others = self._others((p for p, text in after.items() if before.get(p) != text), known)
+        if not others:
+            return ""
+        now = look.guard_others(after, others)
+        if not (any(now.errors) or now.skipped or now.crashed):
+            return ""
+        return harm(
+            look.guard_others(before, others),
+            now,
+            lambda: look.robots(before, others),
+            lambda: look.robots(after, others),
+        )
+
+    def _others(self, changed: Iterable[str], known: Iterable[str]) -> list[str]:
+        """Robots that changed files are part of, and that were not asked for."""
+        files = frozenset(changed)
+        if files not in self._found:
+            try:
+                found = affected(files, self._look.config, self._look.resolver).robots
+            except UnreadableFile:  # a directory with too many files to look at
+                found = ()
+            asked = set(map(os.path.realpath, known))
+            others = dict.fromkeys(os.path.relpath(robot.file) for robot in found)
+            self._found[files] = [f for f in others if os.path.realpath(f) not in asked]
+        return self._found[files]
+
+
+def _tags(subject: Subject, files: set[str]) -> dict[str, list[tuple[int, int]]]:
+    """First and last byte of the start tags that a robot uses of some files, in their order."""
+    if subject.reading.document is None:
+        return {}
+    real = {source.path: os.path.realpath(source.path) for source in subject.document.sources}
+    found: dict[str, set[tuple[int, int]]] = {}
+    for element in subject.document.root.walk():
+        path = real.get(element.tag_at.source.path, "")
+        if path in files:
+            found.setdefault(path, set()).add(element.span[1:])
+    return {path: sorted(tags) for path, tags in found.items()}
+
+
+def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
+    """True if an edit changes a start tag; one between tags concerns nobody."""
+    path, start, end, _ = place
+    here = tags.get(path, [])
+    first = max(0, bisect_left(here, (start, 0)) - 1)
+    return any(
+        tag_start < end and start < tag_end
+        for tag_start, tag_end in here[first : bisect_left(here, (end, 0))]
+    )
+
+
+def key_of(diagnostic: Diagnostic) -> Key:
+    """What tells a finding from others in any round."""
+    return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
+
+
+def place_of(edit: Edit) -> Place:
+    """What tells an edit from others, whatever its file is called."""
+    return (real_path(edit.span.source), *edit.span[1:], edit.text)
+
+
+def real_path(source: Source) -> str:
+    """The path of the file of a source, whatever it is called."""
+    return os.path.realpath(source.path)

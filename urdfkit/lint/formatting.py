@@ -1,0 +1,123 @@
+"""format_files(): the layout of descriptions, file by file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.lint.config import Config
+from urdfkit.lint.discovery import descriptions
+from urdfkit.text.editing import rewriting
+from urdfkit.text.editing.apply import encoded
+from urdfkit.text.editing.formatter import WIDTH, formatted
+from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.text.source import Source, shown
+from urdfkit.workspace.ownership import READ_ONLY, Ownership
+from urdfkit.workspace.resolve import Resolver
+
+
+class Formatted(Record):
+    """What laying out some files came to; nothing is written before ``write``.
+
+    Attributes:
+        files: that change.
+        unchanged: paths of files that are laid out already.
+        skipped: paths of files that are left alone, each with the reason.
+        failed: paths of files that were named and cannot be laid out, each with the reason.
+    """
+
+    files: tuple[Rewrite, ...]
+    unchanged: tuple[str, ...]
+    skipped: tuple[tuple[str, str], ...]
+    failed: tuple[tuple[str, str], ...]
+
+    def diff(self) -> str:
+        """All changes as a unified diff."""
+        return "".join(file.diff() for file in self.files)
+
+    def write(self) -> None:
+        """Replace the files, each whole or not at all.
+
+        Raises:
+            UnwritableFile: a file may not be written, or has changed since it was read.
+        """
+        rewriting.write(self.files)
+
+
+def format_files(
+    *files: str | os.PathLike[str],
+    width: int = 0,
+    force: bool = False,
+    check: bool = False,
+    config: Config | None = None,
+) -> Formatted:
+    """Lay out URDF and xacro files; what they say stays the same.
+
+    >>> format_files("models/good/gripper.urdf").unchanged
+    ('models/good/gripper.urdf',)
+
+    Args:
+        files: descriptions, or folders, of which all descriptions are laid out.
+        width: columns of a line; as the configuration says, or 100, if it is 0.
+        force: lay out files as well that are generated, read-only or that git ignores.
+        check: nothing will be written, so that read-only files count as well.
+        config: of the project; it may exclude files.
+
+    Raises:
+        UnreadableFile: a file or folder cannot be read, or a folder holds no description.
+    """
+    changed: list[Rewrite] = []
+    unchanged: list[str] = []
+    skipped: list[tuple[str, str]] = []
+    failed: list[tuple[str, str]] = []
+    config = config or Config()
+    width = width or config.width or WIDTH
+    for path, is_named in _files(files, config):
+        source = Source.read(path)
+        reason = "" if force else Ownership([path], Resolver()).refusal(source)
+        if reason and not (check and reason == READ_ONLY):
+            skipped.append((path, reason))
+            continue
+        try:
+            rewrite = _formatted(source, width)
+        except UrdfkitError as error:
+            (failed if is_named else skipped).append((path, str(error)))
+            continue
+        if rewrite.after == rewrite.before:
+            unchanged.append(path)
+        else:
+            changed.append(rewrite)
+    return Formatted(tuple(changed), tuple(unchanged), tuple(skipped), tuple(failed))
+
+
+def _files(files: tuple[str | os.PathLike[str], ...], config: Config) -> Iterator[tuple[str, bool]]:
+    """The paths to lay out, each once, and whether they were named."""
+    seen: set[str] = set()
+    for given in files:
+        file = os.fspath(given)
+        is_folder = os.path.isdir(file)
+        for path in _below(file, config) if is_folder else (file,):
+            real = os.path.realpath(path)
+            if real not in seen:
+                seen.add(real)
+                yield path, not is_folder
+
+
+def _below(folder: str, config: Config) -> list[str]:
+    found = [path for path in map(shown, descriptions(folder, config)) if _is_robot(path)]
+    if not found:
+        raise UnreadableFile(f"{folder}: no .urdf and no .xacro with a <robot> in it")
+    return found
+
+
+def _is_robot(path: str) -> bool:
+    """True for a file of a folder that is a description, as far as its text tells."""
+    return b"<robot" in (on_disk(path) or b"")
+
+
+def _formatted(source: Source, width: int) -> Rewrite:
+    before = on_disk(source.path) or b""
+    after = encoded(formatted(source, width), source.encoding, before)
+    return Rewrite(source.path, before, after)

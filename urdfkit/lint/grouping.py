@@ -1,0 +1,55 @@
+"""Many findings that are alike, shown as one: who made a slip thirty times, made it once.
+
+People read them so, in a terminal, a pull request or a page. A program gets each by itself: an
+editor marks every place, and a baseline must know the thirty-first as new.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from urdfkit.text.diagnostic import Diagnostic, Fix, Related
+
+#: Findings that are alike and still told one by one.
+MAX_SINGLE = 2
+#: Of the others, those whose places are told.
+MAX_NOTES = 20
+
+
+def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Findings, with those of a file that are alike in the place of the first of them."""
+    groups: dict[object, list[Diagnostic]] = {}
+    for number, one in enumerate(diagnostics):
+        key: object = number
+        if one.alike:
+            key = (one.code, one.severity, one.alike, one.span.source.path, one.variants)
+        groups.setdefault(key, []).append(one)
+    found: list[Diagnostic] = []
+    for group in groups.values():
+        found += [_as_one(group)] if len(group) > MAX_SINGLE else group
+    return tuple(found)
+
+
+def _as_one(group: list[Diagnostic]) -> Diagnostic:
+    first, *others = group
+    return first._replace(
+        message=f"{first.message} (and {len(others)} more like this)",
+        related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
+        fix=_together([one.fix for one in group]),
+    )
+
+
+def _note(other: Diagnostic, first: Diagnostic) -> Related:
+    """What is told of another one: its help, too, if that is its own."""
+    own = other.help if other.help != first.help else ""
+    return Related(other.span, f"{other.message}: {own}" if own else other.message)
+
+
+def _together(fixes: list[Fix | None]) -> Fix | None:
+    """The fixes of all as one; none if one of them has none."""
+    known = [fix for fix in fixes if fix is not None]
+    if not known or len(known) < len(fixes):
+        return None
+    edits = dict.fromkeys(edit for fix in known for edit in fix.edits)  # two may share a fix
+    title = f"{known[0].title} (and {len(known) - 1} more like this)"
+    return Fix(title, tuple(edits), all(fix.safe for fix in known))

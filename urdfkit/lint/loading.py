@@ -1,0 +1,150 @@
+"""read(), load() and expand(): one description, without any rule."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UnreadableRobot
+from urdfkit.lint.context import Subject
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.xml_reader import Problem
+    from urdfkit.xacro import Xacro
+
+
+def read(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+    cache: bool = True,
+    progress: Callable[[int, int], None] | None = None,
+) -> Subject:
+    """A URDF or xacro file with all that can be computed of it, each part when it is asked for.
+
+    >>> robot = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
+    >>> [root.name for root in robot.tree.roots]
+    ['mount']
+
+    Args:
+        file: URDF or xacro; which of the two is decided by content.
+        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+        cache: keep what is measured of mesh files for the next run.
+        progress: called with the number of mesh files read and of all, when they are asked for.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it is no XML, or does not expand; with every reason.
+    """
+    source = Source.of(file)
+    resolver, given = Resolver(packages), dict(arguments or {})
+    if is_launch(source.path):
+        source, given = described(source, resolver, given)
+    subject = Subject(source, resolver, given, trust=trust, cache=cache, progress=progress)
+    if subject.reading.document is None:
+        raise _unreadable(source, subject.reading.problems)
+    return subject
+
+
+def load(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> RobotModel:
+    """The robot in a URDF or xacro file; every value knows its place in the file.
+
+    >>> robot = load("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
+    >>> robot.name, len(robot.links), robot.degrees_of_freedom
+    ('mobile_base', 5, 2)
+    >>> wheel = robot.joints_by_name["left_wheel_joint"]
+    >>> print(wheel.limit.effort.value, "N m, written at", wheel.limit.effort.span)
+    5.0 N m, written at models/good/mobile_base/urdf/mobile_base.urdf.xacro:52:22
+
+    Lengths are in m, angles in rad, masses in kg. Values that cannot be read are None;
+    ``urdfkit.check`` says why.
+
+    Args:
+        file: URDF or xacro; which of the two is decided by content.
+        arguments: xacro arguments, as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it is no XML, or does not expand; with every reason.
+    """
+    return read(file, arguments=arguments, packages=packages, trust=trust).model
+
+
+def expand(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> Xacro:
+    """A xacro file expanded as the ``xacro`` command does, without ROS.
+
+    >>> xacro = expand("models/good/mobile_base/urdf/mobile_base.urdf.xacro")
+    >>> xacro.text().count("<link")
+    5
+    >>> [macro.name for macro in xacro.macros]
+    ['box_inertial', 'cylinder_inertial', 'sphere_inertial', 'shape', 'driven_wheel']
+
+    Args:
+        file: the xacro file.
+        arguments: as ``name:=value`` gives them on the command line.
+        packages: folders of ROS packages by name; they win over every search.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: it does not expand; with every reason.
+    """
+    from urdfkit.xacro import expand as expand_source
+
+    source = Source.of(file)
+    xacro = expand_source(source, Resolver(packages), arguments, trust=trust)
+    if xacro.document is None:
+        raise _unreadable(source, xacro.problems)
+    return xacro
+
+
+def described(
+    source: Source, resolver: Resolver, arguments: dict[str, str]
+) -> tuple[Source, dict[str, str]]:
+    """The robot that a launch file describes, and its xacro arguments.
+
+    Raises:
+        UnreadableRobot: it describes none, or more than one.
+    """
+    from urdfkit.ros.launch import read_launch
+
+    found = [(d.path, d.arguments) for d in read_launch(source, resolver, arguments).descriptions]
+    if not found:
+        raise UnreadableRobot(
+            f"{source.path} is a launch file and describes no robot that can be known without "
+            "running it; name the robot's file"
+        )
+    path, given = found[0]
+    if any(other != found[0] for other in found):
+        names = ", ".join(dict.fromkeys(path for path, _ in found))
+        raise UnreadableRobot(f"{source.path} describes several robots; name one of {names}")
+    return resolver.read(path), given
+
+
+def _unreadable(source: Source, problems: Iterable[Problem]) -> UnreadableRobot:
+    reasons = tuple(dict.fromkeys(f"{p.span}: {p.message}" for p in problems))
+    text = "; ".join(reasons) or f"{source.path}: no robot"
+    return UnreadableRobot(text, tuple(problems))

@@ -1,0 +1,91 @@
+"""From one Gazebo to another: what can be renamed, and what a person must decide."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.lint.engine import check
+from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.editing.rewriting import diff
+from urdfkit.text.source import Source
+
+if TYPE_CHECKING:
+    import os
+
+#: The rules that tell what a generation of Gazebo does not have.
+RULES = ("GAZ012", "GAZ018", "GAZ041")
+
+
+class Migration(Record):
+    """What a migration needs.
+
+    Attributes:
+        texts: the new bytes of every file that changes, by its Source.
+        left: what has no pure rename, for a person.
+        renamed: what the new texts mend.
+        unread: descriptions that nothing is known of, each with the reason.
+    """
+
+    texts: dict[Source, bytes]
+    left: tuple[Diagnostic, ...]
+    renamed: tuple[Diagnostic, ...]
+    unread: dict[str, str]
+
+    def diff(self) -> str:
+        """The changes as a unified diff, which ``patch -p0`` takes."""
+        return "".join(diff(one.path, one.data, text) for one, text in self.texts.items())
+
+
+def migrate(
+    path: str | os.PathLike[str] | Source,
+    target: str,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    trust: bool = False,
+) -> Migration:
+    """What a model needs to run in another Gazebo; nothing is written.
+
+    Args:
+        path: of the model.
+        target: one of ``urdfkit.ros.targets.GAZEBO``.
+        arguments: for xacro.
+        packages: folders of ROS packages by name.
+        trust: let expressions of the model run unfenced and read any file.
+
+    Raises:
+        UnreadableFile: the file cannot be read.
+        UnknownTarget: there is no such target.
+    """
+    report = check(
+        path,
+        arguments=arguments,
+        packages=packages,
+        select=RULES,
+        targets=(target,),
+        trust=trust,
+    )
+    edits: dict[Source, list[Edit]] = {}
+    left, renamed = [], []
+    for diagnostic in report.diagnostics:
+        if diagnostic.fix is None or _overlaps(diagnostic, edits):
+            left.append(diagnostic)
+            continue
+        renamed.append(diagnostic)
+        for edit in diagnostic.fix.edits:
+            edits.setdefault(edit.span.source, []).append(edit)
+    texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
+    unread = {skipped.path: skipped.reason for skipped in report.skipped if skipped.code}
+    return Migration(texts, tuple(left), tuple(renamed), unread)
+
+
+def _overlaps(diagnostic: Diagnostic, edits: dict[Source, list[Edit]]) -> bool:
+    """True if a fix changes what another one changes, too."""
+    assert diagnostic.fix is not None
+    return any(
+        edit.span.start < other.span.end and other.span.start < edit.span.end
+        for edit in diagnostic.fix.edits
+        for other in edits.get(edit.span.source, ())
+    )

@@ -1,0 +1,293 @@
+"""Which descriptions a check is about: those that files and folders stand for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.text.diagnostic import Launched, Skipped
+from urdfkit.text.source import Source, shown
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from urdfkit.lint.config import Config
+    from urdfkit.lint.context import Subject
+    from urdfkit.lint.discovery import Found
+    from urdfkit.ros.launch.contents import Description, FileUse
+    from urdfkit.text.document import Frame
+
+
+#: Sets of arguments of the launch files of a folder with which one robot is checked.
+MAX_LAUNCHED = 4
+
+
+class Job(Record):
+    """One description to check.
+
+    Attributes:
+        source: the file.
+        name: of the variant; empty if there is one only.
+        arguments: for xacro.
+        found: True if it was found in a folder, not named.
+        frame: the launch file that asks for it, if one does.
+        parameters: the files of parameters that this launch file loads.
+        launched: the arguments that it lacks by itself, and where their values are from.
+        codes: of the rules that are asked; all if empty.
+    """
+
+    source: Source
+    name: str
+    arguments: dict[str, str]
+    found: bool
+    frame: Frame | None = None
+    parameters: tuple[FileUse, ...] = ()
+    launched: tuple[Launched, ...] = ()
+    codes: frozenset[str] = frozenset()
+
+
+def planned(
+    files: Iterable[str | os.PathLike[str] | Source],
+    resolver: Resolver,
+    config: Config | None,
+    arguments: Mapping[str, str] | None,
+    *,
+    variant: str = "",
+    changed: bool,
+) -> Plan:
+    """The descriptions to check for what a user names.
+
+    Args:
+        files: URDF, xacro or launch files, Sources, or folders.
+        resolver: finds files, and reads them.
+        config: settings of the project.
+        arguments: for xacro; they win over those of the project.
+        variant: the name of the only one, of those in the configuration, that is meant.
+        changed: the files are changed ones of any kind; the robots that they are part of are meant.
+
+    Raises:
+        ConfigError: a robot has no variant of this name.
+    """
+    plan = Plan(resolver, config, arguments or {}, variant)
+    if changed:
+        plan.add_changed(files)
+    for file in () if changed else files:
+        plan.add(file)
+    return plan
+
+
+class Plan:
+    """Which descriptions to check, with which arguments."""
+
+    def __init__(
+        self,
+        resolver: Resolver,
+        config: Config | None,
+        arguments: Mapping[str, str],
+        variant: str = "",
+    ) -> None:
+        self.resolver = resolver
+        self.config = config
+        self.arguments = dict(arguments)
+        self.variant = variant
+        self.jobs: list[Job] = []
+        self.skipped: list[Skipped] = []
+        #: Descriptions of a folder that cannot be opened.
+        self.closed: list[str] = []
+        #: The arguments with which the robots of a folder are checked, by path.
+        self._launched: dict[str, list[dict[str, str]]] = {}
+
+    def add(self, file: str | os.PathLike[str] | Source) -> None:
+        """A file, with its variants if the configuration has some, or a folder."""
+        if isinstance(file, Source):
+            self._add_source(file)
+        elif os.path.isdir(file):
+            from urdfkit.lint.config import Config
+            from urdfkit.lint.discovery import discover, launch_files
+
+            folder, config = os.fspath(file), self.config or Config()
+            launches = list(launch_files(folder, config))
+            try:
+                self._add_found(discover(folder, config, self.resolver), folder)
+            except UnreadableFile:
+                if not launches:  # of robots that lie elsewhere
+                    raise
+            for path in launches:
+                self._add_launch(self.resolver.read(_spelt(path, folder)), found=True)
+        else:
+            self._add_source(self.resolver.read(os.fspath(file)))
+
+    def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
+        """The entry points that some changed files are part of."""
+        from urdfkit.lint.config import Config
+        from urdfkit.lint.discovery import affected
+
+        paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
+        self._add_found(affected(paths, self.config or Config(), self.resolver), *paths[:1])
+
+    def _add_found(self, found: Found, given: str = "") -> None:
+        """The entry points of a folder, or of what was given otherwise."""
+        robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
+        if found.robots and not robots:
+            from urdfkit.lint.config import ConfigError
+
+            raise ConfigError(f"no robot here has a variant '{self.variant}'")
+        for robot in robots:
+            source = self.resolver.read(_spelt(robot.file, given))
+            self._add(source, robot.name, robot.arguments, found=True)
+        for library in found.libraries:
+            reason = "makes no link itself, and no file includes it: check a robot that uses it"
+            self.skipped.append(Skipped("", library, reason))
+        self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
+        for path in found.closed:
+            self.closed.append(path)
+            self.skipped.append(
+                Skipped("", path, "cannot be opened; see where it leads, and its permissions")
+            )
+
+    def _add_source(self, source: Source) -> None:
+        if is_launch(source.path):
+            self._add_launch(source)
+            return
+        if self.config is None and not self.variant:
+            self._add(source, "", {}, found=False)
+            return
+        from urdfkit.lint.config import Config
+
+        for robot in (self.config or Config()).entries(source.path, self.arguments, self.variant):
+            self.jobs.append(Job(source, robot.name, robot.arguments, False))
+
+    def _add_launch(self, source: Source, *, found: bool = False) -> None:
+        """A launch file, and the robots that it describes.
+
+        Args:
+            source: of the launch file.
+            found: it was found in a folder, whose robots are checked anyway. What is left is a
+                robot with the arguments that the launch file gives it, and its controllers.
+        """
+        from urdfkit.lint.glance import ABOUT_PARAMETERS
+        from urdfkit.ros.launch import read_launch
+
+        self.jobs.append(Job(source, "", self.arguments, False))
+        try:
+            launch = read_launch(source, self.resolver, self.arguments)
+        except UrdfkitError:
+            raise
+        except Exception:  # a bug of urdfkit, which the check of the launch file meets and tells
+            return
+        # Of several robots nobody knows which one the controllers are for.
+        parameters = launch.parameters if len({d.path for d in launch.descriptions}) == 1 else ()
+        for one in launch.descriptions:
+            is_new = not found or self._is_other(one)
+            if not is_new and not parameters:
+                continue
+            robot = self.resolver.read(_spelt(one.path, source.path))
+            common = self.config.arguments if self.config else {}
+            arguments = {**common, **one.arguments}
+            job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
+            self.jobs.append(job if is_new else job._replace(codes=ABOUT_PARAMETERS))
+
+    def _is_other(self, description: Description) -> bool:
+        """True if a robot is not checked yet with these arguments, nor too often with others."""
+        sets = self._launched.setdefault(os.path.realpath(description.path), [{}])
+        if description.arguments in sets or len(sets) > MAX_LAUNCHED:
+            return False
+        sets.append(description.arguments)
+        return True
+
+    def _add(self, source: Source, name: str, arguments: Mapping[str, str], *, found: bool) -> None:
+        common = self.config.arguments if self.config else {}
+        every = {**common, **arguments, **self.arguments}
+        self.jobs.append(Job(source, name, every, found))
+
+
+def as_launched(job: Job, read: Callable[[Job], Subject]) -> list[tuple[Job, Subject]]:
+    """A job with its description.
+
+    A robot that cannot be expanded for want of arguments comes with those that launch files give
+    it: once for each set of them. Where none gives them all, it comes with the values that are
+    found otherwise and with which it expands.
+
+    Args:
+        job: one description.
+        read: makes the description of a job.
+    """
+    subject = read(job)
+    if is_launch(job.source.path) or not (names := missing_arguments(subject)):
+        return [(job, subject)]
+    from urdfkit.ros.launch.robot_arguments import given
+
+    found = []
+    for one in given(job.source.path, names, subject.resolver):
+        values = {name: (one.arguments[name], one.launch) for name in names}
+        arguments = {**one.arguments, **job.arguments}
+        now = job._replace(frame=one.frame, launched=_launched(job, values), arguments=arguments)
+        found.append((now, read(now)))
+    found = [pair for pair in found if not missing_arguments(pair[1])]
+    return found or _as_found(job, read, subject, names) or [(job, subject)]
+
+
+def _as_found(
+    job: Job, read: Callable[[Job], Subject], subject: Subject, names: tuple[str, ...]
+) -> list[tuple[Job, Subject]]:
+    """A job with values that nobody starts it with; empty if it expands with none of them."""
+    from urdfkit.lint.argument_values import combinations
+
+    xacro = subject.reading.xacro
+    assert xacro is not None, "only a xacro lacks arguments"
+    found: list[tuple[Job, Subject]] = []
+    more: tuple[str, ...] = ()
+    for values in combinations(names, xacro, subject.resolver):
+        given = {name: value for name, (value, _) in values.items()}
+        now = job._replace(arguments={**given, **job.arguments}, launched=_launched(job, values))
+        pair = (now, read(now))
+        if pair[1].reading.document is not None:
+            found.append(pair)
+        more += missing_arguments(pair[1])
+    if found or set(more) <= set(names):
+        return found
+    return _as_found(job, read, subject, tuple(dict.fromkeys((*names, *more))))
+
+
+def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
+    """The values of arguments with where they are from, each place once."""
+    origins: dict[str, dict[str, str]] = {}
+    for name, (value, origin) in values.items():
+        origins.setdefault(origin, {})[name] = value
+    return tuple(Launched(job.source.path, *one) for one in origins.items())
+
+
+def missing_arguments(subject: Subject) -> tuple[str, ...]:
+    """The arguments without which a xacro cannot be expanded."""
+    problems = subject.problems("XAC010")
+    if not problems:
+        return ()
+    from urdfkit.lint.argument_values import missing_argument
+
+    return tuple(dict.fromkeys(map(missing_argument, problems)))
+
+
+def unknown_arguments(subject: Subject, given: Iterable[str]) -> dict[str, str]:
+    """The given arguments that a description never mentions, each with the one that was meant.
+
+    xacro takes any, so that a slip changes nothing and nobody says so. A launch file may pass them
+    on, and of what cannot be read not all is known: neither has any.
+    """
+    names = () if is_launch(subject.source.path) else tuple(given)
+    if not names or subject.reading.document is None:
+        return {}
+    xacro = subject.reading.xacro
+    declared = {argument.name for argument in xacro.arguments} if xacro else set()
+    mentioned = declared | (xacro.usage.names if xacro else frozenset())
+    return {name: nearest(name, declared) or "" for name in names if name not in mentioned}
+
+
+def _spelt(path: str, given: str) -> str:
+    """A path as a user would type it who typed another one."""
+    return shown(os.path.abspath(path)) if os.path.isabs(given) else os.path.relpath(path)

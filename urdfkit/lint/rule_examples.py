@@ -1,0 +1,133 @@
+"""Running the examples that every rule carries: BAD, GOOD and FIXED.
+
+A rule's file holds ``BAD`` and ``GOOD``, and ``FIXED`` if its findings carry a fix: robots as
+text, either whole or the piece inside ``<robot name="example">``. ``FILES`` holds the files
+beside the robot, by relative path, ``FIXED_FILES`` those of them as fixes leave them; ``FOLDER``
+stands for the folder that holds them all. Rules of other packages are tested with the same
+functions. ``NAME`` is the name of the example's file where it is no ``example.urdf``; ``TARGETS``
+are the consumers that it is checked for where it does not give them away.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+
+from urdfkit.lint.context import Subject
+from urdfkit.lint.rules import Rule
+from urdfkit.lint.runner import diagnose
+from urdfkit.ros.targets import parse
+from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.editing.apply import apply_edits
+from urdfkit.text.source import Source
+from urdfkit.workspace.resolve import Resolver
+
+#: In an example, the absolute path of the folder of the robot.
+FOLDER = "/home/student/arm_description"
+
+#: What an example may begin with that is only the inside of a robot.
+_PIECE = re.compile(r"\s*<(link|joint|material|gazebo|transmission|ros2_control)\b")
+
+
+def whole_robot(text: str) -> str:
+    """An example as a whole document."""
+    if _PIECE.match(text):
+        return f'<robot name="example">\n{text}\n</robot>\n'
+    return text
+
+
+@contextmanager
+def laid_out(rule: Rule, text: str) -> Iterator[Source]:
+    """An example in a folder of its own, with the files that its rule puts beside it."""
+    module = sys.modules[rule.module]
+    files: Mapping[str, bytes] = getattr(module, "FILES", {})
+    example = _file_name(rule)
+    with tempfile.TemporaryDirectory() as folder:
+        for name, data in files.items():
+            path = os.path.join(folder, name)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, "wb") as file:
+                file.write(data)
+        robot = whole_robot(text).replace(FOLDER, folder)
+        yield Source(os.path.join(folder, example), robot.encode("utf-8", "surrogateescape"))
+
+
+def targets_of(rule: Rule) -> tuple[str, ...]:
+    """The consumers that the examples of a rule are checked for; empty if they tell it."""
+    names: tuple[str, ...] = getattr(sys.modules[rule.module], "TARGETS", ())
+    return names
+
+
+def subject_of(rule: Rule, source: Source) -> Subject:
+    """An example as a rule sees it."""
+    names = targets_of(rule)
+    return Subject(source, Resolver(environment={}), targets=parse(names) if names else None)
+
+
+def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
+    """What one rule says about one of its examples."""
+    with laid_out(rule, text) as source:
+        return diagnose(rule, list(rule.check(subject_of(rule, source))))
+
+
+def assert_examples(rule: Rule) -> None:
+    """Fail unless BAD is reported, GOOD is not, and the fixes of BAD give FIXED.
+
+    Raises:
+        AssertionError: what an example gives, and what it should.
+    """
+    bad, good = _example(rule, "BAD"), _example(rule, "GOOD")
+    if not diagnose_example(rule, bad):
+        raise AssertionError(f"{rule.code} finds nothing in BAD")
+    if found := diagnose_example(rule, good):
+        raise AssertionError(f"{rule.code} finds in GOOD: {found[0].message}")
+    fixed = rule.example("FIXED")
+    beside: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FIXED_FILES", {})
+    if rule.fixable is (fixed is None and not beside):
+        raise AssertionError(f"{rule.code}: it takes FIXED and fixable=True, or neither of them")
+    given = apply_fixes(rule, bad)
+    expected = {"": whole_robot(fixed)} if fixed else {}
+    expected |= {name: data.decode() for name, data in beside.items()}
+    if given != expected:
+        raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{expected}")
+    if fixed and (found := diagnose_example(rule, fixed)):
+        raise AssertionError(f"{rule.code} finds in FIXED: {found[0].message}")
+
+
+def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
+    """The files of an example that one rule's fixes change, by relative path; "" is the robot."""
+    with laid_out(rule, text) as source:
+        found = diagnose(rule, list(rule.check(subject_of(rule, source))))
+        folder = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
+        edits: dict[str, dict[Edit, None]] = {}
+        for one in found:
+            for edit in one.fix.edits if one.fix else ():
+                path = edit.span.source.path
+                name = "" if path == source.path else os.path.relpath(path, folder)
+                edits.setdefault(name, {})[edit] = None
+        return {
+            name: _edited(parts).replace(folder, FOLDER) for name, parts in sorted(edits.items())
+        }
+
+
+def _file_name(rule: Rule) -> str:
+    """The name of the file of an example, perhaps in a folder."""
+    name: str = getattr(sys.modules[rule.module], "NAME", "example.urdf")
+    return name
+
+
+def _edited(edits: Iterable[Edit]) -> str:
+    """The text of a source after edits of it."""
+    edits = tuple(edits)
+    return apply_edits(edits[0].span.source.data, edits).decode()
+
+
+def _example(rule: Rule, which: str) -> str:
+    text = rule.example(which)
+    if not text:
+        raise AssertionError(f"{rule.module} has no {which}")
+    return text

@@ -1,0 +1,398 @@
+"""Rules: how one is declared, and which there are.
+
+A rule is one file in ``urdfkit/checks``, named ``<code>_<name>.py``. Its docstring is the
+explanation that users read, with the sources of its facts, and its ``check`` yields Findings. The
+file name is the catalogue: nothing else has to be edited, and a rule is imported only when it may
+have something to say.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from enum import Enum
+from typing import TYPE_CHECKING
+
+from urdfkit import checks
+from urdfkit.core.libraries import load
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import RuleError, UnknownRule
+from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
+from urdfkit.text.document import Attribute, Element, Frame
+from urdfkit.text.source import Span
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Placed
+
+#: Rules that only tell what reading met; they are imported when there is something to tell.
+TOLD_BY_READING = frozenset(
+    "XML001 XML002 XML003 XML004 XML006 XML007 "
+    "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016 XAC017 XAC018 "
+    "XAC019 XAC020".split()
+)
+
+#: Rules that only tell where the document deviates from the grammar; imported likewise.
+TOLD_BY_GRAMMAR = frozenset(
+    "URD001 URD002 URD003 URD004 URD005 URD006 URD007 URD008 URD009 URD010 URD011 URD012 "
+    "URD013 URD014 URD015 URD016 URD017".split()
+)
+
+#: Rules that only tell what is wrong with the mesh files; imported likewise.
+TOLD_BY_FILES = frozenset(
+    "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH013 MSH014 "
+    "MSH018 MSH036 MSH024 MSH025 MSH026 MSH027 MSH030 MSH035".split()
+)
+
+#: Rules that only tell what is doubtful about the triangles of meshes; imported likewise.
+TOLD_BY_MESHES = frozenset(
+    "MSH012 MSH015 MSH016 MSH017 MSH019 MSH020 MSH021 MSH022 MSH023 MSH028 MSH029 MSH031 MSH032 "
+    "MSH033 MSH034 MSH037 MSH038".split()
+)
+
+#: Rules that only tell what is doubtful about masses and inertias; imported likewise.
+TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
+
+#: Rules that only tell where collisions and visuals are unlike; imported likewise.
+TOLD_BY_LIKENESSES = frozenset(("GEO004", "GEO016", "GEO017"))
+
+#: Rules that look at collisions, and need coal for it.
+TOLD_BY_COAL = frozenset("COL001 COL002 COL003 COL004 COL006".split())
+
+#: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
+#: it is ignored by name.
+NOT_CHECKED = "CFG003"
+
+#: Families of urdfkit's own rules, and what they are about; other packages take other letters.
+FAMILIES = {
+    "CFG": "the checking itself",
+    "COL": "collisions",
+    "DYN": "dynamics",
+    "GAZ": "Gazebo",
+    "GEO": "shapes and colours",
+    "INE": "mass and inertia",
+    "JNT": "joints",
+    "LAU": "launch files",
+    "MSH": "mesh files",
+    "NAM": "names",
+    "PKG": "the package around the robot",
+    "RCT": "transmissions and ros2_control",
+    "REF": "references",
+    "SRD": "SRDF",
+    "TRE": "the kinematic tree",
+    "URD": "the grammar of URDF",
+    "XAC": "xacro",
+    "XML": "the text",
+}
+
+
+class Need(Enum):
+    """What a rule asks of a Subject besides the source text."""
+
+    XACRO = "xacro"  # the expansion: macros, properties, arguments
+    MODEL = "model"  # the expanded document and the robot in it
+    FILES = "files"  # the files that the model names
+    MESHES = "meshes"  # the triangles in them, measured
+    GAZEBO = "gazebo"  # what Gazebo makes of the model
+    LAUNCH = "launch"  # the launch file
+    SRDF = "srdf"  # MoveIt's file beside the model
+    DYNAMICS = "dynamics"  # the robot in Pinocchio, or what Pinocchio says of it
+    COLLISIONS = "collisions"  # which links overlap, by coal
+
+
+class Written(Record):
+    """A place that is no element of the expanded document, with the calls that led there."""
+
+    span: Span
+    frame: Frame | None = None
+
+
+class Finding(Record):
+    """What a rule says. The engine adds code, severity and the way through the macros.
+
+    Attributes:
+        at: the element, attribute, value or place that a person must edit.
+        message: who (``link 'arm'``), the measured value with its unit, the bound.
+        help: what to do; the rule's own help if empty.
+        fix: a remedy as text edits.
+        related: other places that explain it.
+        confidence: how sure it is.
+        weight: the larger, the worse; orders the calls of one macro.
+        alike: the same for findings that many robots have in numbers, and that one slip made:
+            more than a few of them are told as one.
+        severity: where it is not that of the rule, whatever the targets.
+        data: where the numbers stand that expressions took out of data files; the judge finds it.
+    """
+
+    at: Element | Attribute | Placed[object] | Written
+    message: str
+    help: str = ""
+    fix: Fix | None = None
+    related: tuple[Related, ...] = ()
+    confidence: Confidence = Confidence.MEASURED
+    weight: float = 0.0
+    alike: str = ""
+    severity: Severity | None = None
+    data: tuple[Related, ...] = ()
+
+
+def told(subject: Subject, code: str) -> Iterator[Finding]:
+    """The findings of a rule that only tells what reading met."""
+    for problem in subject.problems(code):
+        at = Written(problem.span, problem.frame)
+        yield Finding(at, problem.message, problem.help, problem.fix, problem.related)
+
+
+Check = Callable[["Subject"], Iterator[Finding]]
+
+#: Bytes of a file that a page shows whole.
+_SHORT = 500
+
+#: Ends the explanation in the docstring of a rule; a line for each source follows.
+_SOURCES = "\n\nSources:\n"
+
+
+class Rule(Record):
+    """A rule.
+
+    Attributes:
+        code: three letters of the family and three digits.
+        name: of the defect, in kebab case.
+        severity: unless configured otherwise.
+        needs: what it asks of a Subject.
+        check: yields the findings.
+        help: what to do, where a finding does not say it.
+        fixable: True if findings may carry a fix.
+        module: that holds it; its docstring explains the rule and lists its sources.
+        by_target: severities for single targets, where they differ.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    needs: frozenset[Need]
+    check: Check
+    help: str
+    fixable: bool
+    module: str
+    by_target: Mapping[str, Severity]
+
+    def weigh(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
+        """The severity for some targets, and those of them that suffer most.
+
+        A rule without a severity of its own for any of them keeps its general one.
+        """
+        suffering = {name: self.by_target[name] for name in targets if name in self.by_target}
+        if not suffering:
+            return self.severity, ()
+        worst = min(suffering.values(), key=lambda severity: severity.rank)
+        return worst, tuple(name for name, severity in suffering.items() if severity is worst)
+
+    @property
+    def explanation(self) -> str:
+        """What the rule finds, why it matters and what to do, for people."""
+        return self._documentation.partition(_SOURCES)[0]
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """Where its facts come from, as ``what it is: address``, or what was measured."""
+        return tuple(map(str.strip, self._documentation.partition(_SOURCES)[2].splitlines()))
+
+    @property
+    def _documentation(self) -> str:
+        return (sys.modules[self.module].__doc__ or "").strip()
+
+    def example(self, which: str) -> str | None:
+        """The robot in ``BAD``, ``GOOD`` or ``FIXED`` of the rule's file.
+
+        Bytes that are no text become surrogates, as in file names.
+        """
+        example: str | bytes | None = getattr(sys.modules[self.module], which, None)
+        return example.decode("utf-8", "surrogateescape") if isinstance(example, bytes) else example
+
+    @property
+    def beside(self) -> dict[str, str]:
+        """What lies beside the examples and is short enough to be shown, by relative path."""
+        files: Mapping[str, bytes] = getattr(sys.modules[self.module], "FILES", {})
+        return {
+            name: data.decode()
+            for name, data in files.items()
+            if data.isascii()
+            and b"\0" not in data
+            and 0 < len(data) < _SHORT
+            and ".git/" not in name
+        }
+
+
+def rule(
+    code: str,
+    name: str,
+    severity: Severity,
+    *,
+    needs: tuple[Need, ...] = (Need.MODEL,),
+    help: str = "",
+    fixable: bool = False,
+    by_target: Mapping[str, Severity] | None = None,
+) -> Callable[[Check], Rule]:
+    """Declare a rule; the decorated function becomes its Rule."""
+
+    def declare(check: Check) -> Rule:
+        module, weights = check.__module__, by_target or {}
+        return Rule(code, name, severity, frozenset(needs), check, help, fixable, module, weights)
+
+    return declare
+
+
+#: The module of every rule that is known, by code: urdfkit's own first.
+_modules: dict[str, str] = {}
+_foreign: set[str] = set()
+
+
+def codes() -> list[str]:
+    """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
+    if not _modules:
+        for file in sorted(os.listdir(checks.__path__[0])):
+            if file.endswith(".py") and (code := code_of(file[:-3])):
+                _modules[code] = f"urdfkit.checks.{file[:-3]}"
+    return [code for code in _modules if code not in _foreign]
+
+
+def code_of(module: str) -> str | None:
+    """The code of the rule in a module, by the module's name; None if it names no rule."""
+    name = module.rpartition(".")[2]
+    letters, digits, rest = name[:3], name[3:6], name[6:]
+    is_one = letters.isalpha() and digits.isdigit() and len(rest) > 1 and rest[0] == "_"
+    return name[:6].upper() if is_one and name.isascii() and name.islower() else None
+
+
+def register(modules: Mapping[str, str]) -> None:
+    """Make rules of another package known: the full names of their modules by code.
+
+    Raises:
+        RuleError: a code belongs to urdfkit, or to a rule of a third package.
+    """
+    codes()
+    for code, module in modules.items():
+        if code[:3] in FAMILIES:
+            raise RuleError(
+                f"{module}: the letters {code[:3]} are urdfkit's own; choose three others"
+            )
+        if _modules.get(code, module) != module:
+            raise RuleError(f"{module}: the code {code} is taken by {_modules[code]}")
+    _modules.update(modules)
+    _foreign.update(modules)
+
+
+def foreign() -> dict[str, str]:
+    """The modules of the rules of other packages, by code."""
+    return {code: _modules[code] for code in _foreign}
+
+
+def get(code: str) -> Rule:
+    """The rule of a code.
+
+    Raises:
+        KeyError: there is none.
+        RuleError: the module of another package holds no such rule.
+    """
+    if not _modules:
+        codes()
+    module = _modules[code]
+    if code in _foreign:
+        return _foreign_rule(code, module)
+    found = load(module).check
+    assert isinstance(found, Rule)
+    return found
+
+
+def _foreign_rule(code: str, module: str) -> Rule:
+    try:
+        found = getattr(load(module), "check", None)
+    except Exception as error:
+        raise RuleError(f"{module}: {type(error).__name__}: {error}") from error
+    named = module.rpartition(".")[2]
+    if not isinstance(found, Rule) or named != f"{code.lower()}_{found.name.replace('-', '_')}":
+        raise RuleError(
+            f"{module}: it must hold a 'check' with @rule({code!r}, ...) as it is named"
+        )
+    return found
+
+
+def find_rule(word: str) -> Rule:
+    r"""The rule of a code or a name, in small or capital letters.
+
+    >>> rule = find_rule("joint-to-itself")
+    >>> rule.code, rule.severity.value, rule.explanation.partition("\n")[0]
+    ('TRE006', 'error', 'A joint has the same link as parent and child.')
+
+    Raises:
+        UnknownRule: there is none, or two have that name; the message says which, or the nearest.
+    """
+    by_name = names()
+    found = by_name.get(word.lower(), [word.upper()])
+    if found[0] not in _modules:
+        raise UnknownRule(word, _hint(word, [*_modules, *by_name]))
+    if len(found) > 1:
+        raise UnknownRule(word, f" alone: {' and '.join(found)} have that name")
+    return get(found[0])
+
+
+def matching(word: str) -> list[str]:
+    """The codes that begin with a word, or those of the rules with that name.
+
+    Raises:
+        UnknownRule: there is none; the message has the nearest.
+    """
+    codes()
+    if word in _modules:
+        return [word]
+    by_name = names()
+    if named := by_name.get(word.lower()):
+        return named
+    found = [code for code in _modules if word and code.startswith(word.upper())]
+    if not found:
+        families = {code[:3] for code in _modules}
+        raise UnknownRule(word, _hint(word, [*families, *_modules, *by_name]))
+    return found
+
+
+def ignored(words: Iterable[str]) -> tuple[set[str], list[UnknownRule]]:
+    """The codes that some words mean, and why the others mean none.
+
+    A rule that is to be left out and does not exist, such as one of another version or of a
+    package that is not installed, changes nothing about the check.
+    """
+    found: set[str] = set()
+    unknown: list[UnknownRule] = []
+    for word in words:
+        try:
+            found.update(matching(word))
+        except UnknownRule as error:
+            unknown.append(error)
+    return found, unknown
+
+
+def _hint(word: str, known: list[str]) -> str:
+    return did_you_mean(word, known) or "; 'urdfkit rules' lists them"
+
+
+def names() -> dict[str, list[str]]:
+    """The codes of all rules by name; read from the file names, nothing is imported.
+
+    A name may serve two families: a package can be missing for xacro and for a mesh.
+    """
+    codes()
+    prefix = len("abc123_")
+    found: dict[str, list[str]] = {}
+    for code, module in _modules.items():
+        name = module.rpartition(".")[2][prefix:].replace("_", "-")
+        found.setdefault(name, []).append(code)
+    return found
+
+
+def all_rules() -> list[Rule]:
+    """Every rule that is known, by code; those of other packages come last."""
+    codes()
+    return [get(code) for code in _modules]

@@ -1,0 +1,89 @@
+"""What a mesh file holds, for people and programs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.geometry import Mesh, areas
+from urdfkit.mesh.health import Health, examine_mesh
+from urdfkit.mesh.io.salvage import load_or_salvage
+from urdfkit.mesh.io.sniff import sniff_file
+from urdfkit.mesh.transforms import in_metres
+
+
+class Description(Record):
+    """A mesh file.
+
+    Attributes:
+        path: of the file.
+        format: by content.
+        bytes: its size.
+        defect: what is wrong with the file; empty if it is whole.
+        mesh: as the file has it.
+        low, high: corners of the bounding box in m, its unit applied.
+        health: of its triangles, in m.
+        area: of the surface in m^2.
+    """
+
+    path: str
+    format: str
+    bytes: int
+    defect: str
+    mesh: Mesh
+    low: Vector
+    high: Vector
+    health: Health
+    area: float
+
+    def as_json(self) -> dict[str, Any]:
+        """The same for programs."""
+        return {
+            "path": self.path,
+            "format": self.format,
+            "bytes": self.bytes,
+            "defect": self.defect,
+            "unit": self.mesh.unit,
+            "up_axis": self.mesh.up_axis,
+            "losses": list(self.mesh.losses),
+            "parts": [
+                {
+                    "triangles": len(part.faces),
+                    "material": part.material.name if part.material else None,
+                    "rgba": list(part.material.rgba) if part.material else None,
+                    "texture": bool(part.material and part.material.texture),
+                }
+                for part in self.mesh.parts
+            ],
+            "low": list(self.low),
+            "high": list(self.high),
+            "area": self.area,
+            "solid": self.health.is_solid,
+            **self.health._asdict(),
+        }
+
+
+def describe(path: str) -> Description:
+    """What a mesh file holds.
+
+    Raises:
+        UnloadableMesh: no triangles.
+    """
+    mesh, defect = load_or_salvage(path)
+    facts = sniff_file(path)
+    metric = in_metres(mesh)
+    vertices, faces = metric.vertices, metric.faces
+    used = vertices[faces.reshape(-1)]
+    low, high = used.min(axis=0).tolist(), used.max(axis=0).tolist()
+    return Description(
+        path,
+        facts.format,
+        facts.size,
+        defect,
+        mesh,
+        (low[0], low[1], low[2]),
+        (high[0], high[1], high[2]),
+        examine_mesh(metric),
+        float(areas(vertices, faces).sum()),
+    )

@@ -1,0 +1,153 @@
+"""How far two surfaces are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Flags, Floats, Integers
+
+#: Points of each surface from which the other one is measured: all over it, and where it seems
+#: farthest from the other one.
+MAX_VERTICES, SAMPLES, FARTHEST = 1500, 1500, 3000
+#: Points among which these are looked for: a dent may take a thousandth of a surface.
+_MANY_VERTICES, _MANY_SAMPLES = 100_000, 20_000
+#: Points of the other surface by which near triangles are found, and how many are looked at.
+_GUIDES, _NEAREST = 20_000, 8
+_SEED = 7
+#: Less is rounding, on surfaces about 1 large.
+_NOTHING = 1e-12
+
+
+def distance(
+    vertices: Floats, faces: Integers, other_vertices: Floats, other_faces: Integers
+) -> float:
+    """The greatest distance from a point of either surface to the other one, in their unit.
+
+    That is the Hausdorff distance, over the vertices (of a large mesh, some of them) and points
+    spread over the faces by a fixed seed: never more than the true one, and rarely much less.
+
+    Args:
+        vertices: (n, 3).
+        faces: (m, 3), indices of vertices.
+        other_vertices: of the other surface.
+        other_faces: likewise.
+    """
+    return max(
+        one_way(vertices, faces, other_vertices, other_faces),
+        one_way(other_vertices, other_faces, vertices, faces),
+    )
+
+
+def one_way(
+    vertices: Floats,
+    faces: Integers,
+    other_vertices: Floats,
+    other_faces: Integers,
+    counts: Callable[[Floats], Flags] | None = None,
+) -> float:
+    """The greatest distance from a point of the first surface to the second one.
+
+    Arguments as for `distance`, and ``counts``: of points (n, 3), which of them count; all if not
+    given.
+    """
+    many = _evenly(vertices, _MANY_VERTICES)
+    spread, _ = _spread(vertices[faces], _MANY_SAMPLES)
+    if counts:
+        many, spread = many[counts(many)], spread[counts(spread)]
+        if not len(many) + len(spread):
+            return 0.0
+    triangles = other_vertices[other_faces]
+    # trimesh knows what is small by its number, so the surfaces are made about 1 large.
+    low = np.minimum(many.min(axis=0), triangles.min(axis=(0, 1)))
+    high = np.maximum(many.max(axis=0), triangles.max(axis=(0, 1)))
+    size = float((high - low).max()) or 1.0
+    many, spread, triangles = ((points - low) / size for points in (many, spread, triangles))
+    other = _Surface(triangles)
+    far = other.far_from_guides(np.concatenate([many, spread]), FARTHEST)
+    points = [_evenly(many, MAX_VERTICES), spread[:SAMPLES], far]
+    return size * other.farthest(np.concatenate(points))
+
+
+def _evenly(points: Floats, number: int) -> Floats:
+    """About so many of some points, or all if they are fewer."""
+    return points[:: max(1, len(points) // number)]
+
+
+class _Surface:
+    """A surface about 1 large, to which distances are measured.
+
+    Args:
+        triangles: (m, 3, 3).
+    """
+
+    def __init__(self, triangles: Floats) -> None:
+        from scipy.spatial import cKDTree
+
+        self._triangles = triangles
+        spread, of_spread = _spread(triangles, _GUIDES)
+        corners = np.repeat(np.arange(len(triangles)), 3)
+        self._owner = np.concatenate([corners, of_spread])
+        self._guides = cKDTree(np.concatenate([triangles.reshape(-1, 3), spread]))
+
+    def far_from_guides(self, points: Floats, number: int) -> Floats:
+        """Of many points, (n, 3), those which may be farthest, so many at most."""
+        far, _ = self._guides.query(points)
+        return points[np.argsort(far)[-number:]]
+
+    def farthest(self, points: Floats) -> float:
+        """Of some points, (n, 3), the greatest distance.
+
+        For every point a distance to some near triangles is quick to have, and it bounds the true
+        one from above. Where it is the greatest, all triangles that may be nearer are looked at,
+        until no other point can be farther away.
+        """
+        bounds = self._to_near_ones(points)
+        low, high = self._triangles.min(axis=1), self._triangles.max(axis=1)
+        farthest = 0.0
+        for i in np.argsort(-bounds):
+            if bounds[i] <= farthest + _NOTHING:
+                break
+            outside = np.maximum(low - points[i], 0) + np.maximum(points[i] - high, 0)
+            may_be_nearer = np.einsum("mj,mj->m", outside, outside) <= bounds[i] ** 2
+            near = self._triangles[may_be_nearer]
+            found = _to_triangles(np.broadcast_to(points[i], (len(near), 3)), near)
+            farthest = max(farthest, float(found.min(initial=bounds[i])))
+        return farthest
+
+    def _to_near_ones(self, points: Floats) -> Floats:
+        """(n,), from each point the distance to the nearest of a few near triangles."""
+        _, nearest = self._guides.query(points, k=min(_NEAREST, len(self._owner)))
+        near = self._owner[nearest.reshape(len(points), -1)]
+        every = np.repeat(points, near.shape[1], axis=0)
+        found = _to_triangles(every, self._triangles[near.reshape(-1)])
+        bounds: Floats = found.reshape(near.shape).min(axis=1)
+        return bounds
+
+
+def _to_triangles(points: Floats, triangles: Floats) -> Floats:
+    """(n,), from each point to its triangle; to a corner of one without area."""
+    from trimesh.triangles import closest_point
+
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = np.linalg.norm(closest_point(triangles, points) - points, axis=1)
+    to_corners = np.linalg.norm(triangles - points[:, None], axis=2).min(axis=1)
+    distances: Floats = np.fmin(found, to_corners)
+    return distances
+
+
+def _spread(triangles: Floats, number: int) -> tuple[Floats, Integers]:
+    """Points spread evenly over a surface, (n, 3), and the triangle that each is on.
+
+    None on one without area.
+    """
+    areas = np.linalg.norm(np.cross(*(triangles[:, 1:] - triangles[:, :1]).swapaxes(0, 1)), axis=1)
+    total = float(areas.sum())
+    if not 0 < total < np.inf:
+        return np.zeros((0, 3)), np.zeros(0, dtype=np.int64)
+    random = np.random.default_rng(_SEED)
+    chosen = np.searchsorted(np.cumsum(areas), random.random(number) * total)
+    chosen = np.minimum(chosen, len(triangles) - 1)
+    weights = random.dirichlet((1.0, 1.0, 1.0), number)
+    return np.einsum("nk,nkj->nj", weights, triangles[chosen]), chosen

@@ -1,0 +1,87 @@
+"""The edges of a triangle mesh: which faces share each."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Flags, Integers
+from urdfkit.mesh.grouping import components
+
+
+class Edges:
+    """The edges of faces whose vertices are welded.
+
+    Attributes:
+        faces: (m, 3), indices of vertices.
+        of_face: (m, 3), for each side of each face, from its corner to the next, the edge.
+        ends: (e, 2), the vertices of each edge, the smaller first.
+        count: (e,), how many faces have it.
+    """
+
+    def __init__(self, faces: Integers) -> None:
+        self.faces = faces
+        following = faces[:, [1, 2, 0]]
+        low, high = np.minimum(faces, following), np.maximum(faces, following)
+        number = int(high.max(initial=0)) + 1
+        keys, edge, self.count = np.unique(
+            (low * number + high).reshape(-1), return_inverse=True, return_counts=True
+        )
+        self.ends = np.stack([keys // number, keys % number], axis=1)
+        self.of_face = edge.reshape(-1, 3)
+
+    @property
+    def is_open(self) -> Flags:
+        """(e,), True where only one face is."""
+        return np.asarray(self.count == 1)
+
+    @property
+    def is_crowded(self) -> Flags:
+        """(e,), True where more than two faces are."""
+        return np.asarray(self.count > 2)
+
+    @property
+    def is_torn(self) -> Flags:
+        """(e,), True where more than two faces are that do not pair up.
+
+        Where bodies touch, an edge has four faces, two for each direction, and all is well.
+        """
+        return np.asarray((self.count > 2) & self.is_unpaired)
+
+    @property
+    def is_twisted(self) -> Flags:
+        """(e,), True where two faces are that see their edge in the same direction."""
+        return np.asarray((self.count == 2) & self.is_unpaired)
+
+    @cached_property
+    def is_unpaired(self) -> Flags:
+        """(e,), True where more faces see the edge in one direction than in the other."""
+        upwards = self.faces < self.faces[:, [1, 2, 0]]
+        signs = np.where(upwards, 1.0, -1.0).reshape(-1)
+        balance = np.bincount(self.of_face.reshape(-1), signs, len(self.count))
+        return np.asarray(balance != 0)
+
+    @cached_property
+    def pairs(self) -> Integers:
+        """(k, 2), the faces on either side of each edge that has exactly two."""
+        order = np.argsort(self.of_face.reshape(-1), kind="stable")
+        starts = np.concatenate([[0], np.cumsum(self.count)[:-1]])[self.count == 2]
+        return np.column_stack([order[starts] // 3, order[starts + 1] // 3]).astype(np.int64)
+
+    @cached_property
+    def bodies(self) -> Integers:
+        """(m,), the number of the piece, connected by edges, that each face belongs to."""
+        order = np.argsort(self.of_face.reshape(-1), kind="stable")
+        edge, face = self.of_face.reshape(-1)[order], order // 3
+        same = edge[1:] == edge[:-1]
+        links = np.column_stack([face[:-1][same], face[1:][same]])
+        _, bodies = np.unique(components(len(self.faces), links), return_inverse=True)
+        return np.asarray(bodies, dtype=np.int64).reshape(-1)
+
+
+def three_cornered(faces: Integers) -> Flags:
+    """The triangles whose corners are three different vertices."""
+    a, b, c = faces.T
+    found: Flags = (a != b) & (b != c) & (c != a)
+    return found

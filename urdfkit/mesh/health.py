@@ -1,0 +1,150 @@
+"""What is right and wrong with the triangles of a mesh, as numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.core.record import Record
+from urdfkit.mesh.components import inside_out, take_apart
+from urdfkit.mesh.edges import Edges, three_cornered
+from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
+from urdfkit.mesh.grouping import distinct
+from urdfkit.mesh.measures import OVERLAP
+from urdfkit.mesh.overlap import overlap
+from urdfkit.mesh.welding import finite, weld
+
+
+class Health(Record):
+    """The state of a mesh, its vertices welded where they are at the same place.
+
+    Attributes:
+        faces: number of triangles.
+        non_finite: triangles with a corner that is nan or infinite.
+        collapsed: triangles with two corners in one place.
+        repeated: triangles that are there already, the same way round.
+        open_edges: edges with one triangle: the rims of holes.
+        crowded_edges: edges with more than two triangles that do not pair up. Where bodies touch,
+            they do.
+        twisted_edges: edges whose two triangles face opposite ways.
+        bodies: connected pieces.
+        inverted: closed pieces whose inside is out, though no other piece is around them.
+        doubled: triangles of closed pieces that enclose nothing: a sheet with two sides has each
+            triangle both ways round.
+        volume: in the cube of the mesh's unit; a number without meaning unless it is a solid.
+        overlap: what lies in several closed pieces at once and counts as often in the volume, as a
+            part of the true one; only `examine_mesh` looks for it.
+    """
+
+    faces: int
+    non_finite: int
+    collapsed: int
+    repeated: int
+    open_edges: int
+    crowded_edges: int
+    twisted_edges: int
+    bodies: int
+    inverted: int
+    doubled: int
+    volume: float
+    overlap: float = 0.0
+
+    @property
+    def is_closed(self) -> bool:
+        """True if it has no holes and no edge with more than two triangles."""
+        return self.faces > 0 and not (self.open_edges or self.crowded_edges)
+
+    @property
+    def is_solid(self) -> bool:
+        """True if it is the surface of a solid.
+
+        It is closed, outside is outside everywhere, and hardly anything is in several pieces.
+        """
+        return self.faces > 0 and self.volume > 0 and not self.ailments and self.overlap <= OVERLAP
+
+    @property
+    def ailments(self) -> int:
+        """How much is wrong, as one number to compare by."""
+        return (
+            self.non_finite
+            + self.collapsed
+            + self.repeated
+            + self.open_edges
+            + self.crowded_edges
+            + self.twisted_edges
+            + self.inverted
+            + self.doubled
+        )
+
+
+def examine_mesh(mesh: Mesh) -> Health:
+    """The state of a mesh with its parts.
+
+    A part may be a solid of its own that touches others, as in an assembly, or one colour of the
+    surface of a whole: that reading is taken in which less is wrong.
+    """
+    whole = examine(mesh.vertices, mesh.faces)
+    if whole.ailments == 0:
+        return whole._replace(overlap=_overlap(*weld(mesh.vertices, mesh.faces)))
+    if len(mesh.parts) < 2:
+        return whole
+    parts = [examine(part.vertices, part.faces) for part in mesh.parts]
+    together = Health(*(sum(values) for values in zip(*parts, strict=True)))
+    if together.ailments >= whole.ailments:
+        return whole
+    return together._replace(overlap=_overlap(*_apart(mesh)) if not together.ailments else 0.0)
+
+
+def _overlap(points: Floats, faces: Integers) -> float:
+    return overlap(points, faces, take_apart(points, Edges(faces))) if len(faces) else 0.0
+
+
+def _apart(mesh: Mesh) -> tuple[Floats, Integers]:
+    """The triangles of all parts, each part welded by itself."""
+    parts = [weld(part.vertices, part.faces) for part in mesh.parts]
+    starts = np.cumsum([0, *(len(points) for points, _ in parts[:-1])])
+    faces = [faces + start for (_, faces), start in zip(parts, starts, strict=True)]
+    return np.concatenate([points for points, _ in parts]), np.concatenate(faces)
+
+
+def examine(vertices: Floats, faces: Integers) -> Health:
+    """The state of a mesh.
+
+    Args:
+        vertices: (n, 3).
+        faces: (m, 3), indices of vertices.
+    """
+    number = len(faces)
+    is_finite = finite(vertices)
+    good = is_finite[faces].all(axis=1)
+    points, kept = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
+    sound = three_cornered(kept)
+    non_finite, collapsed = number - int(good.sum()), _count(~sound)
+    kept = kept[sound]
+    if not len(kept):
+        return Health(number, non_finite, collapsed, 0, 0, 0, 0, 0, 0, 0, 0.0)
+    edges = Edges(kept)
+    pieces = take_apart(points, edges)
+    return Health(
+        number,
+        non_finite,
+        collapsed,
+        _repeated(kept),
+        _count(edges.is_open),
+        _count(edges.is_torn),
+        _count(edges.is_twisted),
+        len(pieces.volumes),
+        _count(inside_out(points, kept, pieces)),
+        _count(pieces.is_hollow[pieces.of_face]),
+        float(pieces.volumes.sum()),
+    )
+
+
+def _count(flags: Flags) -> int:
+    return int(np.count_nonzero(flags))
+
+
+def _repeated(faces: Integers) -> int:
+    """How many faces are there already, the same way round."""
+    turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
+    rows = np.take_along_axis(faces, turned % 3, axis=1)
+    return len(faces) - len(distinct(rows)[0])

@@ -1,0 +1,1 @@
+"""Mesh files: detected, validated and loaded, a format at a time."""

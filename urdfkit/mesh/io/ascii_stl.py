@@ -1,0 +1,49 @@
+"""Judging ASCII STL files from their bytes."""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.mesh.io.facts import Defect, counted, empty, truncated, unreadable
+
+#: The solid's name stands after its last facet; a name is shorter than this.
+_END = 20_000
+
+_NUMBER = rb"[ \t]+[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
+_GOOD_VERTEX = re.compile(rb"\svertex(?:%b){3}(?=\s|\Z)" % _NUMBER)
+# The solid's name, in the first and the last line, may hold the word too.
+_BAD_VERTEX = re.compile(
+    rb"(?<=\s)(?<!solid )vertex(?!(?:%b){3}(?:\s|\Z))[ \t]([^\r\n]*)" % _NUMBER
+)
+_NOT_FINITE = re.compile(rb"nan|inf|#")
+
+
+def judge(data: bytes) -> tuple[Defect | None, str]:
+    """What is wrong with an ASCII STL, and which coordinate is not finite."""
+    text = data.lower()
+    facets = text.count(b"endfacet")
+    defect, not_finite = _bad_vertex(text)
+    if b"endsolid" not in text[-_END:].rpartition(b"endfacet")[2]:
+        held = f"after {counted(facets, 'triangle')}" if facets else "before its first triangle"
+        return truncated(f"ends {held}, without 'endsolid'"), not_finite
+    if defect:
+        return defect, not_finite
+    if not facets:
+        return empty("holds no triangles"), ""
+    corners = len(_GOOD_VERTEX.findall(text))
+    if corners < 3 * facets and not not_finite:
+        reason = f"holds {counted(facets, 'triangle')} and only {counted(corners, 'corner')}"
+        return unreadable(reason), ""
+    return None, not_finite
+
+
+def _bad_vertex(text: bytes) -> tuple[Defect | None, str]:
+    """The first vertex that is not three finite numbers."""
+    match = _BAD_VERTEX.search(text)
+    if match is None:
+        return None, ""
+    line = text.count(b"\n", 0, match.start()) + 1
+    words = match.group(1)[:60].decode("utf-8", "replace").split()
+    if _NOT_FINITE.search(match.group(1)):
+        return None, f"the vertex in line {line} is ({', '.join(words)})"
+    return unreadable(f"has 'vertex {' '.join(words)}' in line {line}, not three numbers"), ""

@@ -1,0 +1,171 @@
+"""From the lists of a mesh file to parts: corners, bad indices and numbers, transforms."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Flags, Floats, Integers, Material, Part
+from urdfkit.mesh.io.facts import counted
+
+#: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.
+MAX_NODES = 20_000
+MAX_TRIANGLES = 20_000_000
+
+
+class Stream(NamedTuple):
+    """Values, and which of them each corner of each triangle takes.
+
+    Attributes:
+        values: (n, k).
+        rows: (m, 3), of the values.
+    """
+
+    values: Floats
+    rows: Integers
+
+
+class Losses:
+    """What is lost of one file, counted by kind."""
+
+    def __init__(self) -> None:
+        self._counts: dict[str, int] = {}
+
+    def add(self, kind: str, number: int | np.signedinteger = 1) -> None:
+        """Count something; ``kind`` is a noun that an ``s`` can be put at the ``*`` of."""
+        if number:
+            self._counts[kind] = self._counts.get(kind, 0) + int(number)
+
+    def sentences(self) -> tuple[str, ...]:
+        """One for each kind, in the order of their first occurrence."""
+        return tuple(
+            f"{number} {kind.replace('*', '' if number == 1 else 's', 1)}"
+            for kind, number in self._counts.items()
+        )
+
+
+def assemble(
+    position: Stream,
+    losses: Losses,
+    material: Material | None = None,
+    *,
+    normals: Stream | None = None,
+    uv: Stream | None = None,
+    colors: Stream | None = None,
+) -> Part | None:
+    """A part of triangles that exist; None if none is left.
+
+    Corners that share all of their values share a vertex. Values that no triangle uses are left.
+    """
+    keep = _usable(position, losses)
+    if not keep.any():
+        return None
+    streams = {"positions": _at(position, keep)}
+    given = {"normals": normals, "texture coordinates": uv, "colours": colors}
+    for what, stream in given.items():
+        if stream is not None and len(stream.values):
+            if _exist(stream)[keep].all():
+                streams[what] = _at(stream, keep)
+            else:
+                losses.add(f"surface* whose {what} are not in the file")
+    rows, faces = _unified(list(streams.values()))
+    values = {
+        what: stream.values[row] for (what, stream), row in zip(streams.items(), rows, strict=True)
+    }
+    vertices = values["positions"]
+    return Part(
+        vertices,
+        faces,
+        material,
+        _unit(values["normals"], vertices, faces) if "normals" in values else None,
+        np.nan_to_num(values["texture coordinates"]) if "texture coordinates" in values else None,
+        _rgba(values["colours"]) if "colours" in values else None,
+    )
+
+
+def transformed(part: Part, matrix: Floats) -> Part:
+    """A part moved by a homogeneous (4, 4) matrix; a mirrored one keeps its outside outside."""
+    if np.array_equal(matrix, np.eye(4)):
+        return part
+    linear = matrix[:3, :3]
+    vertices = part.vertices @ linear.T + matrix[:3, 3]
+    determinant = np.linalg.det(linear)
+    faces = part.faces[:, ::-1] if determinant < 0 else part.faces
+    normals = None
+    if part.normals is not None and determinant:
+        normals = _unit(part.normals @ np.linalg.inv(linear), vertices, faces)
+    return part._replace(vertices=vertices, faces=faces, normals=normals)
+
+
+def _usable(position: Stream, losses: Losses) -> Flags:
+    """The triangles whose corners are in the file, and finite."""
+    there = _exist(position)
+    losses.add("triangle* with a vertex that is not in the file", np.count_nonzero(~there))
+    finite: Flags = np.all(np.isfinite(position.values), axis=1)
+    if finite.all():
+        return there
+    keep: Flags = there.copy()
+    keep[there] = np.all(finite[position.rows[there]], axis=1)
+    lost = np.count_nonzero(there & ~keep)
+    losses.add("triangle* with a coordinate that is no finite number", lost)
+    return keep
+
+
+def _exist(stream: Stream) -> Flags:
+    """For each triangle, whether all of its values are there."""
+    found: Flags = np.all((stream.rows >= 0) & (stream.rows < len(stream.values)), axis=1)
+    return found
+
+
+def _at(stream: Stream, keep: Flags) -> Stream:
+    return stream if keep.all() else Stream(stream.values, stream.rows[keep])
+
+
+def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
+    """For each stream the rows that the vertices take, and the vertices of each triangle."""
+    first = streams[0]
+    if all(np.array_equal(stream.rows, first.rows) for stream in streams[1:]):
+        used = np.zeros(min(len(stream.values) for stream in streams), dtype=bool)
+        used[first.rows] = True
+        faces = (np.cumsum(used) - 1)[first.rows]
+        return [np.flatnonzero(used)] * len(streams), faces
+    key = first.rows.reshape(-1)
+    for stream in streams[1:]:
+        # Numbered anew each time, so that no product overflows.
+        _, key = np.unique(key, return_inverse=True)
+        key = key * len(stream.values) + stream.rows.reshape(-1)
+    _, corners, faces = np.unique(key, return_index=True, return_inverse=True)
+    return [stream.rows.reshape(-1)[corners] for stream in streams], faces.reshape(-1, 3)
+
+
+def _rgba(colors: Floats) -> Floats:
+    """Colours of three or four parts as four, each from 0 to 1."""
+    full = np.ones((len(colors), 4))
+    full[:, : colors.shape[1]] = np.clip(np.nan_to_num(colors[:, :4], nan=1.0), 0, 1)
+    return full
+
+
+def _unit(normals: Floats, vertices: Floats, faces: Integers) -> Floats:
+    """Normals of length 1; those of no length become the normal of a triangle at the vertex."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        length = np.linalg.norm(normals, axis=1)
+        bad = ~(np.isfinite(length) & (length > 1e-12))
+        unit = normals / np.where(bad, 1, length)[:, None]
+    if bad.any():
+        at = faces[bad[faces].any(axis=1)]
+        edges = vertices[at[:, 1]] - vertices[at[:, 0]], vertices[at[:, 2]] - vertices[at[:, 0]]
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            across = np.cross(*edges)
+            across /= np.linalg.norm(across, axis=1)[:, None]
+        across[~np.isfinite(across).all(axis=1)] = (0, 0, 1)
+        instead = np.zeros_like(unit)
+        for corner in range(3):
+            instead[at[:, corner]] = across
+        unit[bad] = instead[bad]
+    return unit
+
+
+def counted_kinds(kinds: dict[str, int]) -> tuple[str, ...]:
+    """``2 cameras``, ``1 line set``: the things of which there are any."""
+    return tuple(counted(number, kind) for kind, number in kinds.items() if number)

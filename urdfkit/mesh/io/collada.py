@@ -1,0 +1,194 @@
+"""Judging COLLADA files from their bytes, without reading their numbers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import inf
+from xml.parsers import expat
+
+from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
+
+#: What has no end goes on to that of the file: to look for it anew from each beginning takes hours.
+_TAG = re.compile(rb"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<[^<>]*>", re.DOTALL)
+_SURFACE = re.compile(
+    rb"""<(?:triangles|polylist|polygons|trifans|tristrips)\s[^<>]*\bcount\s*=\s*["']0*[1-9]"""
+)
+_REFERENCE = re.compile(
+    rb"""<(?:instance_geometry|accessor|input)\s[^<>]*\b(?:url|source)\s*=\s*["']#([^"'&]*)"""
+)
+_ID = re.compile(rb"""\sid\s*=\s*["']([^"'&]*)""")
+_UNIT = re.compile(rb"""<unit\s[^<>]*\bmeter\s*=\s*["']\s*(\d*\.?\d+(?:[eE][-+]?\d+)?)\s*["']""")
+_UP_AXIS = re.compile(rb"<up_axis>\s*([XYZ]_UP)\s*<")
+_NOT_FINITE = re.compile(rb"[^\s<>]{0,20}?(?:nan|in[fd])[^\s<>]*", re.IGNORECASE)
+_VALUE = re.compile(rb"""=\s*(?:"[^"<]*<[^"]*"|'[^'<]*<[^']*')""")
+_SURFACES = frozenset(("triangles", "polylist", "polygons", "trifans", "tristrips"))
+_REFERENCES = {"instance_geometry": "url", "accessor": "source", "input": "source"}
+#: Errors of expat that only the end of the file explains: no element, unclosed token, partial
+#: character, unclosed CDATA section.
+_CUT_OFF = (3, 5, 6, 20)
+#: Errors that the XML readers of Gazebo and assimp pass over: an undefined entity, an encoding.
+_TOLERATED = (11, 18, 19)
+
+
+def judge(data: bytes) -> tuple[Defect | None, str]:
+    """What is wrong with a COLLADA file, and which coordinate is not finite."""
+    content = _Content()
+    error: expat.ExpatError | None = None
+    if not data.startswith((b"\xff\xfe", b"\xfe\xff")) and b"\0" not in data:
+        # The tags alone, 4 % of the bytes, are well formed if the whole is.
+        tags = b"".join(_TAG.findall(data)).replace(b"<p></p>", b"")
+        if _is_sound(tags) and not any(map(_has_letters, _number_lists(data))):
+            return None, ""
+        error = content.parse(tags)
+    if error is not None or not content.root:
+        content = _Content()
+        error = content.parse(data)
+    if error is not None and (forgiven := forgive(data)) != data:
+        again = _Content()
+        if again.parse(forgiven) is None:
+            content, error = again, None
+    if error is not None and error.code not in _TOLERATED:
+        if error.code in _CUT_OFF:
+            return truncated(_where_it_ends(content)), ""
+        reason = expat.ErrorString(error.code)
+        return unreadable(f"is not well-formed XML: {reason} in line {error.lineno}"), ""
+    return content.defect(), _non_finite(data, content)
+
+
+def forgive(data: bytes) -> bytes:
+    """XML as the readers of Gazebo (tinyxml2) and assimp (pugixml) take it, where expat does not.
+
+    They end at a zero byte, and let "<" stand in the value of an attribute.
+    """
+    if not data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        data = data.partition(b"\0")[0]
+    return _VALUE.sub(lambda found: found.group().replace(b"<", b"&lt;"), data)
+
+
+def _is_sound(tags: bytes) -> bool:
+    """True if the tags leave nothing to say: quick, and what all but broken files need."""
+    try:
+        expat.ParserCreate("iso-8859-1").Parse(tags, True)
+    except expat.ExpatError:
+        return False
+    return (
+        bool(_SURFACE.search(tags))
+        and b"<instance_geometry" in tags
+        and b"<instance_visual_scene" in tags
+        and set(_REFERENCE.findall(tags)) <= set(_ID.findall(tags))
+    )
+
+
+def _where_it_ends(content: _Content) -> str:
+    open_tags = " in ".join(f"<{tag}>" for tag in reversed(content.open[-2:]))
+    held = "" if content.surfaces else ", before any triangle"
+    return f"ends inside {open_tags or 'its first tag'}{held}"
+
+
+def conventions(data: bytes) -> tuple[float, str]:
+    """Metres per unit of length and the upward axis, as the ``<asset>`` at the top says."""
+    start = data.find(b"<asset")
+    asset = data[start : data.find(b"</asset>", start)] if start >= 0 else b""
+    unit, axis = _UNIT.search(asset), _UP_AXIS.search(asset)
+    meter = float(unit.group(1)) if unit else 1.0
+    return meter if 0 < meter < inf else 1.0, axis.group(1).decode() if axis else ""
+
+
+class _Content:
+    """What the tags of a COLLADA file say.
+
+    Attributes:
+        root: the tag of its root element.
+        open: the tags of the elements that are open.
+        surfaces: number of faces, as the file declares them.
+        arrays: for each ``float_array``, in order, the id of the source that it is in.
+        positions: the ids of sources that hold coordinates of vertices.
+    """
+
+    def __init__(self) -> None:
+        self.root = ""
+        self.open: list[str] = []
+        self.surfaces = 0
+        self.arrays: list[str] = []
+        self.positions: set[str] = set()
+        self._ids: set[str] = set()
+        self._references: dict[str, str] = {}
+        self._tags: set[str] = set()
+        self._source = ""
+
+    def parse(self, data: bytes) -> expat.ExpatError | None:
+        # As Latin-1 every byte is a character: names of parts in other encodings do no harm.
+        encoding = None if data.startswith((b"\xff\xfe", b"\xfe\xff")) else "iso-8859-1"
+        parser = expat.ParserCreate(encoding)
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        try:
+            parser.Parse(data, True)
+        except expat.ExpatError as error:
+            return error
+        return None
+
+    def defect(self) -> Defect | None:
+        if not self.surfaces:
+            lines = self._tags & {"lines", "linestrips"}
+            return empty(f"holds no triangles{', only lines' if lines else ''}")
+        if not self._tags & {"instance_geometry", "instance_controller"}:
+            return empty("holds geometry, but its scene shows none of it")
+        if "instance_visual_scene" not in self._tags:
+            return empty("holds geometry, but no <scene> that shows it")
+        for reference, tag in self._references.items():
+            if reference not in self._ids:
+                return unreadable(f"refers in <{tag}> to '#{reference}', which is not in it")
+        return None
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        tag = name.rpartition(":")[2]
+        self.root = self.root or tag
+        self.open.append(tag)
+        self._tags.add(tag)
+        if "id" in attributes:
+            self._ids.add(attributes["id"])
+        if tag in _SURFACES:
+            number = attributes.get("count", "1")
+            self.surfaces += int(number) if number.isdecimal() else 1
+        elif tag == "source":
+            self._source = attributes.get("id", "")
+        elif tag == "float_array":
+            self.arrays.append(self._source)
+        reference = attributes.get(_REFERENCES.get(tag, ""), "")
+        # Those of animations and controllers are not needed to show the mesh.
+        if reference.startswith("#") and (tag == "instance_geometry" or "mesh" in self.open):
+            self._references.setdefault(reference[1:], tag)
+            if attributes.get("semantic") == "POSITION":
+                self.positions.add(reference[1:])
+
+    def _end(self, _: str) -> None:
+        self.open.pop()
+
+
+def _number_lists(data: bytes) -> Iterator[tuple[int, bytes]]:
+    """Offset and text of every ``float_array``."""
+    at = data.find(b"<float_array")
+    while at >= 0:
+        start = data.find(b">", at) + 1
+        end = data.find(b"<", start)
+        if start == 0 or end < 0:
+            return
+        yield start, data[start:end]
+        at = data.find(b"<float_array", end)
+
+
+def _has_letters(numbers: tuple[int, bytes]) -> bool:
+    return b"n" in numbers[1] or b"N" in numbers[1]
+
+
+def _non_finite(data: bytes, content: _Content) -> str:
+    """The first number of the vertices that is nan or infinite."""
+    for source, (start, numbers) in zip(content.arrays, _number_lists(data), strict=False):
+        match = _NOT_FINITE.search(numbers) if source in content.positions else None
+        if match:
+            line = data.count(b"\n", 0, start + match.start()) + 1
+            word = match.group()[:20].decode("utf-8", "replace")
+            return f"a coordinate in line {line} is {word}"
+    return ""

@@ -1,0 +1,189 @@
+"""The triangles in a ``<geometry>`` of COLLADA.
+
+COLLADA 1.4.1, chapter 5: the corners of a surface are rows of indices, one index for each input
+offset; an input of the semantic VERTEX stands for the inputs of ``<vertices>``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.mesh.io.assemble import Losses, Stream
+from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.numbers import floats, integers
+from urdfkit.mesh.io.polygons import fans, strips, triangles
+
+SURFACES = ("triangles", "polylist", "polygons", "trifans", "tristrips")
+LINES = ("lines", "linestrips")
+
+#: The most inputs that a corner can sensibly have.
+_MOST_OFFSETS = 64
+
+
+class Surface(NamedTuple):
+    """One list of triangles with the same material.
+
+    Attributes:
+        symbol: that stands for its material.
+        position: its corners.
+        normals, colors: of its corners, or None.
+        uvs: texture coordinates by the number of their set, in the order of the file.
+    """
+
+    symbol: str
+    position: Stream
+    normals: Stream | None
+    colors: Stream | None
+    uvs: dict[str, Stream]
+
+
+class _Input(NamedTuple):
+    """Values that corners take, and the column of their index."""
+
+    semantic: str
+    set: str
+    offset: int
+    values: Floats
+
+
+class Geometries:
+    """The surfaces of the geometries of one file, each read once."""
+
+    def __init__(self, tree: Tree, losses: Losses) -> None:
+        self._tree = tree
+        self._losses = losses
+        self._sources: dict[Element, Floats] = {}
+        self._surfaces: dict[Element, list[Surface]] = {}
+        self.lines = 0
+
+    def surfaces(self, geometry: Element) -> list[Surface]:
+        """What a geometry holds."""
+        if geometry not in self._surfaces:
+            mesh = child(geometry, "mesh")
+            self.lines += sum(1 for _ in children(mesh, *LINES))
+            found = [self._surface(element) for element in children(mesh, *SURFACES)]
+            self._surfaces[geometry] = [surface for surface in found if surface]
+        return self._surfaces[geometry]
+
+    def _surface(self, element: Element) -> Surface | None:
+        inputs = list(self._inputs(element))
+        position = next((one for one in inputs if one.semantic == "POSITION"), None)
+        offsets = [_number(one.get("offset"), 0) for one in children(element, "input")]
+        width = max(offsets, default=0) + 1
+        if position is None or width > _MOST_OFFSETS:
+            self._losses.add("surface* without coordinates of its corners")
+            return None
+        corners, index = self._corners(element, width, position)
+        streams = [(one, Stream(one.values, corners[:, one.offset][index])) for one in inputs]
+        by_semantic: dict[str, Stream] = {}
+        uvs: dict[str, Stream] = {}
+        for one, stream in streams:
+            by_semantic.setdefault(one.semantic, stream)
+            if one.semantic == "TEXCOORD":
+                uvs.setdefault(one.set, stream)
+        return Surface(
+            element.get("material", ""),
+            by_semantic["POSITION"],
+            by_semantic.get("NORMAL"),
+            by_semantic.get("COLOR"),
+            uvs,
+        )
+
+    def _inputs(self, element: Element) -> Iterator[_Input]:
+        for given in children(element, "input"):
+            offset = _number(given.get("offset"), 0)
+            number = given.get("set", "0")
+            if given.get("semantic") != "VERTEX":
+                yield from self._input(given, offset, number)
+                continue
+            vertices = self._tree.named(given.get("source"), "vertices")
+            for shared in children(vertices, "input"):
+                yield from self._input(shared, offset, number)
+
+    def _input(self, given: Element, offset: int, number: str) -> Iterator[_Input]:
+        semantic = given.get("semantic", "")
+        width = {"POSITION": (3, 3), "NORMAL": (3, 3), "TEXCOORD": (2, 2), "COLOR": (3, 4)}
+        if semantic not in width or offset < 0:
+            return
+        source = self._tree.named(given.get("source"), "source")
+        values = self._source(source) if source is not None else np.zeros((0, 0))
+        least, most = width[semantic]
+        if values.shape[1] >= least:
+            yield _Input(semantic, number, offset, values[:, :most])
+        elif semantic != "POSITION":
+            self._losses.add(f"list* of {semantic} values that cannot be read")
+
+    def _source(self, source: Element) -> Floats:
+        """(n, k), the values that a source's accessor gives."""
+        if source not in self._sources:
+            self._sources[source] = self._read(source)
+        return self._sources[source]
+
+    def _read(self, source: Element) -> Floats:
+        accessor = child(source, "technique_common", "accessor")
+        array = child(source, "float_array")
+        if accessor is None:
+            return np.zeros((0, 0))
+        if array is None:
+            array = self._tree.named(accessor.get("source"), "float_array")
+        numbers = floats((array.text or "") if array is not None else "")
+        names = [param.get("name", "") for param in children(accessor, "param")]
+        stride = _number(accessor.get("stride"), 1)
+        start = _number(accessor.get("offset"), 0)
+        if stride < 1 or start < 0:
+            return np.zeros((0, 0))
+        numbers = numbers[start:]
+        rows = numbers[: len(numbers) // stride * stride].reshape(-1, stride)
+        # A parameter without a name is passed over.
+        used = [i for i, name in enumerate(names[:stride]) if name]
+        return rows[:, used] if used else rows
+
+    def _corners(self, element: Element, width: int, position: _Input) -> tuple[Integers, Integers]:
+        """Rows of indices, (c, width), and triangles as numbers of rows, (m, 3)."""
+        kind = tag(element)
+        if kind == "triangles":
+            rows = self._rows(text(child(element, "p")), width)
+            return rows, np.arange(len(rows) // 3 * 3).reshape(-1, 3)
+        if kind == "polylist":
+            rows = self._rows(text(child(element, "p")), width)
+            counts = np.clip(integers(text(child(element, "vcount"))), 0, len(rows) + 1)
+            whole = np.cumsum(counts) <= len(rows)
+            self._losses.add("polygon* without all of their corners", np.count_nonzero(~whole))
+            return rows, triangles(counts[whole], _places(rows, position))
+        pieces = [self._rows(text(p), width) for p in children(element, "p")]
+        if kind == "polygons":
+            holed = list(children(element, "ph"))
+            self._losses.add("polygon* whose holes are filled", len(holed))
+            pieces += [self._rows(text(child(ph, "p")), width) for ph in holed]
+        counts = np.array([len(piece) for piece in pieces], dtype=np.int64)
+        rows = np.concatenate(pieces) if pieces else np.zeros((0, width), dtype=np.int64)
+        if kind == "tristrips":
+            return rows, strips(counts)
+        if kind == "trifans":
+            return rows, fans(counts)
+        return rows, triangles(counts, _places(rows, position))
+
+    def _rows(self, numbers: str, width: int) -> Integers:
+        found = integers(numbers)
+        whole = len(found) // width * width
+        self._losses.add("cut-off list* of corners", int(whole < len(found)))
+        return found[:whole].reshape(-1, width)
+
+
+def _places(rows: Integers, position: _Input) -> Floats:
+    """(c, 3), where the corners are; anywhere, if a file says what it does not hold."""
+    if not len(position.values):
+        return np.zeros((len(rows), 3))
+    return position.values.take(rows[:, position.offset], axis=0, mode="clip")
+
+
+def _number(word: str | None, default: int) -> int:
+    """A small whole number in an attribute; -1 if it is none."""
+    if word is None:
+        return default
+    word = word.strip()
+    return int(word) if word.isdecimal() and len(word) < 9 else -1

@@ -1,0 +1,142 @@
+"""The materials of COLLADA: from ``<material>`` through ``<effect>`` to colour and texture."""
+
+from __future__ import annotations
+
+import os
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Material
+from urdfkit.mesh.io.assemble import Losses
+from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
+from urdfkit.mesh.io.numbers import floats
+from urdfkit.mesh.io.referenced_files import find_image, place
+
+Colour = tuple[float, float, float, float]
+
+_SHADERS = ("phong", "blinn", "lambert", "constant")
+#: How bright each part of a colour looks; COLLADA 1.4.1, chapter 7, "Determining Transparency".
+_LUMINANCE = (0.212671, 0.715160, 0.072169)
+_DEFAULT = Material()
+
+
+class Look(NamedTuple):
+    """A material, and the name under which its texture asks for coordinates."""
+
+    material: Material
+    coordinates: str = ""
+
+
+class Looks:
+    """The materials of one file.
+
+    Args:
+        folder: that the file is in; textures are named relative to it.
+
+    Attributes:
+        textures: the names of images that are used, as written.
+        missing: those of them that are not there.
+        files: where they lie, or would.
+    """
+
+    def __init__(self, tree: Tree, folder: str, losses: Losses) -> None:
+        self._tree = tree
+        self._folder = folder
+        self._losses = losses
+        self._looks: dict[Element, Look] = {}
+        self.textures: list[str] = []
+        self.missing: list[str] = []
+        self.files: list[str] = []
+
+    def look(self, reference: str) -> Look | None:
+        """The look of ``#material``; None if there is no such material."""
+        material = self._tree.named(reference, "material")
+        if material is None:
+            return None
+        if material not in self._looks:
+            self._looks[material] = self._read(material)
+        return self._looks[material]
+
+    def _read(self, material: Element) -> Look:
+        name = material.get("name") or material.get("id", "")
+        instance = child(material, "instance_effect")
+        effect = self._tree.named(instance.get("url") if instance is not None else "", "effect")
+        profile = child(effect, "profile_COMMON")
+        technique = child(profile, "technique")
+        shader = next(children(technique, *_SHADERS), None)
+        if shader is None:
+            self._losses.add("material* without an effect that can be read")
+            return Look(Material(name))
+        base = child(shader, "emission" if tag(shader) == "constant" else "diffuse")
+        rgba = self._colour(base) or _DEFAULT.rgba
+        texture = child(base, "texture")
+        image = ""
+        if texture is not None:
+            image = self._image(texture.get("texture", ""), effect)
+            self.textures.append(image)
+            rgba = (1.0, 1.0, 1.0, 1.0)
+        opacity = self._opacity(shader, rgba[3])
+        path = find_image(image, self._folder) if image else None
+        if image:
+            self.files.append(path or place(image, self._folder))
+        if texture is not None and path is None:
+            rgba = _DEFAULT.rgba
+            self.missing.append(image)
+        found = Material(name, (*rgba[:3], opacity), path)
+        return Look(found, texture.get("texcoord", "") if texture is not None else "")
+
+    def _colour(self, element: Element | None) -> Colour | None:
+        """The ``<color>`` in an element; None if it has none that can be read."""
+        given = child(element, "color")
+        if given is None:
+            return None
+        numbers = floats(text(given))[:4]
+        if len(numbers) < 3 or not np.isfinite(numbers).all():
+            self._losses.add(f"colour* that cannot be read ('{text(given)[:40]}')")
+            return None
+        red, green, blue, *alpha = (float(value) for value in np.clip(numbers, 0, 1))
+        return (red, green, blue, alpha[0] if alpha else 1.0)
+
+    def _opacity(self, shader: Element, alpha: float) -> float:
+        """From ``<transparent>`` and ``<transparency>``, as the mode of the former says.
+
+        Args:
+            shader: with or without them.
+            alpha: of the colour, which counts where they are not there.
+        """
+        transparent = child(shader, "transparent")
+        number = floats(text(child(shader, "transparency", "float")))
+        factor = float(number[0]) if len(number) and np.isfinite(number[0]) else 1.0
+        if transparent is None or child(transparent, "color") is None:
+            return alpha  # the mode of an absent colour is everybody's guess: 1 is meant, or 0
+        colour = self._colour(transparent) or (1.0, 1.0, 1.0, 1.0)
+        mode = transparent.get("opaque", "A_ONE")
+        if mode.startswith("RGB"):
+            part = sum(weight * value for weight, value in zip(_LUMINANCE, colour, strict=False))
+        else:
+            part = colour[3]
+        opacity = part * factor
+        return min(max(1 - opacity if mode.endswith("ZERO") else opacity, 0.0), 1.0)
+
+    def _image(self, sampler: str, effect: Element | None) -> str:
+        """The file name of the image that a texture samples, as written."""
+        parameters = {
+            param.get("sid", ""): param
+            for profile in children(effect, "profile_COMMON")
+            for holder in (profile, *children(profile, "technique"))
+            for param in children(holder, "newparam")
+        }
+        parameters |= {one.get("sid", ""): one for one in children(effect, "newparam")}
+        identity = sampler
+        surface = text(child(parameters.get(identity), "sampler2D", "source")) or identity
+        identity = text(child(parameters.get(surface), "surface", "init_from")) or surface
+        instance = child(parameters.get(sampler), "sampler2D", "instance_image")  # COLLADA 1.5
+        reference = instance.get("url", "")[1:] if instance is not None else identity
+        image = self._tree.with_id(reference, "image")
+        if image is None and reference != sampler:
+            # An image that the library lacks: assimp, which RViz and Gazebo read with, takes the
+            # reference for the name of a JPEG.
+            return reference if os.path.splitext(reference)[1] else f"{reference}.jpg"
+        source = child(image, "init_from")
+        return text(child(source, "ref")) or text(source)

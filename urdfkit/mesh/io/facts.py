@@ -1,0 +1,102 @@
+"""What is known of a mesh file before it is loaded."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from urdfkit.core.record import Record
+
+BINARY_STL = "binary STL"
+ASCII_STL = "ASCII STL"
+COLLADA = "COLLADA"
+OBJ = "OBJ"
+PLY = "PLY"
+GLB = "GLB"
+GLTF = "glTF"
+
+#: Larger files are recognised by their beginning, and not judged further.
+MAX_BYTES = 128 * 1024 * 1024
+
+#: The formats whose triangles are read.
+READ = (BINARY_STL, ASCII_STL, COLLADA, OBJ, PLY, GLB, GLTF)
+
+#: The formats that a suffix promises; consumers choose their reader by the suffix.
+BY_SUFFIX = {
+    ".stl": (BINARY_STL, ASCII_STL),
+    ".stlb": (BINARY_STL,),
+    ".stla": (ASCII_STL,),
+    ".dae": (COLLADA,),
+    ".obj": (OBJ,),
+    ".ply": (PLY,),
+    ".glb": (GLB,),
+    ".gltf": (GLTF,),
+}
+
+
+class Kind(Enum):
+    """What is wrong with a mesh file; a rule for each."""
+
+    EMPTY = "empty"
+    NOT_A_MESH = "not a mesh"
+    TRUNCATED = "truncated"
+    UNREADABLE = "unreadable"
+
+
+class Defect(Record):
+    """Why a mesh file cannot be used.
+
+    Attributes:
+        kind: which rule tells it.
+        reason: a predicate whose subject is the file: ``holds no triangles``.
+    """
+
+    kind: Kind
+    reason: str
+
+
+class MeshFacts(Record):
+    """What the bytes of a mesh file say.
+
+    Attributes:
+        format: by content, such as ``binary STL``; empty if it is none that is known.
+        size: in bytes.
+        defect: why it cannot be used, or None.
+        non_finite: which coordinate is not finite, in words; empty if all are.
+        unit: metres per unit of length, as COLLADA says; 1 where nothing is said.
+        up_axis: ``X_UP``, ``Y_UP`` or ``Z_UP``, as COLLADA says; empty where nothing is said.
+        starts_with_solid: True for a binary STL that begins as ASCII ones do.
+    """
+
+    format: str
+    size: int
+    defect: Defect | None = None
+    non_finite: str = ""
+    unit: float = 1.0
+    up_axis: str = ""
+    starts_with_solid: bool = False
+
+
+def has_other_unit(facts: MeshFacts) -> bool:
+    """True if a file says that it is not in metres."""
+    return abs(facts.unit - 1) > 1e-6
+
+
+def empty(reason: str) -> Defect:
+    return Defect(Kind.EMPTY, reason)
+
+
+def not_a_mesh(reason: str) -> Defect:
+    return Defect(Kind.NOT_A_MESH, reason)
+
+
+def truncated(reason: str) -> Defect:
+    return Defect(Kind.TRUNCATED, reason)
+
+
+def unreadable(reason: str) -> Defect:
+    return Defect(Kind.UNREADABLE, reason)
+
+
+def counted(number: int, thing: str) -> str:
+    """``1 triangle``, ``12 triangles``."""
+    return f"{number} {thing}{'' if number == 1 else 's'}"

@@ -1,0 +1,118 @@
+"""The materials of glTF: base colour and its texture."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+from urllib.parse import unquote
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Material
+from urdfkit.mesh.io import referenced_files
+from urdfkit.mesh.io.gltf_accessors import Lists, embedded
+from urdfkit.mesh.io.gltf_tree import Node
+
+_WHITE = (1.0, 1.0, 1.0, 1.0)
+#: What has the base colour and its texture, and what had them in older exporters.
+_BASE = ("baseColorFactor", "baseColorTexture")
+_OLDER = "KHR_materials_pbrSpecularGlossiness"
+_DIFFUSE = ("diffuseFactor", "diffuseTexture")
+_AS_THEY_ARE = np.eye(2, 3)
+
+
+class Look(NamedTuple):
+    """A material, and what its texture asks of the coordinates.
+
+    Attributes:
+        material: the material.
+        coordinates: which of the sets of them the texture takes.
+        transform: (2, 3), from these to places in the image.
+    """
+
+    material: Material | None = None
+    coordinates: int = 0
+    transform: Floats = _AS_THEY_ARE
+
+    def placed(self, uv: Floats) -> Floats:
+        """(n, 2), from coordinates as the file gives them to ours, with v upwards."""
+        u, v = self.transform[:, :2] @ uv.T + self.transform[:, 2:]
+        return np.column_stack([u, 1 - v])
+
+
+class Looks:
+    """The materials of one file.
+
+    Args:
+        root: its JSON.
+        lists: of the same file.
+        folder: that the file lies in, and its images.
+
+    Attributes:
+        textures: the names of images that are used, as written; those that the file holds have
+            none.
+        missing: those of them that are not there.
+        files: where they lie, or would.
+    """
+
+    def __init__(self, root: Node, lists: Lists, folder: str) -> None:
+        self._root = root
+        self._lists = lists
+        self._folder = folder
+        self._looks: dict[int, Look] = {}
+        self.textures: list[str] = []
+        self.missing: list[str] = []
+        self.files: list[str] = []
+
+    def look(self, index: int) -> Look:
+        """The look of a material.
+
+        Raises:
+            NoTriangles: it is not in the file.
+        """
+        if index not in self._looks:
+            self._looks[index] = self._read(self._root.one_of("materials", index))
+        return self._looks[index]
+
+    def _read(self, material: Node) -> Look:
+        base, factor, textured = material.inner("pbrMetallicRoughness"), *_BASE
+        if "pbrMetallicRoughness" not in material and _OLDER in material.inner("extensions"):
+            base, factor, textured = material.inner("extensions", _OLDER), *_DIFFUSE
+        red, green, blue, alpha = np.clip(base.numbers(factor, _WHITE), 0, 1).tolist()
+        if material.text("alphaMode") in ("", "OPAQUE"):
+            alpha = 1.0
+        found = Material(material.text("name"), (red, green, blue, alpha))
+        if textured not in base:
+            return Look(found)
+        texture = base.inner(textured)
+        transform = texture.inner("extensions", "KHR_texture_transform")
+        image = self._image(self._root.one_of("textures", texture.whole("index")))
+        which = transform.whole("texCoord", texture.whole("texCoord", 0))
+        return Look(found._replace(texture=image), which, _matrix(transform))
+
+    def _image(self, texture: Node) -> str | bytes | None:
+        """The file or the bytes of an image; None if it is not there, or of a newer format."""
+        if "source" not in texture:
+            texture = texture.inner("extensions", "EXT_texture_webp")
+        if "source" not in texture:
+            return None
+        image = self._root.one_of("images", texture.whole("source"))
+        if "bufferView" in image:
+            return bytes(self._lists.view(image.whole("bufferView")))
+        name = image.text("uri")
+        data = embedded(name)
+        if data is not None:
+            return data
+        path = referenced_files.find_image(name, self._folder)
+        self.textures.append(name)
+        self.files.append(path or referenced_files.place(unquote(name), self._folder))
+        if path is None:
+            self.missing.append(name)
+        return path
+
+
+def _matrix(transform: Node) -> Floats:
+    """(2, 3), of KHR_texture_transform: scaled, turned, moved."""
+    angle = transform.number("rotation", 0.0)
+    cos, sin = np.cos(angle), np.sin(angle)
+    turned = np.array([(cos, sin), (-sin, cos)]) * transform.numbers("scale", (1.0, 1.0))
+    return np.column_stack([turned, transform.numbers("offset", (0.0, 0.0))])

@@ -1,0 +1,225 @@
+"""Reading glTF 2.0 files and GLB, their binary form: the scene, its nodes, and what they show.
+
+Written here and not left to trimesh, which takes fans, sparse lists and normalised positions for
+something else, without a word. The numbers are taken as they are, with y upwards.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from struct import unpack_from
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, NoTriangles, Part
+from urdfkit.mesh.io import facts
+from urdfkit.mesh.io.assemble import (
+    MAX_NODES,
+    MAX_TRIANGLES,
+    Losses,
+    Stream,
+    assemble,
+    counted_kinds,
+    transformed,
+)
+from urdfkit.mesh.io.gltf_accessors import Lists
+from urdfkit.mesh.io.gltf_materials import Look, Looks
+from urdfkit.mesh.io.gltf_tree import Node
+from urdfkit.mesh.io.polygons import fans, strips
+
+_POINTS_AND_LINES = range(4)
+_TRIANGLES, _STRIP, _FAN = 4, 5, 6
+#: Extensions that hide triangles from those who do not know them.
+_COMPRESSED = {
+    "KHR_draco_mesh_compression": "Draco",
+    "EXT_meshopt_compression": "meshopt",
+    "KHR_meshopt_compression": "meshopt",
+}
+
+
+def read(data: bytes, form: str, folder: str) -> Mesh:
+    """What the scene of a glTF file shows.
+
+    Args:
+        data: the file, whose JSON is sound.
+        form: ``GLB`` or ``glTF``.
+        folder: that it lies in, and what it refers to.
+
+    Raises:
+        NoTriangles: it shows none, or is not to be read.
+    """
+    text, binary = _chunks(data) if form == facts.GLB else (data, b"")
+    root = Node(json.loads(text), "")
+    for extension in root.texts("extensionsRequired"):
+        if extension in _COMPRESSED:
+            raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
+    return _Reader(root, binary, folder).mesh()
+
+
+def _chunks(data: bytes) -> tuple[bytes, bytes]:
+    """The JSON and the binary chunk of a GLB."""
+    (size,) = unpack_from("<I", data, 12)
+    return data[20 : 20 + size], data[28 + size :]
+
+
+class _Reader:
+    def __init__(self, root: Node, binary: bytes, folder: str) -> None:
+        self._root = root
+        self._losses = Losses()
+        self._lists = Lists(root, binary, folder)
+        self._looks = Looks(root, self._lists, folder)
+        self._meshes: dict[int, list[Part]] = {}
+        self._others = 0
+        self._read = self._placed = 0
+
+    def mesh(self) -> Mesh:
+        parts = list(self._shown())
+        if not parts:
+            lost = "; ".join(self._losses.sentences())
+            raise NoTriangles(f"shows no triangles{f' ({lost})' if lost else ''}")
+        return Mesh(
+            tuple(parts),
+            up_axis="Y_UP",  # so glTF has it, whatever the numbers are
+            losses=self._losses.sentences(),
+            extras=self._extras(),
+            textures=tuple(self._looks.textures),
+            missing=tuple(self._looks.missing),
+            files=(*self._lists.files, *self._looks.files),
+        )
+
+    def _shown(self) -> Iterator[Part]:
+        for node, matrix in self._nodes():
+            for part in self._parts(node.whole("mesh")) if "mesh" in node else ():
+                self._placed += len(part.faces)
+                self._bound()
+                moved = transformed(part, matrix)
+                if np.isfinite(moved.vertices).all():
+                    yield moved
+                else:
+                    self._losses.add("surface* that a node moves to infinity")
+
+    def _nodes(self) -> Iterator[tuple[Node, Floats]]:
+        """The nodes of the scene and where each stands; no node has two parents."""
+        stack = [(index, np.eye(4)) for index in reversed(self._roots())]
+        seen: set[int] = set()
+        while stack:
+            index, above = stack.pop()
+            if index in seen:
+                self._losses.add("node* that two others hold")
+                continue
+            seen.add(index)
+            if len(seen) > MAX_NODES:
+                raise NoTriangles(f"shows more than {MAX_NODES} nodes")
+            node = self._root.one_of("nodes", index)
+            matrix = above @ _matrix(node)
+            yield node, matrix
+            stack += [(child, matrix) for child in reversed(node.indices("children"))]
+
+    def _roots(self) -> list[int]:
+        if "scenes" in self._root:
+            return self._root.one_of("scenes", self._root.whole("scene", 0)).indices("nodes")
+        nodes = self._root.each("nodes")
+        children = {child for node in nodes for child in node.indices("children")}
+        return [index for index in range(len(nodes)) if index not in children]
+
+    def _parts(self, index: int) -> list[Part]:
+        """The surfaces of a mesh, where no node has moved them yet."""
+        if index not in self._meshes:
+            primitives = self._root.one_of("meshes", index).each("primitives")
+            found = map(self._part, primitives)
+            self._meshes[index] = [part for part in found if part is not None]
+        return self._meshes[index]
+
+    def _part(self, primitive: Node) -> Part | None:
+        mode = primitive.whole("mode", _TRIANGLES)
+        if mode in _POINTS_AND_LINES:
+            self._others += 1
+            return None
+        lists = primitive.inner("attributes")
+        if "POSITION" not in lists:
+            self._losses.add("surface* without positions")
+            return None
+        positions = self._lists.floats(lists.whole("POSITION"))
+        if positions.shape[1] != 3:
+            raise NoTriangles(f"is no valid glTF: {lists.name}.POSITION has no three numbers")
+        if "indices" in primitive:
+            corners = self._lists.indices(primitive.whole("indices"))
+        else:
+            corners = np.arange(len(positions))
+        rows = _triangles(corners, mode)
+        self._read += len(rows)
+        self._bound()
+        look = self._looks.look(primitive.whole("material")) if "material" in primitive else Look()
+        uv = self._values(lists, f"TEXCOORD_{look.coordinates}", 2)
+        normals = self._values(lists, "NORMAL", 3)
+        colors = self._values(lists, "COLOR_0", 4)
+        return assemble(
+            Stream(positions, rows),
+            self._losses,
+            look.material,
+            normals=None if normals is None else Stream(normals, rows),
+            uv=None if uv is None else Stream(look.placed(uv), rows),
+            colors=None if colors is None else Stream(colors, rows),
+        )
+
+    def _bound(self) -> None:
+        """See that a short file does not show one list over and over."""
+        if max(self._read, self._placed) > MAX_TRIANGLES:
+            raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
+
+    def _values(self, lists: Node, name: str, most: int) -> Floats | None:
+        """(n, k), the values of the vertices by a name; None without them."""
+        return self._lists.floats(lists.whole(name))[:, :most] if name in lists else None
+
+    def _extras(self) -> tuple[str, ...]:
+        nodes = self._root.each("nodes")
+        return counted_kinds(
+            {
+                "line or point set": self._others,
+                "camera": sum("camera" in node for node in nodes),
+                "animation": len(self._root.each("animations")),
+                "skin": sum("skin" in node for node in nodes),
+            }
+        )
+
+
+def _matrix(node: Node) -> Floats:
+    """(4, 4), from a node to the one that holds it."""
+    if "matrix" in node:
+        by_column: Floats = node.numbers("matrix", (0.0,) * 16).reshape(4, 4, order="F")
+        return by_column
+    matrix = np.eye(4)
+    matrix[:3, :3] = _rotation(node.numbers("rotation", (0.0, 0.0, 0.0, 1.0)))
+    matrix[:3, :3] *= node.numbers("scale", (1.0, 1.0, 1.0))
+    matrix[:3, 3] = node.numbers("translation", (0.0, 0.0, 0.0))
+    return matrix
+
+
+def _rotation(quaternion: Floats) -> Floats:
+    """(3, 3), of a quaternion x, y, z, w; none for one of no length."""
+    length = np.linalg.norm(quaternion)
+    if not length:
+        return np.eye(3)
+    *axis, w = quaternion / length
+    x, y, z = axis
+    across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turned: Floats = np.eye(3) + 2 * w * across + 2 * across @ across
+    return turned
+
+
+def _triangles(corners: Integers, mode: int) -> Integers:
+    """(m, 3), the corners of each triangle, as indices of vertices."""
+    number = np.array([len(corners)])
+    if mode == _STRIP:
+        found = corners[strips(number)]
+    elif mode == _FAN:
+        found = corners[fans(number)]
+    elif mode == _TRIANGLES:
+        return corners[: len(corners) // 3 * 3].reshape(-1, 3)
+    else:
+        raise NoTriangles(f"is no valid glTF: there is no mode {mode}")
+    # Strips are joined by triangles that have a corner twice.
+    a, b, c = found.T
+    joined: Integers = found[(a != b) & (b != c) & (c != a)]
+    return joined

@@ -1,0 +1,77 @@
+"""Reading PLY files with trimesh."""
+
+from __future__ import annotations
+
+import re
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Material, Mesh, NoTriangles
+from urdfkit.mesh.io.assemble import Losses, Stream, assemble
+from urdfkit.mesh.io.ply import MAX_HEADER
+from urdfkit.mesh.io.referenced_files import find_image, place
+
+#: How MeshLab and its like name the image on a mesh.
+_TEXTURE = re.compile(rb"\ncomment TextureFile[ \t]+([^\r\n]+)")
+
+
+def read(data: bytes, folder: str) -> Mesh:
+    """What a PLY file holds.
+
+    Args:
+        data: the file.
+        folder: that it lies in, and its image.
+
+    Raises:
+        NoTriangles: it holds none, or trimesh cannot read it.
+    """
+    try:
+        mesh = _read(data)
+    except NoTriangles:
+        raise
+    except Exception as error:  # readers of foreign bytes raise anything, and some of it late
+        raise NoTriangles(f"cannot be read: {type(error).__name__}: {error}") from error
+    named = _TEXTURE.search(data[:MAX_HEADER])
+    if named is None:
+        return mesh
+    name = named.group(1).decode("utf-8", "replace").strip()
+    path = find_image(name, folder)
+    return mesh._replace(
+        parts=(mesh.parts[0]._replace(material=Material("", (1.0, 1.0, 1.0, 1.0), path)),),
+        textures=(name,),
+        missing=() if path else (name,),
+        files=(path or place(name, folder),),
+    )
+
+
+def _read(data: bytes) -> Mesh:
+    import trimesh
+    from trimesh.exchange.ply import load_ply
+
+    given = load_ply(BytesIO(data), skip_materials=True)
+    if given.get("faces") is None:
+        raise NoTriangles("holds no triangles")
+    found = trimesh.Trimesh(**given, process=False)
+    rows = np.asarray(found.faces, dtype=np.int64)
+
+    def stream(values: Any) -> Stream | None:
+        if values is None or len(values) != len(found.vertices):
+            return None
+        return Stream(np.asarray(values, dtype=np.float64), rows)
+
+    visual: Any = found.visual
+    colors = visual.vertex_colors / 255.0 if visual.kind in ("vertex", "face") else None
+    losses = Losses()
+    part = assemble(
+        Stream(np.asarray(found.vertices, dtype=np.float64), rows),
+        losses,
+        normals=stream(given.get("vertex_normals")),
+        uv=stream(getattr(visual, "uv", None)),
+        colors=stream(colors),
+    )
+    if part is None:
+        lost = "; ".join(losses.sentences())
+        raise NoTriangles(f"holds no triangles{f' ({lost})' if lost else ''}")
+    return Mesh((part,), losses=losses.sentences())

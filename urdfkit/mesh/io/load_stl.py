@@ -1,0 +1,63 @@
+"""Reading STL files.
+
+Normals are left: they say nothing that the order of the corners does not, and many programs write
+zeros.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Mesh, NoTriangles
+from urdfkit.mesh.io import binary_stl
+from urdfkit.mesh.io.assemble import Losses, Stream, assemble
+from urdfkit.mesh.io.facts import counted
+from urdfkit.mesh.io.numbers import floats
+
+_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("colour", "<u2")])
+_VERTEX = re.compile(rb"\svertex\s+(\S+)\s+(\S+)\s+(\S+)")
+
+
+def binary(data: bytes) -> Mesh:
+    """The triangles of a binary STL, as many as there are.
+
+    Raises:
+        NoTriangles: it holds none.
+    """
+    declared = int.from_bytes(data[80 : binary_stl.HEADER], "little")
+    number = max(len(data) - binary_stl.HEADER, 0) // binary_stl.TRIANGLE
+    table = np.frombuffer(data, _TRIANGLE, number, binary_stl.HEADER if number else 0)
+    losses = Losses()
+    losses.add("triangle* that the file declares and does not hold", max(declared - number, 0))
+    extras: tuple[str, ...] = ()
+    coloured = np.count_nonzero(table["colour"] & 0x8000) if number else 0
+    if coloured:
+        extras = (f"colours of {counted(int(coloured), 'triangle')}",)
+    return _mesh(table["corners"].reshape(-1, 3).astype(np.float64), losses, extras)
+
+
+def ascii_text(data: bytes) -> Mesh:
+    """The triangles of an ASCII STL.
+
+    Raises:
+        NoTriangles: it holds none.
+    """
+    text = data.lower()
+    # The solid's name, in the first and the last line, may hold the word too.
+    facets = text[text.find(b"facet") : text.rfind(b"endfacet")]
+    words = b" ".join(word for corner in _VERTEX.findall(facets) for word in corner)
+    numbers = floats(words.decode("latin-1"))
+    whole = len(numbers) // 9 * 9
+    losses = Losses()
+    losses.add("number* that make no whole triangle", len(numbers) - whole)
+    return _mesh(numbers[:whole].reshape(-1, 3), losses)
+
+
+def _mesh(corners: Floats, losses: Losses, extras: tuple[str, ...] = ()) -> Mesh:
+    index = np.arange(len(corners)).reshape(-1, 3)
+    part = assemble(Stream(corners, index), losses)
+    if part is None:
+        raise NoTriangles("holds no triangles")
+    return Mesh((part,), losses=losses.sentences(), extras=extras)

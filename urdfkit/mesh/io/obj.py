@@ -1,0 +1,52 @@
+"""Judging Wavefront OBJ files from their bytes."""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.mesh.io.facts import Defect, empty, truncated, unreadable
+
+#: Faces at the end of the file whose indices are compared with the number of vertices.
+_LAST_FACES = 200
+
+_VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]")
+_FACE = re.compile(rb"(?:\A|(?<=\n))[ \t]*f[ \t]+([^\r\n]*)")
+_BAD_VERTEX = re.compile(rb"(?:\A|(?<=\n))[ \t]*v[ \t]+([^\r\n]*(?:nan|inf|#ind)[^\r\n]*)")
+
+
+def judge(data: bytes) -> tuple[Defect | None, str]:
+    """What is wrong with an OBJ file, and which coordinate is not finite."""
+    faces = len(_FACE.findall(data))
+    vertices = len(_VERTEX.findall(data))
+    if not faces:
+        return empty(f"holds no faces (number of vertices: {vertices})"), ""
+    last = data.rpartition(b"\n")[2].split()
+    if last and last[0] == b"f" and len(last) < 4:
+        words = b" ".join(last)[:60].decode("utf-8", "replace")
+        return truncated(f"ends inside a face: '{words}'"), ""
+    return _beyond(data, vertices), _non_finite(data)
+
+
+def _beyond(data: bytes, vertices: int) -> Defect | None:
+    """A face among the last ones that names a vertex that is not there."""
+    tail = max(0, len(data) - 100 * _LAST_FACES)
+    for match in list(_FACE.finditer(data, tail))[-_LAST_FACES:]:
+        for corner in match.group(1).split():
+            word = corner.partition(b"/")[0].lstrip(b"-")
+            if word.isdigit() and len(word) < 20 and int(word) > vertices:
+                line = data.count(b"\n", 0, match.start()) + 1
+                return unreadable(
+                    f"names vertex {int(word)} in line {line} and holds {vertices} vertices"
+                )
+    return None
+
+
+def _non_finite(data: bytes) -> str:
+    text = data.lower()
+    if b"nan" in text or b"inf" in text or b"#ind" in text:
+        match = _BAD_VERTEX.search(text)
+        if match:
+            line = data.count(b"\n", 0, match.start()) + 1
+            words = match.group(1)[:60].decode("utf-8", "replace").split()
+            return f"the vertex in line {line} is ({', '.join(words[:3])})"
+    return ""

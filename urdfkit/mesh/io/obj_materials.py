@@ -1,0 +1,109 @@
+"""The materials of OBJ files: MTL."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Material
+from urdfkit.mesh.io.assemble import Losses
+from urdfkit.mesh.io.numbers import floats
+from urdfkit.mesh.io.referenced_files import find_image, place, read
+
+#: No file of materials is larger.
+MAX_LIBRARY = 4 * 1024 * 1024
+
+#: How many words follow the options of a texture, at most; not all of them need be there.
+_OPTIONS = {b"-mm": 2, b"-o": 3, b"-s": 3, b"-t": 3}
+
+
+class Library:
+    """The materials that one OBJ file may use.
+
+    Args:
+        names: of MTL files, as the OBJ file gives them.
+        folder: that they lie in.
+        losses: gets what cannot be read.
+
+    Attributes:
+        textures: the names of the images that they use.
+        missing: the names of files that are not there.
+        files: where all these files lie, or would.
+    """
+
+    def __init__(self, names: list[str], folder: str, losses: Losses) -> None:
+        self._materials: dict[str, Material] = {}
+        self._losses = losses
+        self._folder = folder
+        self.textures: tuple[str, ...] = ()
+        self.missing: tuple[str, ...] = ()
+        self.files: tuple[str, ...] = ()
+        for name in dict.fromkeys(names):
+            path = place(name, folder)
+            self.files += (path,)
+            data = read(path, MAX_LIBRARY)
+            if data is None:
+                self.missing += (name,)
+            else:
+                self._add(data)
+
+    def material(self, name: str) -> Material | None:
+        """The material of a name; one without colour where it is not to be had."""
+        return self._materials.get(name, Material(name)) if name else None
+
+    def _add(self, data: bytes) -> None:
+        name = ""
+        for line in data.splitlines():
+            word, _, rest = line.strip().replace(b"\t", b" ").partition(b" ")
+            rest = rest.strip()
+            if word == b"newmtl":
+                name = rest.decode("utf-8", "replace")
+                self._materials[name] = Material(name)
+            elif name:
+                self._materials[name] = self._with(self._materials[name], word, rest)
+
+    def _with(self, material: Material, word: bytes, rest: bytes) -> Material:
+        """A material after one more line."""
+        red, green, blue, alpha = material.rgba
+        if word == b"map_Kd":
+            return self._textured(material, rest)
+        if word not in (b"Kd", b"d", b"Tr"):
+            return material
+        numbers = floats(rest.removeprefix(b"-halo").decode("latin-1"))
+        if not len(numbers) or not np.isfinite(numbers).all():
+            self._losses.add(f"{word.decode()} value* of a material that cannot be read")
+            return material
+        values = [float(value) for value in np.clip(numbers, 0, 1)]
+        if word == b"Kd":
+            red, green, blue = (values * 3)[:3] if len(values) < 3 else values[:3]
+        else:
+            alpha = values[0] if word == b"d" else 1 - values[0]
+        return material._replace(rgba=(red, green, blue, alpha))
+
+    def _textured(self, material: Material, rest: bytes) -> Material:
+        name = _without_options(rest).decode("utf-8", "replace")
+        self.textures = tuple(dict.fromkeys((*self.textures, name)))
+        path = find_image(name, self._folder)
+        self.files += (path or place(name, self._folder),)
+        if path is None:
+            self.missing += (name,)
+            return material
+        return material._replace(texture=path)
+
+
+def _without_options(rest: bytes) -> bytes:
+    """The file name after the options of a texture."""
+    words = rest.split(b" ")
+    while words and words[0].startswith(b"-"):
+        option = words.pop(0)
+        for _ in range(_OPTIONS.get(option, 1)):
+            if len(words) > 1 and (option not in _OPTIONS or _is_number(words[0])):
+                words.pop(0)
+    return b" ".join(words).strip()
+
+
+def _is_number(word: bytes) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,215 @@
+"""What a mesh file is, and whether it is whole, by its bytes and without a mesh library.
+
+Libraries load many a broken mesh as nothing at all, without an error. Suffixes do not tell
+either: web pages are saved as meshes, and 118 of 121 STL files that begin with ``solid``, the
+mark of an ASCII STL, are binary.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from stat import S_ISREG
+
+from urdfkit.core.libraries import load
+from urdfkit.mesh.io import binary_stl, facts
+from urdfkit.mesh.io.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mesh, unreadable
+from urdfkit.text.source import why_unreadable
+
+#: No mesh of a robot is larger.
+_LARGEST = 1024**3
+_HEAD = 4096
+_LONG_HEAD = 64 * 1024
+
+_JUDGES = {
+    facts.BINARY_STL: ("binary_stl", "judge"),
+    facts.ASCII_STL: ("ascii_stl", "judge"),
+    facts.COLLADA: ("collada", "judge"),
+    facts.OBJ: ("obj", "judge"),
+    facts.PLY: ("ply", "judge"),
+    facts.GLB: ("gltf", "judge_glb"),
+    facts.GLTF: ("gltf", "judge_json"),
+}
+
+_TEXT = bytes([9, 10, 12, 13, *range(32, 127), *range(128, 256)])
+_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+_LFS = b"version https://git-lfs.github.com/spec/"
+_XML_ROOT = rb"<(?:[\w.-]+:)?([A-Za-z_][\w.-]*)"
+#: What has no end, as where the text is cut, goes on to its end.
+_NOT_ROOT = rb"(?s)<\?.*?(?:\?>|\Z)|<!--.*?(?:-->|\Z)|<![^>]*(?:>|\Z)"
+_HTML_TAGS = frozenset("html head body script meta title div table".split())
+#: A line of OBJ, or a line that names its materials.
+_OBJ = (
+    rb"(?:\A|\n)[ \t]*"
+    rb"(?:vn?[ \t]+[-+.\deE]+[ \t]+[-+.\d]|f[ \t]+\d+[ \t/]|mtllib[ \t]|usemtl[ \t])"
+)
+
+#: Formats that say what they are in their first bytes, and that URDF's readers do not all know.
+_MAGIC = (
+    (b"glTF", facts.GLB),
+    (b"ISO-10303-21", "STEP"),
+    (b"Kaydara FBX Binary", "FBX"),
+    (b"; FBX", "FBX"),
+    (b"BLENDER", "Blender"),
+    (b"#VRML", "VRML"),
+    (b"#X3D", "X3D"),
+    (b"#usda", "USD"),
+    (b"PXR-USDC", "USD"),
+    (b"\x00\x10[MeshSerializer", "Ogre mesh"),
+    (b"OFF\n", "OFF"),
+    (b"OFF\r", "OFF"),
+)
+_XML_FORMATS = {"COLLADA": facts.COLLADA, "X3D": "X3D", "amf": "AMF"}
+#: Files that are no meshes at all.
+_FOREIGN = (
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"GIF8", "a GIF picture"),
+    (b"%PDF-", "a PDF document"),
+    (b"\x1f\x8b", "a gzip archive"),
+    (b"PK\x03\x04", "a zip archive"),
+    (b"7z\xbc\xaf", "a 7z archive"),
+    (b"Rar!", "a RAR archive"),
+    (b"\x7fELF", "a program"),
+    (b"MZ\x90", "a program"),
+    (b"\xd0\xcf\x11\xe0", "a document of an office or CAD program"),
+)
+
+
+def sniff_file(path: str) -> MeshFacts:
+    """Judge a mesh file. Never raises: a file that cannot be read is a defect like others."""
+    try:
+        state = os.stat(path)
+        if not S_ISREG(state.st_mode):  # a device or a pipe might never end
+            return MeshFacts("", 0, unreadable("is no regular file"))
+        with open(path, "rb") as file:
+            data = file.read(state.st_size if state.st_size <= MAX_BYTES else _HEAD)
+    except OSError as error:
+        return MeshFacts("", 0, unreadable(why_unreadable(path, error)))
+    except ValueError:
+        return MeshFacts("", 0, unreadable("cannot be read: its name holds a NUL"))
+    if state.st_size > MAX_BYTES:
+        return MeshFacts(recognise(data, state.st_size), state.st_size)
+    return sniff(data, os.path.splitext(path)[1])
+
+
+def sniff(data: bytes, suffix: str) -> MeshFacts:
+    """Judge the bytes of a mesh file.
+
+    Args:
+        data: the whole file.
+        suffix: of its name, such as ``.stl``; says what broken content was meant to be.
+    """
+    form = recognise(data, len(data))
+    defect: Defect | None = None
+    not_finite = ""
+    if not form:
+        defect = _foreign(data)
+        form = "" if defect else _meant(data, suffix.lower())
+    if form in _JUDGES:
+        module, function = _JUDGES[form]
+        defect, not_finite = getattr(load(f"urdfkit.mesh.io.{module}"), function)(data)
+    elif not form and defect is None:
+        defect = _unknown(data)
+    unit, up_axis = 1.0, ""
+    if form == facts.COLLADA and defect is None:
+        from urdfkit.mesh.io.collada import conventions
+
+        unit, up_axis = conventions(data)
+    is_solid = form == facts.BINARY_STL and data[:5].lower() == b"solid"
+    return MeshFacts(form, len(data), defect, not_finite, unit, up_axis, is_solid)
+
+
+def recognise(data: bytes, size: int) -> str:
+    """The format of a mesh file by its beginning and its size; empty if it is none known."""
+    head = data[:_HEAD]
+    if binary_stl.is_stl(head, size):  # before all else: its header may hold any text
+        return facts.BINARY_STL
+    for magic, form in _MAGIC:
+        if head.startswith(magic):
+            return form
+    if head.startswith(b"MM") and size == int.from_bytes(head[2:6], "little"):
+        return "3DS"
+    if head.startswith(b"PK\x03\x04"):
+        return "3MF" if b"3D/3dmodel.model" in data else "USD" if b".usd" in data else ""
+    if head[72:73] == b"S" and head[73:80].strip(b" 0") == b"1":
+        return "IGES"
+    if head.lstrip().startswith((b"ply\n", b"ply\r", b"ply ")):
+        return facts.PLY
+    text = head.lstrip(b"\xef\xbb\xbf \t\r\n")
+    if text.startswith((b"<", *_UTF_16)):
+        return _XML_FORMATS.get(_xml_root(data), "")
+    return _text_format(text, data) if _is_text(head) else ""
+
+
+def _text_format(text: bytes, data: bytes) -> str:
+    if text[:5].lower() == b"solid":
+        return facts.ASCII_STL
+    if text.startswith(b"{"):
+        return facts.GLTF
+    return facts.OBJ if re.search(_OBJ, data[:_LONG_HEAD]) else ""
+
+
+def _xml_root(data: bytes) -> str:
+    """The tag of the root element of XML, without its prefix; empty if there is none."""
+    for length in (_HEAD, _LONG_HEAD):  # long is the comment of a few files only
+        text = data[:length]
+        if text.startswith(_UTF_16):
+            text = text.replace(b"\0", b"")
+        match = re.search(_XML_ROOT, re.sub(_NOT_ROOT, b" ", text))
+        if match:
+            return match.group(1).decode("ascii")
+    return ""
+
+
+def _is_text(data: bytes) -> bool:
+    return not data.translate(None, _TEXT)
+
+
+def _meant(data: bytes, suffix: str) -> str:
+    """The format that broken content was meant to have, if the suffix and the bytes agree."""
+    if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
+        # What is no STL at all has any number where STL has its count.
+        header = data[:80].rstrip(b"\0")
+        known = _is_text(header) or binary_stl.whole_size(data) <= _LARGEST
+        return facts.BINARY_STL if known else ""
+    if suffix == ".obj" and data.lstrip().startswith(b"#"):
+        return facts.OBJ
+    if suffix == ".dae" and data.startswith(b"<") and not _xml_root(data):
+        return facts.COLLADA
+    return ""
+
+
+def _foreign(data: bytes) -> Defect | None:
+    """Why this is no mesh, if it is something else that is known."""
+    if not data.strip():
+        return empty("is empty" if not data else "holds nothing but white space")
+    if data.startswith(b"<<<<<<<"):
+        return unreadable("holds the two sides of a merge conflict")
+    if data.startswith(_LFS):
+        size = re.search(rb"\nsize (\d{1,18})\b", data[:_HEAD])
+        held = f" of {size.group(1).decode()} bytes" if size else ""
+        return not_a_mesh(f"is a Git LFS pointer: the mesh{held} itself has not been fetched")
+    for magic, thing in _FOREIGN:
+        if data.startswith(magic):
+            return not_a_mesh(f"is {thing}")
+    root = _xml_root(data) if data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else ""
+    if root.lower() in _HTML_TAGS:
+        title = re.search(rb"(?i)<title[^>]*>([^<]{1,200})", data[:_LONG_HEAD])
+        words = title.group(1).decode("utf-8", "replace").split() if title else []
+        return not_a_mesh(f"is a web page{_quoted(' '.join(words))}")
+    if root:
+        return not_a_mesh(f"is XML with the root element <{root[:60]}>")
+    return None
+
+
+def _unknown(data: bytes) -> Defect:
+    if _is_text(data[:_HEAD]):
+        words = data[:200].decode("utf-8", "replace").split()
+        return not_a_mesh(f"is text of no mesh format{_quoted(' '.join(words))}")
+    return unreadable(f"is of no known mesh format (it begins with {data[:8].hex(' ')})")
+
+
+def _quoted(text: str) -> str:
+    """A beginning of a text, for a message."""
+    return f": '{text[:40]}{'...' if len(text) > 40 else ''}'" if text else ""

@@ -1,0 +1,168 @@
+"""Measuring triangles."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.components import are_flat, inside_out, take_apart
+from urdfkit.mesh.edges import Edges, three_cornered
+from urdfkit.mesh.geometry import Floats, Integers, Mesh
+from urdfkit.mesh.measures import Measures, Uniform
+from urdfkit.mesh.overlap import overlap
+from urdfkit.mesh.welding import close_seams, weld
+
+#: A triangle lower than this, a piece or a solid flatter than this, has no extent there; relative
+#: to the diagonal of the mesh. Coordinates of 32 bits are rounded to 6e-8.
+FLAT = 1e-7
+
+#: Part of the volume of all pieces below which one of them does not matter.
+SIGNIFICANT = 0.01
+
+#: Extreme vertices that are kept of a hull; a ball loses 1 % of its reach with so many.
+MOST_POINTS = 200
+
+
+@np.errstate(over="ignore", invalid="ignore")  # of meshes larger than the world
+def measure(mesh: Mesh) -> Measures:
+    """The measures of a mesh, which has triangles."""
+    places, faces = close_seams(*weld(mesh.vertices, mesh.faces))
+    low, high = places.min(axis=0), places.max(axis=0)
+    diagonal = float(np.linalg.norm(high - low))
+    height, areas = _heights(places, faces)
+    sound = faces[three_cornered(faces)]
+    edges = Edges(sound)
+    open_edges = edges.count % 2 == 1
+    flipped = ~open_edges & edges.is_unpaired
+    is_closed = len(sound) > 0 and not edges.is_unpaired.any()
+    pieces = take_apart(places, edges)
+    is_flat = are_flat(places, sound, pieces, FLAT * diagonal)
+    pieces = pieces._replace(is_closed=pieces.is_closed & ~is_flat)
+    # A screw that looks inwards changes nothing, least of all in a mesh that is open otherwise.
+    least = SIGNIFICANT * float(np.abs(pieces.volumes).sum())
+    solid, looks_inwards = _solid(places, sound, low, high) if is_closed else (None, False)
+    hull, points = _hull(places, low, high)
+    return Measures(
+        triangles=len(faces),
+        vertices=len(np.unique(faces)),
+        low=_vector(low),
+        high=_vector(high),
+        area=float(areas.sum()),
+        solid=solid,
+        hull=hull,
+        points=tuple(_vector(point) for point in points),
+        inside_out=looks_inwards,
+        open_edges=int(open_edges.sum()),
+        flipped_edges=int(flipped.sum()),
+        degenerate=int((height <= FLAT * diagonal).sum()),
+        bodies=len(pieces.volumes),
+        overlap=overlap(places, sound, pieces) if solid and not looks_inwards else 0.0,
+        inverted_bodies=int(inside_out(places, sound, pieces, least).sum()),
+        unit=mesh.unit,
+        up_axis=mesh.up_axis,
+        losses=mesh.losses,
+        extras=mesh.extras,
+        textures=mesh.textures,
+        no_materials=tuple(name for name in mesh.missing if name.lower().endswith(".mtl")),
+    )
+
+
+def uniform(vertices: Floats, faces: Integers, about: Floats) -> tuple[float, Floats, Floats]:
+    """Signed volume, first and second moments about a point of what a closed surface encloses.
+
+    Each triangle makes a tetrahedron with the point; for one with corners a, b, c the integrals
+    are, with s = a + b + c and det the volume times 6:
+
+    - of x: det / 24 * s
+    - of x x^T: det / 120 * (s s^T + a a^T + b b^T + c c^T)
+
+    Source: J. Tonon, "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor in Terms of
+    its Vertex Coordinates" (2004), with one corner in the origin.
+
+    Returns:
+        volume, (3,) first moments, (3, 3) second moments.
+    """
+    a, b, c = (vertices[faces[:, corner]] - about for corner in range(3))
+    det = np.einsum("ij,ij->i", a, np.cross(b, c))
+    s = a + b + c
+    second = np.zeros((3, 3))
+    for v in (s, a, b, c):
+        second += np.einsum("i,ij,ik->jk", det, v, v)
+    return float(det.sum()) / 6, np.einsum("i,ij->j", det, s) / 24, second / 120
+
+
+def _solid(
+    places: Floats, faces: Integers, low: Floats, high: Floats
+) -> tuple[Uniform | None, bool]:
+    """What a closed surface encloses, and whether it looks inwards."""
+    middle = (low + high) / 2
+    volume, first, second = uniform(places, faces, middle)
+    if abs(volume) <= FLAT * np.linalg.norm(high - low) ** 3:
+        return None, False
+    return _density_one(volume, first, second, middle), bool(volume < 0)
+
+
+def _density_one(volume: float, first: Floats, second: Floats, about: Floats) -> Uniform | None:
+    """What encloses a volume; None where it, or what follows from it, is beyond all numbers."""
+    if not volume:
+        return None
+    sign = 1 if volume > 0 else -1
+    center = first / volume
+    central = (second - volume * np.outer(center, center)) * sign
+    tensor = np.trace(central) * np.eye(3) - central
+    if not np.isfinite(tensor).all():
+        return None
+    ixx, ixy, ixz, iyy, iyz, izz = (float(tensor[i, k]) for i in range(3) for k in range(i, 3))
+    return Uniform(float(abs(volume)), _vector(center + about), (ixx, ixy, ixz, iyy, iyz, izz))
+
+
+def _hull(places: Floats, low: Floats, high: Floats) -> tuple[Uniform | None, Floats]:
+    """The convex hull as a solid, and its outermost vertices."""
+    import manifold3d
+
+    size = np.max(high - low)
+    middle = (low + high) / 2
+    if not size:
+        return None, places[:1]
+    # manifold3d computes with 32 bits here and there: a part far from the origin, or in
+    # nanometres, would lose its shape.
+    scaled = (places - middle) / size
+    mesh = manifold3d.Manifold.hull_points(scaled).to_mesh64()
+    corners = np.asarray(mesh.vert_properties, dtype=np.float64)[:, :3]
+    if not len(corners):
+        return None, _extreme(places)
+    volume, first, second = uniform(corners, np.asarray(mesh.tri_verts), np.zeros(3))
+    points = _extreme(corners) * size + middle
+    if volume <= FLAT:
+        return None, points
+    found = _density_one(volume * size**3, first * size**4, second * size**5, np.zeros(3))
+    if found is None:
+        return None, points
+    return found._replace(center=_vector(np.array(found.center) + middle)), points
+
+
+def _extreme(points: Floats) -> Floats:
+    """The outermost of some points: along the axes, and in directions spread evenly."""
+    if len(points) <= MOST_POINTS:
+        return points
+    number = np.arange(MOST_POINTS - 6) + 0.5
+    around, z = number * np.pi * (1 + 5**0.5), 1 - 2 * number / (MOST_POINTS - 6)
+    across = np.sqrt(1 - z * z)
+    spread = np.stack([across * np.cos(around), across * np.sin(around), z], axis=1)
+    directions = np.concatenate([np.eye(3), -np.eye(3), spread])
+    chosen: Floats = points[np.unique(np.argmax(directions @ points.T, axis=1))]
+    return chosen
+
+
+def _heights(places: Floats, faces: Integers) -> tuple[Floats, Floats]:
+    """The smallest height and the area of each triangle."""
+    a, b, c = (places[faces[:, corner]] for corner in range(3))
+    twice = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    sides = [np.linalg.norm(one - other, axis=1) for one, other in ((a, b), (b, c), (c, a))]
+    longest = np.max(sides, axis=0)
+    return np.divide(twice, longest, out=np.zeros_like(twice), where=longest > 0), twice / 2
+
+
+def _vector(values: Floats) -> Vector:
+    x, y, z = map(float, values)
+    return (x, y, z)

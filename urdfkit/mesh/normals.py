@@ -1,0 +1,101 @@
+"""Normals for triangles that have none: smooth where the surface is, sharp at its edges."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from urdfkit.mesh.geometry import Floats, Integers, Part
+from urdfkit.mesh.grouping import distinct
+from urdfkit.mesh.welding import weld
+
+#: Faces that meet at a larger angle, in degrees, meet at an edge that is seen.
+CREASE = 35.0
+
+
+def shaded(part: Part, crease: float = CREASE) -> Part:
+    """The part with normals, its vertices doubled where a sharp edge runs through them.
+
+    Args:
+        part: normals that it has are kept.
+        crease: degrees between two faces from which their edge is sharp.
+    """
+    if part.normals is not None or not len(part.faces):
+        return part
+    _, faces = weld(part.vertices, part.faces)
+    groups = _corner_groups(faces, face_normals(part.vertices, part.faces), crease)
+    # One new vertex for each pair of an old one and a smooth patch that it lies on.
+    pairs = np.column_stack([part.faces.reshape(-1), groups])
+    first, corners, _ = distinct(pairs)
+    vertices = pairs[first]
+    old, patch = vertices[:, 0], vertices[:, 1]
+    weighted = _corner_angles(part.vertices, part.faces)[:, :, None]
+    weighted = weighted * face_normals(part.vertices, part.faces)[:, None, :]
+    sums = np.zeros((int(groups.max()) + 1, 3))
+    np.add.at(sums, groups, weighted.reshape(-1, 3))
+    return part._replace(
+        vertices=part.vertices[old],
+        faces=corners.reshape(-1, 3).astype(np.int64),
+        normals=_directed(sums)[patch],
+        uv=None if part.uv is None else part.uv[old],
+        colors=None if part.colors is None else part.colors[old],
+    )
+
+
+def _directed(sums: Floats) -> Floats:
+    """Unit vectors; upwards where only faces without area meet, which nobody sees."""
+    normals = _unit(sums)
+    normals[np.linalg.norm(normals, axis=1) < 0.5] = (0.0, 0.0, 1.0)
+    return normals
+
+
+def face_normals(vertices: Floats, faces: Integers) -> Floats:
+    """(m, 3), unit vectors; zero for a face without area."""
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return _unit(np.cross(_unit(b - a), _unit(c - a)))
+
+
+def _unit(vectors: Floats) -> Floats:
+    # About 1 large first, so that no square overflows, nor vanishes.
+    largest = np.abs(vectors).max(axis=1, keepdims=True, initial=0)
+    vectors = vectors / np.where(largest > 0, largest, 1.0)
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / np.where(lengths > 0, lengths, 1.0)
+
+
+def _corner_angles(vertices: Floats, faces: Integers) -> Floats:
+    """(m, 3), the angle in rad at each corner of each face."""
+    corners = vertices[faces]
+    angles = np.zeros(faces.shape)
+    for corner in range(3):
+        one = _unit(corners[:, (corner + 1) % 3] - corners[:, corner])
+        other = _unit(corners[:, (corner + 2) % 3] - corners[:, corner])
+        angles[:, corner] = np.arccos(np.clip((one * other).sum(axis=1), -1.0, 1.0))
+    return angles
+
+
+def _corner_groups(faces: Integers, normals: Floats, crease: float) -> Integers:
+    """(3 m,), the smooth patch around its vertex that each corner of a face belongs to.
+
+    Two corners at one vertex belong together if their faces share an edge that is not sharp.
+    """
+    number = len(faces)
+    following = np.array([1, 2, 0])
+    starts, ends = faces.reshape(-1), faces[:, following].reshape(-1)
+    corner_at_start = np.arange(3 * number)
+    corner_at_end = (3 * np.arange(number)[:, None] + following).reshape(-1)
+    flip = starts > ends
+    low, high = np.where(flip, ends, starts), np.where(flip, starts, ends)
+    at_low = np.where(flip, corner_at_end, corner_at_start)
+    at_high = np.where(flip, corner_at_start, corner_at_end)
+    order = np.lexsort((high, low))
+    one, other = order[:-1], order[1:]
+    same = (low[one] == low[other]) & (high[one] == high[other])
+    flat = (normals[one // 3] * normals[other // 3]).sum(axis=1) >= np.cos(np.radians(crease))
+    one, other = one[same & flat], other[same & flat]
+    rows = np.concatenate([at_low[one], at_high[one]])
+    columns = np.concatenate([at_low[other], at_high[other]])
+    links = coo_array((np.ones(len(rows)), (rows, columns)), shape=(3 * number, 3 * number))
+    _, groups = connected_components(links, directed=False)
+    return np.asarray(groups, dtype=np.int64)

@@ -1,0 +1,68 @@
+"""Meshes moved, turned and stretched."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.core.spatial import Frame, Vector
+from urdfkit.mesh.geometry import Floats, Mesh, Part
+
+
+def moved(mesh: Mesh, frame: Frame) -> Mesh:
+    """A mesh given in a frame, in the parent of that frame."""
+    rows, position = np.asarray(frame.rotation), np.asarray(frame.position)
+    return mesh._replace(
+        parts=tuple(
+            part._replace(
+                vertices=part.vertices @ rows.T + position,
+                normals=None if part.normals is None else part.normals @ rows.T,
+            )
+            for part in mesh.parts
+        )
+    )
+
+
+def scaled(mesh: Mesh, factors: Vector) -> Mesh:
+    """A mesh stretched along x, y and z; one that becomes its mirror image is turned outwards.
+
+    Args:
+        mesh: any.
+        factors: none of them zero.
+    """
+    stretch = np.asarray(factors, dtype=float)
+    mirrored = bool(np.prod(np.sign(stretch)) < 0)
+    return mesh._replace(parts=tuple(_scaled(part, stretch, mirrored) for part in mesh.parts))
+
+
+def _scaled(part: Part, stretch: Floats, mirrored: bool) -> Part:
+    normals = part.normals
+    if normals is not None:
+        normals = normals / (stretch / np.abs(stretch).max())  # so that no square overflows
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        normals = normals / np.where(lengths > 0, lengths, 1.0)
+    faces = part.faces[:, ::-1].copy() if mirrored else part.faces
+    with np.errstate(over="ignore"):  # beyond all numbers, which whoever writes it refuses
+        vertices = part.vertices * stretch
+    return part._replace(vertices=vertices, faces=faces, normals=normals)
+
+
+def in_metres(mesh: Mesh) -> Mesh:
+    """A mesh with its unit of length applied, as RViz and Gazebo do."""
+    if mesh.unit == 1.0:
+        return mesh
+    return scaled(mesh, (mesh.unit,) * 3)._replace(unit=1.0)
+
+
+def upright(mesh: Mesh) -> Mesh:
+    """A mesh turned so that what its file calls upwards is z.
+
+    RViz and Gazebo do not turn COLLADA, Bullet and Blender do; Gazebo does not turn glTF, RViz does
+    since 15.1.4. As COLLADA, OBJ or STL it then means the same to all.
+    """
+    rows = {
+        "Y_UP": ((1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),
+        "X_UP": ((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0)),
+    }.get(mesh.up_axis)
+    if rows is None:
+        return mesh
+    return moved(mesh, Frame(rows))._replace(up_axis="Z_UP")

@@ -1,0 +1,59 @@
+"""Vertices made one: where they are at the same place, and where only rounding parts them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from urdfkit.mesh.edges import Edges, three_cornered
+from urdfkit.mesh.geometry import Flags, Floats, Integers
+from urdfkit.mesh.grouping import components
+
+#: Vertices nearer than this are one, relative to the largest coordinate.
+ROUNDING = 1e-6
+#: A coordinate beyond this is no place on a robot, in whatever unit.
+_FAR = 1e9
+
+
+def finite(vertices: Floats) -> Flags:
+    """(n,), True for vertices without nan, infinity, and numbers as good as that."""
+    return np.asarray((np.abs(np.nan_to_num(vertices, nan=np.inf)) < _FAR).all(axis=1))
+
+
+def weld(vertices: Floats, faces: Integers) -> tuple[Floats, Integers]:
+    """Vertices at the very same place become one; those that no triangle uses are left out."""
+    used = np.zeros(len(vertices), dtype=bool)
+    used[faces] = True
+    places = vertices[used] + 0.0  # which makes -0.0 and 0.0 the same
+    numbers = np.cumsum(used) - 1
+    # Three columns are mixed to one number, by odd constants of 64 bits, which sorts fast.
+    columns = np.ascontiguousarray(places, dtype=np.float64).view(np.uint64)
+    with np.errstate(over="ignore"):
+        key = columns[:, 0] * np.uint64(0x9E3779B97F4A7C15)
+        key = (key ^ (key >> np.uint64(29))) + columns[:, 1] * np.uint64(0xBF58476D1CE4E5B9)
+        key = (key ^ (key >> np.uint64(32))) + columns[:, 2] * np.uint64(0x94D049BB133111EB)
+    _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
+    if not np.array_equal(places[first][inverse], places):  # two places gave one number
+        _, first, inverse = np.unique(places, axis=0, return_index=True, return_inverse=True)
+    return places[first], inverse.reshape(-1)[numbers[faces]]
+
+
+def close_seams(places: Floats, faces: Integers) -> tuple[Floats, Integers]:
+    """Vertices of open edges that only rounding keeps apart become one.
+
+    Points nearer than half a cell share a cell of a grid, or of one that is shifted by half a cell
+    along some axes.
+    """
+    edges = Edges(faces[three_cornered(faces)])
+    loose = np.unique(edges.ends[edges.is_unpaired])
+    if not len(loose):
+        return places, faces
+    cells = places[loose] / (2 * ROUNDING * (float(np.abs(places).max()) or 1.0))
+    pairs = []
+    for shift in np.ndindex(2, 2, 2):
+        _, first, inverse = np.unique(
+            np.floor(cells + np.array(shift) / 2), axis=0, return_index=True, return_inverse=True
+        )
+        pairs.append(np.stack([first[inverse.reshape(-1)], np.arange(len(loose))], axis=1))
+    same = np.arange(len(places))
+    same[loose] = loose[components(len(loose), np.concatenate(pairs))]
+    return places, same[faces]

@@ -1,0 +1,133 @@
+"""Writing meshes: the same mesh gives the same bytes, on every day and every machine."""
+
+from __future__ import annotations
+
+import os
+from importlib import import_module
+
+from urdfkit.core import atomic
+from urdfkit.errors import UrdfkitError
+from urdfkit.mesh.geometry import Mesh
+
+#: The module and the function that write each format, by suffix.
+_WRITERS = {
+    ".dae": "collada",
+    ".stl": "stl",
+    ".obj": "obj",
+    ".glb": "glb",
+    ".ply": "ply",
+}
+
+#: The suffixes that can be written.
+SUFFIXES = tuple(_WRITERS)
+
+
+class UnwritableMesh(UrdfkitError):
+    """A mesh that cannot be written; the text says why and what to do."""
+
+
+def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
+    """The bytes of a mesh file, and of the files beside it that it needs.
+
+    Lengths are metres in every format: a unit that the mesh has is applied, as RViz and Gazebo
+    would. Its axes stay as they are, for neither of them turns a mesh by its up axis.
+
+    Args:
+        mesh: with at least one triangle.
+        name: of the file, without folders; its suffix says the format.
+
+    Returns:
+        Contents by file name. The mesh is the first; materials and textures of OBJ and COLLADA
+        follow.
+
+    Raises:
+        UnwritableMesh: the suffix is none of `SUFFIXES`, the mesh has no triangles or vertices
+            that are not finite or absurdly far away, or a texture is missing.
+    """
+    from urdfkit.mesh.welding import finite
+
+    suffix = os.path.splitext(name)[1].lower()
+    if suffix not in _WRITERS:
+        known = ", ".join(SUFFIXES)
+        raise UnwritableMesh(f"{name}: this suffix cannot be written; take one of {known}")
+    if not len(mesh.faces):
+        raise UnwritableMesh(f"{name}: there are no triangles to write")
+    if not finite(mesh.vertices).all():
+        raise UnwritableMesh(
+            f"{name}: a vertex is not finite, or absurdly far away; repair it first"
+        )
+    from urdfkit.mesh.transforms import in_metres
+
+    writer = import_module(f"urdfkit.mesh.writers.{_WRITERS[suffix]}")
+    files: dict[str, bytes] = writer.encode(in_metres(mesh), name)
+    return files
+
+
+def losses(mesh: Mesh, name: str) -> list[str]:
+    """What a format cannot hold of a mesh, as words for a person.
+
+    Args:
+        mesh: that is to be written.
+        name: of the file.
+    """
+    suffix = os.path.splitext(name)[1].lower()
+    lost = []
+    materials = any(part.material for part in mesh.parts)
+    textures = any(part.material and part.material.texture for part in mesh.parts)
+    colors = any(part.colors is not None for part in mesh.parts)
+    if suffix in (".stl", ".ply") and materials:
+        lost.append("materials")
+    if suffix == ".ply" and len(mesh.parts) > 1:
+        lost.append("the division into parts")
+    if suffix in (".stl", ".ply") and textures:
+        lost.append("textures")
+    if suffix == ".stl" and colors:
+        lost.append("colours of vertices")
+    return lost
+
+
+class GoodMesh(UrdfkitError):
+    """A file is a good mesh, which is not replaced unless that is asked for."""
+
+
+def refuse_good(path: str | os.PathLike[str]) -> None:
+    """Do nothing where a mesh may be written without a loss.
+
+    Raises:
+        GoodMesh: the file is a good mesh.
+    """
+    from urdfkit.mesh.io.sniff import sniff_file
+
+    name = os.fspath(path)
+    if os.path.exists(name) and sniff_file(name).defect is None:
+        raise GoodMesh(f"{name} is a good mesh already; --force replaces it")
+
+
+def write(mesh: Mesh, path: str | os.PathLike[str]) -> list[str]:
+    """Write a mesh file and the files that it needs, each whole or not at all.
+
+    The mesh comes last, so that it never names a file that is not there yet. Missing folders are
+    made.
+
+    Returns:
+        The paths that were written, the mesh first.
+
+    Raises:
+        UnwritableMesh: as for `encode`.
+        UnwritableFile: a folder or file cannot be written.
+    """
+    folder, name = os.path.split(os.path.abspath(path))
+    return write_files(encode(mesh, name), folder)
+
+
+def write_files(files: dict[str, bytes], folder: str) -> list[str]:
+    """Write what `encode` gave into a folder, which is made where it is missing.
+
+    Raises:
+        UnwritableFile: a folder or file cannot be written.
+    """
+    atomic.make_folder(folder)
+    paths = [os.path.join(folder, name) for name in files]
+    for path, data in reversed([*zip(paths, files.values(), strict=True)]):
+        atomic.write(path, data)
+    return paths

@@ -1,0 +1,96 @@
+"""Writing OBJ and the MTL file with its materials.
+
+trimesh has an exporter, but it rounds to 8 decimals, which 10-micrometre parts do not survive, and
+drops what it fails to convert.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfkit.mesh.geometry import Floats, Material, Mesh, Part
+from urdfkit.mesh.normals import shaded
+from urdfkit.mesh.writers.text import Table, numbers, table
+from urdfkit.mesh.writers.textures import texture_files
+
+
+def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
+    """The bytes of an OBJ, of its MTL if it has materials, and of the textures."""
+    texture_names, textures = texture_files(mesh, name)
+    library = os.path.splitext(name)[0] + ".mtl"
+    material_names = _material_names(mesh)
+    lines = [f"mtllib {library}"] if material_names else []
+    starts = {"v": 1, "vt": 1, "vn": 1}
+    for number, part in enumerate(mesh.parts):
+        if not len(part.faces):
+            continue
+        lines.append(f"o part_{number + 1}")
+        if number in material_names:
+            lines.append(f"usemtl {material_names[number]}")
+        lines += _part(shaded(part), starts)
+    files = {name: ("\n".join(lines) + "\n").encode()}
+    if material_names:
+        files[library] = _library(mesh, material_names, texture_names)
+    return files | textures
+
+
+def _part(part: Part, starts: dict[str, int]) -> Iterator[str]:
+    """The lines of one part; ``starts`` are the numbers that its rows begin with."""
+    tables: dict[str, Table] = {"v": table(_positions(part), part.faces)}
+    if part.uv is not None:
+        tables["vt"] = table(part.uv, part.faces)
+    if part.normals is not None:
+        tables["vn"] = table(part.normals, part.faces)
+    for key, (rows, _) in tables.items():
+        yield from (f"{key} {numbers(row)}" for row in rows)
+    columns = [tables[key].corners + starts[key] if key in tables else None for key in starts]
+    for face in range(len(part.faces)):
+        corners = (
+            "/".join("" if column is None else str(column[face, corner]) for column in columns)
+            for corner in range(3)
+        )
+        yield "f " + " ".join(corner.rstrip("/") for corner in corners)
+    for key, (rows, _) in tables.items():
+        starts[key] += len(rows)
+
+
+def _positions(part: Part) -> Floats:
+    """Positions; with the colours behind them that most readers know."""
+    import numpy as np
+
+    if part.colors is None:
+        return part.vertices
+    return np.column_stack([part.vertices, part.colors[:, :3]])
+
+
+def _material_names(mesh: Mesh) -> dict[int, str]:
+    """A name for the material of each part; parts of equal material share it."""
+    names: dict[int, str] = {}
+    taken: dict[str, Material] = {}
+    for number, part in enumerate(mesh.parts):
+        if part.material is None:
+            continue
+        wanted = "_".join(part.material.name.split()) or "material"
+        name, count = wanted, 1
+        while taken.get(name, part.material) != part.material:
+            count += 1
+            name = f"{wanted}_{count}"
+        taken[name] = part.material
+        names[number] = name
+    return names
+
+
+def _library(mesh: Mesh, names: dict[int, str], textures: dict[int, str]) -> bytes:
+    lines = []
+    done = set()
+    for number, name in names.items():
+        material = mesh.parts[number].material
+        if name in done or material is None:
+            continue
+        done.add(name)
+        *rgb, alpha = material.rgba
+        lines += [f"newmtl {name}", f"Kd {numbers(rgb)}", f"d {numbers([alpha])}"]
+        if number in textures:
+            lines.append(f"map_Kd {textures[number]}")
+    return ("\n".join(lines) + "\n").encode()

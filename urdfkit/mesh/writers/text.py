@@ -1,0 +1,50 @@
+"""Numbers as text, for the formats that are text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Integers
+
+
+class Table(NamedTuple):
+    """Rows without repetition, and which of them each corner of each face has.
+
+    Attributes:
+        rows: (k, width), sorted.
+        corners: (m, 3), indices of rows.
+    """
+
+    rows: Floats
+    corners: Integers
+
+
+def table(rows: Floats, faces: Integers) -> Table:
+    """Each different row once.
+
+    Args:
+        rows: (n, width), of the vertices.
+        faces: (m, 3), indices of them.
+    """
+    unique, places = np.unique(rounded_rows(rows), axis=0, return_inverse=True)
+    return Table(unique, places.reshape(-1)[faces].astype(np.int64))
+
+
+def rounded_rows(rows: Floats) -> Floats:
+    """The rows to nine digits of their largest number; minus zero is zero.
+
+    A 32-bit number, which is what readers keep, has seven; what lies below is noise of sines.
+    """
+    largest = float(np.abs(rows).max(initial=0.0))
+    if largest == 0.0:
+        return np.zeros_like(rows)
+    decimals = 8 - int(np.floor(np.log10(largest)))
+    return np.asarray(np.round(rows, decimals) + 0.0)
+
+
+def numbers(values: Iterable[float] | Floats) -> str:
+    """Numbers with spaces between them, nine digits each, the same on every machine."""
+    return " ".join(f"{value:.9g}" for value in np.asarray(values, dtype=float).reshape(-1))

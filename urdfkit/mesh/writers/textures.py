@@ -1,0 +1,66 @@
+"""Textures on their way into another file: bytes, or a file beside the mesh."""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.writers import UnwritableMesh
+
+_KINDS = ((b"\x89PNG", ".png"), (b"\xff\xd8\xff", ".jpg"), (b"RIFF", ".webp"), (b"BM", ".bmp"))
+
+
+def texture_bytes(material: Material | None) -> bytes | None:
+    """The content of the texture of a material; None without one.
+
+    Raises:
+        UnwritableMesh: the file cannot be read.
+    """
+    if material is None or material.texture is None:
+        return None
+    if isinstance(material.texture, bytes):
+        return material.texture
+    try:
+        with open(material.texture, "rb") as file:
+            return file.read()
+    except OSError as error:
+        reason = error.strerror or error
+        raise UnwritableMesh(f"texture {material.texture}: cannot be read: {reason}") from error
+
+
+def texture_files(mesh: Mesh, name: str) -> tuple[dict[int, str], dict[str, bytes]]:
+    """Names for the textures of a mesh, beside a file.
+
+    Args:
+        mesh: with materials.
+        name: of the mesh file.
+
+    Returns:
+        The name of the texture of each part that has one, and the contents by name. Equal
+        contents are written once; a file keeps its name unless another one has it.
+    """
+    stem = os.path.splitext(name)[0]
+    names: dict[int, str] = {}
+    contents: dict[str, bytes] = {}
+    for number, part in enumerate(mesh.parts):
+        data = texture_bytes(part.material)
+        if data is None or part.material is None:
+            continue
+        texture = part.material.texture
+        wanted = os.path.basename(texture) if isinstance(texture, str) else f"{stem}{_kind(data)}"
+        names[number] = _free(wanted, data, contents)
+        contents[names[number]] = data
+    return names, contents
+
+
+def _kind(data: bytes) -> str:
+    return next((suffix for magic, suffix in _KINDS if data.startswith(magic)), ".png")
+
+
+def _free(wanted: str, data: bytes, contents: dict[str, bytes]) -> str:
+    stem, suffix = os.path.splitext(wanted)
+    name, number = wanted, 1
+    while contents.get(name, data) != data:
+        number += 1
+        name = f"{stem}_{number}{suffix}"
+    return name

@@ -1,0 +1,208 @@
+"""compare(): what became of a robot from one state to another, as an engineer would tell it."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
+from math import dist
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.output.comparison.differences import KINDS as OF_MODELS
+from urdfkit.output.comparison.differences import Difference, Names, Tolerances, differences
+from urdfkit.output.comparison.frames import Moved, moved_frames
+from urdfkit.output.comparison.renames import renames
+from urdfkit.output.comparison.states import State, read
+from urdfkit.output.comparison.surfaces import changed_surfaces
+from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.kinematics import frames
+from urdfkit.text.diagnostic import Diagnostic, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.core.spatial import Vector
+    from urdfkit.lint.config import Config
+
+#: What two states may differ in; ``findings`` are new ones, from warnings upwards.
+KINDS = (*OF_MODELS, "meshes", "findings")
+
+
+class Comparison(Record):
+    """What differs between two states of a robot.
+
+    Attributes:
+        before, after: the states, as they were asked for.
+        differences: of links and joints, by more than the tolerances.
+        names: what is called otherwise.
+        moved: links that are elsewhere when all joints are at zero, the farthest first.
+        whole, whole_after: the robot as one body, all joints at zero, in the frame of its root.
+        came: findings that only the state after has.
+        went: findings that only the state before had.
+        notes: what could not be compared, a sentence each.
+        tolerances: what was let pass.
+        pictures: addresses of pictures of the states before and after; empty if not asked for.
+    """
+
+    before: str
+    after: str
+    differences: tuple[Difference, ...]
+    names: Names
+    moved: tuple[Moved, ...]
+    whole: Whole
+    whole_after: Whole
+    came: tuple[Diagnostic, ...]
+    went: tuple[Diagnostic, ...]
+    notes: tuple[str, ...]
+    tolerances: Tolerances
+    pictures: tuple[str, ...] = ()
+
+    @property
+    def centers(self) -> tuple[Vector, Vector] | None:
+        """The centre of mass before and after, in m; None where one has none, or is not known."""
+        old, new = self.whole.properties, self.whole_after.properties
+        return (old.center, new.center) if old and new and old.mass and new.mass else None
+
+    @property
+    def center_moved(self) -> float:
+        """How far the centre of mass of the whole robot moved, in m; 0 if that is not known."""
+        return dist(*self.centers) if self.centers else 0.0
+
+    @property
+    def total_differs(self) -> bool:
+        """True if the mass or centre of mass of the whole differs by more than the tolerances."""
+        old, new = self.whole.mass, self.whole_after.mass
+        allowed = self.tolerances
+        by_mass = abs(new - old) > allowed.mass * max(abs(old), abs(new))
+        return by_mass or self.center_moved > allowed.position
+
+    @property
+    def kinds(self) -> set[str]:
+        """In which of `KINDS` the states differ."""
+        found = {difference.kind for difference in self.differences}
+        if self.moved:
+            found.add("frames")
+        if self.total_differs:
+            found.add("masses")
+        if any(found.severity is not Severity.INFO for found in self.came):
+            found.add("findings")
+        return found
+
+
+def compare(
+    before: str,
+    after: str,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    tolerances: Tolerances | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+    variant: str = "",
+    has_pictures: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Comparison:
+    """What became of a robot.
+
+    Args:
+        before: a URDF or xacro file, or one in git: ``REVISION:PATH``, the path from the current
+            folder or from the top of the repository.
+        after: likewise.
+        arguments: for xacro, of both states.
+        packages: folders of ROS packages by name; those of the repository are taken as they were.
+        tolerances: what may differ; those of the class unless given.
+        targets: consumers that findings are weighed for; inferred from each state if empty.
+        trust: let expressions of the models run unfenced and read any file.
+        config: settings of the project.
+        variant: which of those that the configuration has of the files.
+        has_pictures: draw both states, if the libraries for it are installed.
+        progress: is told how many steps are done, and of how many.
+
+    Raises:
+        UnreadableFile: a file is missing.
+        UnreadableRobot: a state cannot be read; with every reason.
+        ConfigError: a file has several variants, or none of this name.
+        UrdfkitError: there is no such revision, or git is not there.
+    """
+    tell = progress or (lambda done, total: None)
+    steps = 4 if has_pictures else 3
+    with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
+        states: list[State] = []
+        for word, name in ((before, "before"), (after, "after")):
+            tell(len(states), steps)
+            state = read(
+                word,
+                os.path.join(os.path.realpath(folder), name),
+                arguments=arguments,
+                packages=packages,
+                targets=targets,
+                trust=trust,
+                config=config,
+                variant=variant,
+            )
+            states.append(state)
+        tell(2, steps)
+        found = _compare(states[0], states[1], tolerances or Tolerances())
+        if has_pictures:
+            from urdfkit.output.comparison.pictures import pictures
+
+            tell(3, steps)
+            drawn = pictures(states[0].subject, states[1].subject, found)
+            found = found._replace(pictures=drawn)
+        for state in states:
+            state.rename_sources()
+    return found
+
+
+def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
+    old, new = before.subject, after.subject
+    names = renames(old.model, new.model, allowed)
+    found = differences(old.model, new.model, allowed, names)
+    changed, notes = changed_surfaces(old, new, allowed, names)
+    came, went = _findings(before, after, names)
+    return Comparison(
+        before.word,
+        after.word,
+        (*found, *changed),
+        names,
+        moved_frames(old.tree, new.tree, allowed, names),
+        whole(old.tree, frames(old.tree, {})),
+        whole(new.tree, frames(new.tree, {})),
+        came,
+        went,
+        tuple(notes),
+        allowed,
+    )
+
+
+def _findings(
+    before: State, after: State, names: Names
+) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
+    """The findings that came, and those that went.
+
+    A finding is known again by its rule and its elements: numbers, lines and names may have
+    changed.
+    """
+    old, new = before.report.diagnostics, after.report.diagnostics
+    old_keys = {key for finding in old for key in _keys(finding, names)}
+    new_keys = {key for finding in new for key in _keys(finding)}
+    came = tuple(finding for finding in new if old_keys.isdisjoint(_keys(finding)))
+    went = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding, names)))
+    return came, went
+
+
+def _keys(finding: Diagnostic, names: Names | None = None) -> set[tuple[str, str]]:
+    elements = {_renamed(call.element, names) for call in finding.calls} - {""}
+    if not elements:  # it is about the text
+        elements = {" ".join(finding.span.source.line(finding.span.line).split())}
+    return {(finding.code, element) for element in elements}
+
+
+def _renamed(element: str, names: Names | None) -> str:
+    """The address of an element in the state after, such as ``link/arm/visual``."""
+    tag, _, rest = element.partition("/")
+    if names is None or tag not in ("link", "joint"):
+        return element
+    name, slash, rest = rest.partition("/")
+    known = names.links if tag == "link" else names.joints
+    return f"{tag}/{known.get(name, name)}{slash}{rest}"

@@ -1,0 +1,284 @@
+"""What differs between two states of a robot, by more than some tolerances.
+
+Compared is what a program reads out of the model: names, masses, centres of mass, inertia
+tensors, shapes, and of joints type, links, origin, axis, limits and mimic. How the file is
+written, colours, and the blocks for single programs are not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import asin, dist
+from types import MappingProxyType
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector
+from urdfkit.robot.inertia import rotated
+from urdfkit.robot.model import (
+    Body,
+    Inertial,
+    Joint,
+    Limit,
+    Link,
+    Placed,
+    RobotModel,
+    Shape,
+    Tensor,
+    length,
+)
+
+#: What a difference may be about. ``links`` and ``joints`` come and go, ``names`` are other ones of
+#: the same; ``joints`` are their types, links, axes and followers, too; ``masses`` the centres of
+#: mass; ``shapes`` where they are; ``frames`` the origins of joints.
+KINDS = ("links", "joints", "names", "frames", "limits", "masses", "inertias", "shapes")
+
+Value = float | str | tuple[float, ...] | None
+#: Kind, text, and the values before and after.
+Change = tuple[str, str, Value, Value]
+
+#: A part of the greatest entry of a tensor below which an entry comes from a turned frame.
+_ROUNDING = 1e-6
+_NONE: Mapping[str, str] = MappingProxyType({})
+#: Axis of a joint that names none.
+_DEFAULT_AXIS = (1.0, 0.0, 0.0)
+
+
+class Tolerances(Record):
+    """How much a model may differ from another state of it.
+
+    Attributes:
+        mass: relative, per link.
+        position: of origins and centres of mass, and of the sizes of shapes, in m.
+        rotation: of origins and axes, in rad.
+        inertia: of the tensor, relative to its greatest entry.
+        limit: of joint limits, relative.
+        links, joints: True if some may come or go, or be called otherwise.
+    """
+
+    mass: float = 1e-3
+    position: float = 1e-4
+    rotation: float = 1e-4
+    inertia: float = 1e-3
+    limit: float = 1e-6
+    links: bool = False
+    joints: bool = False
+
+
+class Names(Record):
+    """What is called otherwise: the name after, by the name before."""
+
+    links: Mapping[str, str]
+    joints: Mapping[str, str]
+
+
+_SAME = Names(_NONE, _NONE)
+
+
+class Difference(Record):
+    """One thing that differs.
+
+    Attributes:
+        kind: which sort of thing it is, one of `KINDS`.
+        what: ``link`` or ``joint``.
+        name: of the link or joint, in the state after if it is there.
+        text: what became of it, without its name.
+        before, after: the values as the model holds them, for programs; None for nothing.
+    """
+
+    kind: str
+    what: str
+    name: str
+    text: str
+    before: Value = None
+    after: Value = None
+
+    def __str__(self) -> str:
+        """A sentence."""
+        link = " " if self.text.startswith("is ") else ": "
+        return f"{self.what} '{self.name}'{link}{self.text}"
+
+
+def differences(
+    before: RobotModel, after: RobotModel, allowed: Tolerances, names: Names = _SAME
+) -> list[Difference]:
+    """What differs between two models by more than the tolerances.
+
+    Args:
+        before: the one model.
+        after: the other one.
+        allowed: what may differ.
+        names: what is called otherwise, as ``urdfkit.output.comparison.renames`` knows it again.
+    """
+    found: list[Difference] = []
+    if not allowed.links:
+        found += _names("link", before.links_by_name, after.links_by_name, names.links)
+    if not allowed.joints:
+        found += _names("joint", before.joints_by_name, after.joints_by_name, names.joints)
+    for name, link in before.links_by_name.items():
+        if new_link := after.links_by_name.get(names.links.get(name, name)):
+            changes = of_link(link, new_link, allowed)
+            found += (Difference(c[0], "link", new_link.name, *c[1:]) for c in changes)
+    for name, joint in before.joints_by_name.items():
+        if new_joint := after.joints_by_name.get(names.joints.get(name, name)):
+            changes = _of_joint(joint, new_joint, allowed, names)
+            found += (Difference(c[0], "joint", new_joint.name, *c[1:]) for c in changes)
+    return found
+
+
+def _names(
+    what: str, before: Iterable[str], after: Iterable[str], renamed: Mapping[str, str]
+) -> Iterator[Difference]:
+    old, new, kind = set(before), set(after), f"{what}s"
+    for name in sorted(old - new - renamed.keys()):
+        yield Difference(kind, what, name, "is gone", True, False)
+    for name in sorted(new - old - set(renamed.values())):
+        yield Difference(kind, what, name, "is new", False, True)
+    for name, other in sorted(renamed.items()):
+        yield Difference("names", what, name, f"is now called '{other}'", name, other)
+
+
+def of_link(before: Link, after: Link, allowed: Tolerances) -> Iterator[Change]:
+    """What differs between two links, whatever they are called."""
+    old, new = before.mass, after.mass
+    if abs(new - old) > allowed.mass * max(abs(old), abs(new)):
+        yield "masses", f"mass {old:g} kg became {new:g} kg", old, new
+    if old or new:  # the place of no mass means nothing
+        centers = _center(before.inertial), _center(after.inertial)
+        moved = dist(*centers)
+        if moved > allowed.position:
+            yield "masses", f"its centre of mass moved by {moved:.4g} m", *centers
+    tensors = _tensor(before.inertial), _tensor(after.inertial)
+    scale = max(abs(entry) for tensor in tensors for entry in tensor)
+    if dist(*tensors) > allowed.inertia * scale:
+        yield "inertias", f"inertia {_entries(*tensors, allowed.inertia * scale)} kg m^2", *tensors
+    for kind in ("visuals", "collisions"):
+        yield from _of_bodies(kind, getattr(before, kind), getattr(after, kind), allowed)
+
+
+def _center(inertial: Inertial | None) -> Vector:
+    return inertial.origin.position if inertial else (0.0, 0.0, 0.0)
+
+
+def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
+    """Along the axes of the link."""
+    if inertial is None or inertial.tensor is None:
+        return (0.0,) * 6
+    return rotated(inertial.tensor.value, inertial.origin.rotation)
+
+
+def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
+    """What became of the entries of a tensor that make more than rounding of the difference."""
+    noise = _ROUNDING * max(map(abs, (*before, *after)))
+    old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
+    rows = zip(Tensor._fields, old, new, strict=True)
+    # Six entries that differ by a third of what is allowed differ by less than that together.
+    changed = [(key, x, y) for key, x, y in rows if abs(x - y) > allowed / 3]
+    return ", ".join(f"{key} {x:g} became {y:g}" for key, x, y in changed)
+
+
+def _of_bodies(
+    kind: str, before: Sequence[Body], after: Sequence[Body], allowed: Tolerances
+) -> Iterator[Change]:
+    if len(before) != len(after):
+        counts = len(before), len(after)
+        yield "shapes", f"{counts[0]} {kind} became {counts[1]}", *counts
+        return
+    for number, (old, new) in enumerate(zip(before, after, strict=True), 1):
+        name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
+        (old_kind, old_size), (new_kind, new_size) = _shape(old.shape), _shape(new.shape)
+        if old_kind != new_kind:
+            yield "shapes", f"{name} {old_kind} became {new_kind}", old_kind, new_kind
+        elif len(old_size) != len(new_size) or dist(old_size, new_size) > allowed.position:
+            texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
+            text = f"{name} {old_kind}: {texts[0] or 'no size'} became {texts[1] or 'no size'}"
+            yield "shapes", text, old_size, new_size
+        yield from of_frames("shapes", name, old.origin, new.origin, allowed)
+
+
+def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
+    """What it is, and its numbers."""
+    if shape is None:
+        return "nothing", ()
+    if shape.filename:
+        return f"mesh {shape.filename.value}", shape.scale
+    lengths = (*(shape.size or ()), shape.radius, shape.length)
+    return shape.kind, tuple(value for value in lengths if value is not None)
+
+
+def of_frames(
+    kind: str, name: str, before: Frame, after: Frame, allowed: Tolerances
+) -> Iterator[Change]:
+    """How far a frame moved and turned."""
+    moved = dist(before.position, after.position)
+    if moved > allowed.position:
+        text = f"the origin of its {name} moved by {moved:.4g} m"
+        yield kind, text, before.position, after.position
+    turned = angle_between(before, after)
+    if turned > allowed.rotation:
+        text = f"the origin of its {name} turned by {turned:.4g} rad"
+        yield kind, text, _flat(before), _flat(after)
+
+
+def angle_between(before: Frame, after: Frame) -> float:
+    """The angle by which one frame is turned against another, in rad, from 0 to pi."""
+    half = dist(_flat(before), _flat(after)) / 8**0.5  # |R - R'| = sqrt(8) sin(angle / 2)
+    return 2 * asin(min(1.0, half))
+
+
+def _flat(frame: Frame) -> tuple[float, ...]:
+    """The rotation, row by row."""
+    return tuple(entry for row in frame.rotation for entry in row)
+
+
+def _of_joint(before: Joint, after: Joint, allowed: Tolerances, names: Names) -> Iterator[Change]:
+    for what, old, new in (
+        ("type", before.kind, after.kind),
+        ("parent", _said(before.parent, names.links), _said(after.parent)),
+        ("child", _said(before.child, names.links), _said(after.child)),
+        ("mimic", _mimic(before, names.joints), _mimic(after)),
+    ):
+        if old != new:
+            yield "joints", f"{what} {old or 'none'} became {new or 'none'}", old, new
+    yield from of_frames("frames", "frame", before.origin, after.origin, allowed)
+    if after.kind != "fixed":
+        axes = _axis(before), _axis(after)
+        turned = 2 * asin(min(1.0, dist(*axes) / 2))
+        if turned > allowed.rotation:
+            yield "joints", f"its axis turned by {turned:.4g} rad", *axes
+    for key in ("lower", "upper", "velocity", "effort"):
+        limits = _limit(before.limit, key), _limit(after.limit, key)
+        if not _alike(*limits, allowed.limit):
+            yield "limits", f"{key} {_text(limits[0])} became {_text(limits[1])}", *limits
+
+
+def _said(name: Placed[str] | None, renamed: Mapping[str, str] = _NONE) -> str:
+    return renamed.get(name.value, name.value) if name else ""
+
+
+def _axis(joint: Joint) -> Vector:
+    """A unit vector in the frame of the joint."""
+    axis = joint.axis.value if joint.axis else _DEFAULT_AXIS
+    size = length(axis) or 1.0
+    return (axis[0] / size, axis[1] / size, axis[2] / size)
+
+
+def _mimic(joint: Joint, renamed: Mapping[str, str] = _NONE) -> str:
+    mimic = joint.mimic
+    if mimic is None or mimic.joint is None:
+        return ""
+    return f"{_said(mimic.joint, renamed)} x {mimic.multiplier:g} + {mimic.offset:g}"
+
+
+def _limit(limit: Limit | None, key: str) -> float | None:
+    placed = getattr(limit, key) if limit else None
+    return placed.value if placed else None
+
+
+def _alike(old: float | None, new: float | None, tolerance: float) -> bool:
+    if old is None or new is None:
+        return old is new
+    return abs(new - old) <= tolerance * max(abs(old), abs(new))
+
+
+def _text(value: float | None) -> str:
+    return "none" if value is None else f"{value:g}"

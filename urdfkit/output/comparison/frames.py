@@ -1,0 +1,71 @@
+"""Where links are, against where they were."""
+
+from __future__ import annotations
+
+from math import dist
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, rotate, transposed
+from urdfkit.output.comparison.differences import Names, Tolerances, angle_between
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.tree import KinematicTree
+
+
+class Moved(Record):
+    """A link that is elsewhere.
+
+    Attributes:
+        link: its name, that of the state after.
+        distance: between its origins, in m, in the frame of the root.
+        angle: by which it is turned, in rad.
+        carried: True if it is where it was as its parent sees it, which moved.
+    """
+
+    link: str
+    distance: float
+    angle: float
+    carried: bool
+
+
+def moved_frames(
+    before: KinematicTree, after: KinematicTree, allowed: Tolerances, names: Names
+) -> tuple[Moved, ...]:
+    """The links that both robots have and that are elsewhere when all joints are at zero.
+
+    Returns:
+        What moved of itself before what is carried along, the farthest first.
+    """
+    old, new = frames(before, {}), frames(after, {})
+    found = []
+    for name in old:
+        now = names.links.get(name, name)
+        if now not in new:
+            continue
+        distance, angle = _apart(old[name], new[now])
+        if distance > allowed.position or angle > allowed.rotation:
+            parents = _parent(before, name), _parent(after, now)
+            shift, turn = _apart(_within(old, name, parents[0]), _within(new, now, parents[1]))
+            stays = shift <= allowed.position and turn <= allowed.rotation
+            is_same = names.links.get(parents[0], parents[0]) == parents[1]
+            found.append(Moved(now, distance, angle, bool(parents[0]) and is_same and stays))
+    return tuple(sorted(found, key=lambda m: (m.carried, -m.distance, -m.angle, m.link)))
+
+
+def _apart(before: Frame, after: Frame) -> tuple[float, float]:
+    """Distance in m and angle in rad."""
+    return dist(before.position, after.position), angle_between(before, after)
+
+
+def _parent(tree: KinematicTree, name: str) -> str:
+    """The link that a link hangs on; empty for a root."""
+    joints = tree.parents[name]
+    return joints[0].parent.value if joints and joints[0].parent else ""
+
+
+def _within(places: dict[str, Frame], name: str, parent: str) -> Frame:
+    """The frame of a link in that of another one; in the root where there is none."""
+    if parent not in places:
+        return places[name]
+    turned = transposed(places[parent].rotation)
+    x, y, z = rotate(turned, places[parent].position)
+    return Frame(turned, (-x, -y, -z)) @ places[name]

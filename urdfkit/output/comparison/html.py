@@ -1,0 +1,44 @@
+"""A comparison as one HTML file that opens offline, with pictures of both states."""
+
+from __future__ import annotations
+
+from math import degrees
+
+from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.output.report.html import render_plain
+from urdfkit.output.report.translations import Words
+
+#: Rows of one table.
+MAX_ROWS = 400
+
+
+def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> str:
+    """A summary, pictures, and a table for each kind of difference.
+
+    Args:
+        comparison: what to show.
+        width: of no account: a browser wraps.
+        language: of headings and the like: ``en`` or ``zh``.
+    """
+    by_kind = {
+        kind: [found for found in comparison.differences if found.kind == kind] for kind in KINDS
+    }
+    return render_plain(
+        "diff.html.j2",
+        Words(language),
+        comparison=comparison,
+        differs=[kind for kind in KINDS if kind in comparison.kinds],
+        sections=[(kind, found[:MAX_ROWS]) for kind, found in by_kind.items() if found],
+        moved=[
+            (one.link, 1000 * one.distance, degrees(one.angle), one.carried)
+            for one in comparison.moved[:MAX_ROWS]
+        ],
+        findings=[
+            (title, found[:MAX_ROWS])
+            for title, found in (
+                ("New findings", comparison.came),
+                ("Gone findings", comparison.went),
+            )
+            if found
+        ],
+    )

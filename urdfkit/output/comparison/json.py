@@ -1,0 +1,63 @@
+"""A comparison for programs: one JSON document; lengths in m, angles in rad, masses in kg."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from urdfkit.core.strict_json import dumped
+from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.robot.composite_body import Whole
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import shown
+
+#: A change that could break a reader counts it up.
+VERSION = 1
+
+
+def render(comparison: Comparison, *, width: int = 80) -> str:
+    """The whole comparison."""
+    document = {
+        "version": VERSION,
+        "before": comparison.before,
+        "after": comparison.after,
+        "kinds": [kind for kind in KINDS if kind in comparison.kinds],
+        "tolerances": comparison.tolerances._asdict(),
+        "differences": [
+            {**found._asdict(), "sentence": str(found)} for found in comparison.differences
+        ],
+        "moved": [moved._asdict() for moved in comparison.moved],
+        "total": {
+            "before": _total(comparison.whole),
+            "after": _total(comparison.whole_after),
+            "center_moved": comparison.center_moved,
+            "differs": comparison.total_differs,
+        },
+        "findings": {
+            "came": [_finding(found) for found in comparison.came],
+            "went": [_finding(found) for found in comparison.went],
+        },
+        "notes": list(comparison.notes),
+    }
+    return dumped(document)
+
+
+def _total(whole: Whole) -> dict[str, Any]:
+    body = whole.properties
+    return {
+        "mass": whole.mass,
+        "center": list(body.center) if body else None,
+        "inertia": body.tensor._asdict() if body else None,
+    }
+
+
+def _finding(found: Diagnostic) -> dict[str, Any]:
+    line, column = found.span.source.position(found.span.start)
+    return {
+        "code": found.code,
+        "severity": found.severity.value,
+        "message": found.message,
+        "element": found.element,
+        "path": shown(found.span.source.path),
+        "line": line,
+        "column": column,
+    }

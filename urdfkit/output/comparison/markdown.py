@@ -1,0 +1,85 @@
+"""A comparison as Markdown, for a pull request."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from math import degrees
+
+from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.markdown import escape, fitted, table
+
+_TITLES = {
+    "links": "Links",
+    "joints": "Joints",
+    "names": "Names",
+    "frames": "Frames of joints",
+    "limits": "Limits",
+    "masses": "Masses",
+    "inertias": "Inertias",
+    "shapes": "Shapes",
+    "meshes": "Meshes",
+}
+
+
+def render(comparison: Comparison, *, width: int = 80) -> str:
+    """A summary, then a section for each kind."""
+    return fitted([_head(comparison), *_sections(comparison)])
+
+
+def _head(comparison: Comparison) -> str:
+    words = [kind for kind in KINDS if kind in comparison.kinds]
+    what = f"differs in {', '.join(words)}" if words else "no differences beyond the tolerances"
+    return (
+        f"### urdfkit diff\n\n{_code(comparison.before)} → {_code(comparison.after)}: **{what}**\n"
+    )
+
+
+def _sections(comparison: Comparison) -> Iterator[str]:
+    if comparison.total_differs:
+        old, new = comparison.whole.mass, comparison.whole_after.mass
+        rows = [["mass / kg", f"{old:g}", f"{new:g}", f"{new - old:+.4g}"]]
+        if centers := comparison.centers:
+            moved = f"{1000 * comparison.center_moved:.4g} mm"
+            rows.append(["centre of mass / m", *map(_vector, centers), moved])
+        yield _section("Total", table(["", "before", "after", "change"], rows))
+    for kind, title in _TITLES.items():
+        found = [one for one in comparison.differences if one.kind == kind]
+        if found:
+            rows = [[f"{one.what} {_code(one.name)}", escape(one.text)] for one in found]
+            yield _section(title, table(["", "what"], rows))
+    if comparison.moved:
+        rows = [
+            [_code(m.link), f"{1000 * m.distance:.3f}", f"{degrees(m.angle):.3f}", _how(m.carried)]
+            for m in comparison.moved
+        ]
+        header = ["link", "mm", "deg", ""]
+        yield _section("Links that moved, all joints at zero", table(header, rows))
+    for title, findings in (("New findings", comparison.came), ("Gone", comparison.went)):
+        if findings:
+            yield _section(title, table(["", "where", "what"], _findings(findings)))
+    for note in comparison.notes:
+        yield f"Note: {note}\n"
+
+
+def _code(text: str) -> str:
+    return f"<code>{escape(text)}</code>"
+
+
+def _how(carried: bool) -> str:
+    return "carried along" if carried else ""
+
+
+def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
+    for found in findings:
+        place = str(found.span)
+        what = f"{found.severity.value} {found.code}"
+        yield [what, _code(place), escape(found.message)]
+
+
+def _section(title: str, body: str) -> str:
+    return f"#### {title}\n\n{body}"
+
+
+def _vector(values: Iterable[float]) -> str:
+    return " ".join(f"{value:.4g}" for value in values)

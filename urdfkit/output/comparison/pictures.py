@@ -1,0 +1,59 @@
+"""Both states of a robot, seen by the same camera, with what differs in colour."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import MissingLibrary
+from urdfkit.output.report import data_uris
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.output.comparison import Comparison
+
+SIZE = (800, 600)
+
+_GONE, _NEW, _CHANGED = (0.86, 0.15, 0.12, 1.0), (0.16, 0.62, 0.3, 1.0), (0.96, 0.68, 0.1, 1.0)
+_SAME = (0.8, 0.82, 0.85, 1.0)
+
+
+def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, ...]:
+    """Addresses of two pictures; none where the libraries or the shapes for them are missing.
+
+    Links that are gone are red, new ones green, and those that differ or moved amber.
+    """
+    try:
+        import numpy as np
+        from PIL import Image
+
+        from urdfkit import render
+    except (ImportError, MissingLibrary):
+        return ()
+    scenes = [render.build(subject) for subject in (before, after)]
+    if not all(scene.items for scene in scenes):
+        return ()
+    camera = render.looking(np.concatenate([scene.points() for scene in scenes]), size=SIZE)
+    colours = _colours(found, after)
+    renamed = found.names.links
+    both = {renamed.get(name, name) for name in scenes[0].frames} & scenes[1].frames.keys()
+    addresses = []
+    for scene, only, names in ((scenes[0], _GONE, renamed), (scenes[1], _NEW, {})):
+        items = []
+        for item in scene.items:
+            name = names.get(item.link, item.link)
+            look = render.Look(colours.get(name, _SAME) if name in both else only)
+            items.append(item._replace(look=look, colors=None, uv=None))
+        image = render.draw(scene._replace(items=tuple(items)), camera)
+        addresses.append(data_uris.webp(Image.fromarray(image).convert("RGB")))
+    return tuple(addresses)
+
+
+def _colours(found: Comparison, after: Subject) -> dict[str, tuple[float, float, float, float]]:
+    """Of the links that differ; what a joint changed is told of its child."""
+    children = {
+        joint.name: joint.child.value for joint in after.model.joints if joint.child is not None
+    }
+    names = {moved.link for moved in found.moved}
+    for one in found.differences:
+        names.add(one.name if one.what == "link" else children.get(one.name, ""))
+    return dict.fromkeys(names, _CHANGED)

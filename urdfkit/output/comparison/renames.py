@@ -1,0 +1,122 @@
+"""Which links and joints of a robot have another name than before.
+
+A link is known again by its place in the tree, by its body, and by the links that hang on it: two
+of the three must be as they were. A joint is known again by its two links. What could be meant in
+more than one way is not guessed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.output.comparison.differences import Names, Tolerances, of_frames, of_link
+from urdfkit.robot.model import Joint, Link, RobotModel
+
+
+def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Names:
+    """The new names of what is called otherwise.
+
+    Args:
+        before: the robot in the state of the old names.
+        after: the robot in that of the new ones.
+        allowed: how much a link may differ and still be as it was.
+    """
+    old, new = _Tree(before), _Tree(after)
+    links = {name: name for name in old.links if name in new.links}
+    if len(links) < min(len(old.links), len(new.links)):
+        # From what is known to its neighbours, until there is nothing more to learn.
+        while found := _known_again(old, new, links, allowed):
+            links |= found
+    joints = {
+        joint.name: other.name
+        for child, joint in old.above.items()
+        if (other := new.above.get(links.get(child, "")))
+        and links.get(_parent(joint)) == _parent(other)
+        and joint.name not in after.joints_by_name
+        and other.name not in before.joints_by_name
+    }
+    return Names({name: other for name, other in links.items() if name != other}, joints)
+
+
+class _Tree:
+    """The links of a robot with the joints around them."""
+
+    def __init__(self, model: RobotModel) -> None:
+        self.links = model.links_by_name
+        #: By the name of the child; of several joints, the first.
+        self.above: dict[str, Joint] = {}
+        self.children: dict[str, list[str]] = {}
+        for joint in model.joints:
+            if joint.child and joint.child.value not in self.above:
+                self.above[joint.child.value] = joint
+                self.children.setdefault(_parent(joint), []).append(joint.child.value)
+        self.children[""] = [name for name in self.links if name not in self.above]
+
+    def parent(self, name: str) -> str:
+        """The link above; empty for a root."""
+        return _parent(self.above[name]) if name in self.above else ""
+
+
+def _parent(joint: Joint) -> str:
+    return joint.parent.value if joint.parent else ""
+
+
+def _known_again(
+    old: _Tree, new: _Tree, links: dict[str, str], allowed: Tolerances
+) -> dict[str, str]:
+    """Links beside known ones that can be one link only; so can those that they became."""
+    taken = set(links.values())
+    fits: dict[str, list[str]] = {}
+    for name in old.links.keys() - links.keys():
+        near = set(_near(old, new, name, links)) & new.links.keys() - taken
+        alike = [other for other in near if _is_same(old, new, name, other, links, allowed)]
+        above = old.above.get(name)
+        surest = [other for other in alike if above and above.name == new.above[other].name]
+        fits[name] = surest or alike
+    claimed = [other for others in fits.values() for other in others]
+    return {
+        name: others[0]
+        for name, others in fits.items()
+        if len(others) == 1 and claimed.count(others[0]) == 1
+    }
+
+
+def _near(old: _Tree, new: _Tree, name: str, links: dict[str, str]) -> Iterator[str]:
+    """The links that hang where a link hung, or that carry what it carried."""
+    parent = old.parent(name)
+    if not parent or parent in links:
+        yield from new.children.get(links.get(parent, ""), ())
+    for child in old.children.get(name, ()):
+        if child in links:
+            yield new.parent(links[child])
+
+
+def _is_same(
+    old: _Tree, new: _Tree, name: str, other: str, links: dict[str, str], allowed: Tolerances
+) -> bool:
+    """True if two of place, body and children are as they were."""
+    before, after = old.links[name], new.links[other]
+    children = {links.get(child, "") for child in old.children.get(name, ())}
+    carries = children and children == set(new.children.get(other, ()))
+    has_body = _has_body(before) or _has_body(after)
+    is_alike = not any(of_link(before, after, allowed))
+    if _is_in_place(old.above.get(name), new.above.get(other), links, allowed):
+        return is_alike or bool(carries)
+    return has_body and is_alike and bool(carries)
+
+
+def _is_in_place(
+    before: Joint | None, after: Joint | None, links: dict[str, str], allowed: Tolerances
+) -> bool:
+    """True for roots, and for links that hang on the same one by the same joint."""
+    if before is None or after is None:
+        return before is after
+    if links.get(_parent(before)) != _parent(after):
+        return False
+    is_still = not any(of_frames("", "", before.origin, after.origin, allowed))
+    return before.name == after.name or (before.kind == after.kind and is_still)
+
+
+def _has_body(link: Link) -> bool:
+    """True for more than a frame."""
+    return bool(link.inertial or link.visuals or link.collisions)

@@ -1,0 +1,94 @@
+"""What became of the meshes: how far the surfaces are apart, not whether the bytes differ."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import MissingLibrary
+from urdfkit.lint.context import Unavailable
+from urdfkit.output.comparison.differences import Difference, Names, Tolerances
+from urdfkit.robot.model import Shape
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
+
+
+def changed_surfaces(
+    before: Subject, after: Subject, allowed: Tolerances, names: Names
+) -> tuple[list[Difference], list[str]]:
+    """The meshes whose surface differs by more than the tolerance of positions.
+
+    Compared are the meshes of links that have as many visuals, or collisions, as before, each
+    in the frame of its visual or collision and with its scale.
+
+    Returns:
+        The differences, and what could not be compared, a sentence each.
+    """
+    found: list[Difference] = []
+    notes: dict[str, None] = {}
+    measured: dict[tuple[object, ...], float | None] = {}
+    for link, role, old, new in _pairs(before, after, names):
+        files = before.files.path(old), after.files.path(new)
+        if files[0] is None or files[1] is None:
+            if files[0] is not files[1]:
+                text = f"the file of its {role} mesh is {'new' if files[1] else 'gone'}"
+                found.append(Difference("meshes", "link", link, text, *map(bool, files)))
+            continue
+        if old.scale == new.scale and _digest(files[0]) == _digest(files[1]):
+            continue
+        key = (*files, old.scale, new.scale)
+        if key not in measured:
+            try:
+                measured[key] = _distance(before, old, after, new)
+            except (ImportError, MissingLibrary, Unavailable):
+                notes[INSTALL] = None
+                measured[key] = None
+        apart = measured[key]
+        if apart is None:
+            text = f"the file of its {role} mesh differs"
+            found.append(Difference("meshes", "link", link, text))
+        elif apart > allowed.position:
+            text = f"its {role} mesh differs by up to {1000 * apart:.4g} mm"
+            found.append(Difference("meshes", "link", link, text, 0.0, apart))
+    return found, list(notes)
+
+
+def _pairs(
+    before: Subject, after: Subject, names: Names
+) -> Iterator[tuple[str, str, Shape, Shape]]:
+    """Link, role, and the mesh of either side."""
+    links = after.model.links_by_name
+    for name, old in before.model.links_by_name.items():
+        new = links.get(names.links.get(name, name))
+        if new is None:
+            continue
+        for role, bodies in (
+            ("visual", (old.visuals, new.visuals)),
+            ("collision", (old.collisions, new.collisions)),
+        ):
+            if len(bodies[0]) != len(bodies[1]):
+                continue
+            for one, other in zip(*bodies, strict=True):
+                shapes = one.shape, other.shape
+                if shapes[0] and shapes[1] and shapes[0].filename and shapes[1].filename:
+                    yield new.name, role, shapes[0], shapes[1]
+
+
+def _digest(path: str) -> bytes:
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).digest()
+
+
+def _distance(before: Subject, old: Shape, after: Subject, new: Shape) -> float | None:
+    """In m; None if a file gives no triangles."""
+    meshes = before.meshes.mesh(old), after.meshes.mesh(new)
+    vertices = before.meshes.vertices(old), after.meshes.vertices(new)
+    if meshes[0] is None or meshes[1] is None or vertices[0] is None or vertices[1] is None:
+        return None
+    from urdfkit.mesh.distance import distance
+
+    return distance(vertices[0], meshes[0].faces, vertices[1], meshes[1].faces)

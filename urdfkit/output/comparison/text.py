@@ -1,0 +1,87 @@
+"""A comparison for people, at a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from math import degrees
+
+from urdfkit.output.comparison import KINDS, Comparison
+from urdfkit.output.comparison.frames import Moved
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.terminal import columns, printable, wrap
+
+#: Lines of one kind that are shown; JSON has all.
+MAX_LINES = 20
+
+
+def render(comparison: Comparison, *, width: int = 80) -> str:
+    """What differs, by kind; one line if nothing does."""
+    head = f"{printable(comparison.before)} -> {printable(comparison.after)}"
+    return "\n".join([head, *_body(comparison, width)]) + "\n"
+
+
+def _body(comparison: Comparison, width: int) -> Iterator[str]:
+    if not (comparison.kinds or comparison.came or comparison.went):
+        yield "no differences"
+    if comparison.total_differs:
+        yield "\ntotal"
+        yield from _total(comparison, width)
+    for kind in KINDS:
+        lines = [str(found) for found in comparison.differences if found.kind == kind]
+        if lines:
+            yield f"\n{kind}"
+            yield from _some(wrap(printable(line), width - 2, indent=4) for line in lines)
+    if comparison.moved:
+        yield "\nlinks that moved, all joints at zero"
+        yield from _moved(comparison.moved)
+    if comparison.came or comparison.went:
+        yield "\nfindings"
+        lines = [*_findings("+", comparison.came, width), *_findings("-", comparison.went, width)]
+        yield from _some(lines)
+    for note in comparison.notes:
+        yield f"\nnote: {note}"
+
+
+def _some(lines: Iterable[str]) -> Iterator[str]:
+    every = list(lines)
+    yield from (f"  {line}" for line in every[:MAX_LINES])
+    if len(every) > MAX_LINES:
+        yield f"  and {len(every) - MAX_LINES} more"
+
+
+def _moved(moved: Iterable[Moved]) -> Iterator[str]:
+    """A table of what moved of itself; what it carries is counted."""
+    own = [one for one in moved if not one.carried]
+    carried = [one for one in moved if one.carried]
+    rows = [(printable(one.link), one) for one in own[:MAX_LINES]]
+    size = max((columns(name) for name, _ in rows), default=4)
+    yield f"  {'link':<{size}}  {'mm':>9}  {'deg':>8}"
+    for name, one in rows:
+        space = " " * (size - columns(name))
+        yield f"  {name}{space}  {1000 * one.distance:>9.3f}  {degrees(one.angle):>8.3f}"
+    if len(own) > MAX_LINES:
+        yield f"  and {len(own) - MAX_LINES} more"
+    if carried:
+        links = "link that hangs" if len(carried) == 1 else "links that hang"
+        yield f"  and {len(carried)} {links} on them"
+
+
+def _total(comparison: Comparison, width: int) -> Iterator[str]:
+    """Mass and centre of mass of the whole robot."""
+    old, new = comparison.whole.mass, comparison.whole_after.mass
+    yield f"  mass            {old:g} kg became {new:g} kg ({new - old:+.4g} kg)"
+    if comparison.centers:
+        places = [" ".join(f"{part:.4g}" for part in center) for center in comparison.centers]
+        moved = 1000 * comparison.center_moved
+        text = f"{places[0]} became {places[1]} m ({moved:.4g} mm)"
+    else:
+        reason = comparison.whole.reason or comparison.whole_after.reason
+        text = f"not compared: {reason or 'one weighs nothing'}"
+    yield f"  centre of mass  {wrap(text, width - 18, indent=18)}"
+
+
+def _findings(sign: str, findings: Iterable[Diagnostic], width: int) -> Iterator[str]:
+    for found in findings:
+        place = str(found.span)
+        words = f"{place}: {found.severity.value} {found.code} {found.message}"
+        yield f"{sign} {wrap(printable(words), width - 4, indent=6)}"

@@ -1,0 +1,10 @@
+"""The kinematic tree in several formats, one in each module; each has ``render(tree)``."""
+
+from __future__ import annotations
+
+from urdfkit.output.diagrams.rows import Row, rows
+
+#: Modules of this package that have ``render``.
+FORMATS = ("text", "dot", "mermaid", "svg", "json")
+
+__all__ = ["FORMATS", "Row", "rows"]

@@ -1,0 +1,100 @@
+"""The kinematic tree as rows, parents before children: what every diagram is drawn from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.robot.joints import bounds, effort_unit, unit
+from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
+from urdfkit.robot.tree import KinematicTree
+
+
+class Row(Record):
+    """A link, where a joint leads to it.
+
+    Attributes:
+        link: its name.
+        joint: that leads here; None for a root.
+        parent: the link above; empty for a root.
+        depth: joints above.
+        is_last: True for the last child of its parent.
+        is_again: True where the link has its children in an earlier row: a loop, a second parent.
+    """
+
+    link: str
+    joint: Joint | None
+    parent: str
+    depth: int
+    is_last: bool
+    is_again: bool
+
+
+def rows(tree: KinematicTree) -> Iterator[Row]:
+    """Every link, in the order of the document; what no root leads to comes last.
+
+    Args:
+        tree: of the model.
+    """
+    seen: set[str] = set()
+    for start in (*(root.name for root in tree.roots), *tree.children):
+        if start in seen:
+            continue
+        stack: list[Row] = [Row(start, None, "", 0, True, False)]
+        while stack:
+            row = stack.pop()
+            row = row._replace(is_again=row.link in seen)
+            yield row
+            if row.is_again:
+                continue
+            seen.add(row.link)
+            below = tree.children[row.link]
+            for index in range(len(below) - 1, -1, -1):
+                joint, is_last = below[index], index == len(below) - 1
+                assert joint.child is not None
+                child = joint.child.value
+                stack.append(Row(child, joint, row.link, row.depth + 1, is_last, False))
+
+
+def axis(joint: Joint) -> str:
+    """The axis of a joint that has one: ``z``, ``-y`` or ``0.6 0 0.8``; else empty."""
+    if joint.kind not in DEGREES_OF_FREEDOM or joint.kind == "floating":
+        return ""
+    vector = direction(joint)
+    for index, name in enumerate("xyz"):
+        if abs(vector[index]) == 1.0:
+            return name if vector[index] > 0 else f"-{name}"
+    return " ".join(f"{round(part, 6) + 0.0:.3g}" for part in vector)  # no -0 and no 1e-17
+
+
+def limits(joint: Joint) -> list[str]:
+    """Its limits, as far as they are written: position, effort and velocity."""
+    found: list[str] = []
+    of, ends = unit(joint), bounds(joint)
+    if ends:
+        found.append(f"{ends[0]:.4g} to {ends[1]:.4g} {of}")
+    if joint.limit and joint.limit.effort and joint.kind in DEGREES_OF_FREEDOM:
+        found.append(f"{joint.limit.effort.value:.4g} {effort_unit(joint)}")
+    if joint.limit and joint.limit.velocity and joint.kind in DEGREES_OF_FREEDOM:
+        found.append(f"{joint.limit.velocity.value:.4g} {of}/s")
+    return found
+
+
+def caption(joint: Joint) -> str:
+    """Type, axis, limits and leader: ``revolute about y, -1.5 to 1.5 rad, 20 N m, 2 rad/s``."""
+    return ", ".join(captions(joint))
+
+
+def captions(joint: Joint) -> list[str]:
+    """The same in its parts."""
+    along = axis(joint)
+    preposition = {"prismatic": "along", "planar": "across"}.get(joint.kind, "about")
+    parts = [f"{joint.kind or 'without type'}{f' {preposition} {along}' if along else ''}"]
+    parts += limits(joint)
+    if joint.mimic and joint.mimic.joint:
+        multiplier, offset = joint.mimic.multiplier, joint.mimic.offset
+        factor = f"{multiplier:.4g} x " if multiplier != 1 else ""
+        shift = f" {offset:+.4g}" if offset else ""
+        parts.append(f"follows {factor}{joint.mimic.joint.value}{shift}")
+    return parts

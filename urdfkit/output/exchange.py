@@ -1,0 +1,66 @@
+"""Robots for other libraries: with xacro expanded and packages found, which they cannot do."""
+
+from __future__ import annotations
+
+import os
+from io import BytesIO
+from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree
+
+from urdfkit.errors import MissingLibrary, UnreadableRobot
+from urdfkit.lint.context import Subject
+from urdfkit.lint.loading import read
+from urdfkit.robot.model import RobotModel
+from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from yourdfpy import URDF
+
+    from urdfkit.text.document import Element
+
+
+def to_yourdfpy(robot: Subject | RobotModel | str | os.PathLike[str], **options: Any) -> URDF:
+    """The robot as yourdfpy has it: a scene of trimesh with forward kinematics.
+
+    yourdfpy reads plain URDF and looks for packages around the file only; here xacro is expanded,
+    and meshes are looked for wherever urdfkit finds them.
+
+    Args:
+        robot: a URDF or xacro file, or what `urdfkit.read` or `urdfkit.load` gives of one; a model
+            does not know folders of packages that were given to `load`.
+        options: for ``yourdfpy.URDF.load``, such as ``load_meshes=False``.
+
+    Raises:
+        MissingLibrary: yourdfpy is not installed.
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: yourdfpy does not get through it; ``urdfkit.check`` says why.
+    """
+    try:
+        from yourdfpy import URDF
+    except ImportError as error:
+        raise MissingLibrary("this needs yourdfpy: pip install 'urdfkit[exchange]'") from error
+
+    if isinstance(robot, RobotModel):
+        resolver, path = Resolver(), robot.document.sources[0].path
+        text = ElementTree.tostring(_written(robot.root))
+    else:
+        subject = robot if isinstance(robot, Subject) else read(robot)
+        resolver, path, text = subject.resolver, subject.source.path, subject.text
+
+    def found(fname: str) -> str:
+        return resolver.locate(fname, path).path or fname
+
+    try:
+        urdf: URDF = URDF.load(BytesIO(text), filename_handler=found, **options)
+    except Exception as error:  # whatever a defect of a robot leads to there
+        raise UnreadableRobot(f"yourdfpy cannot read {path}: {error}") from error
+    return urdf
+
+
+def _written(element: Element) -> ElementTree.Element:
+    """An element with all in it, for a writer of XML."""
+    values = {name: attribute.value for name, attribute in element.attributes.items()}
+    found = ElementTree.Element(element.tag, values)
+    found.text = element.text
+    found.extend(map(_written, element.children))
+    return found

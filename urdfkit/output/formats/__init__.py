@@ -1,0 +1,42 @@
+"""One output per file: the listing of this folder is the catalogue, and one law holds.
+
+A format is a module with
+``render(report: Report, *, color: bool = False, width: int = 80) -> str``; the text ends with a
+newline. ``color`` allows escape sequences, ``width`` is the number of columns of the reader's
+screen; a format for programs takes no notice of either. Modules with a leading underscore are
+parts that formats share.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Protocol
+
+from urdfkit.core.libraries import load
+
+if TYPE_CHECKING:
+    from urdfkit.text.diagnostic import Report
+
+
+class Render(Protocol):
+    """What a format is."""
+
+    def __call__(self, report: Report, *, color: bool = False, width: int = 80) -> str: ...
+
+
+def names() -> list[str]:
+    """The formats there are, sorted; nothing is imported."""
+    files = sorted(os.listdir(os.path.dirname(__file__)))
+    return [file[:-3] for file in files if file.endswith(".py") and not file.startswith("_")]
+
+
+def get(name: str) -> Render:
+    """The ``render`` of a format.
+
+    Raises:
+        KeyError: there is none of that name.
+    """
+    if name not in names():
+        raise KeyError(name)
+    render: Render = load(f"urdfkit.output.formats.{name}").render
+    return render

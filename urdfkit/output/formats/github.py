@@ -1,0 +1,41 @@
+"""Annotations of a GitHub workflow: GitHub shows every finding at its line of the pull request.
+
+Source of the form: GitHub's documentation of workflow commands.
+"""
+
+from __future__ import annotations
+
+from urdfkit.output.formats._paths import posix
+from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+
+_COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """A line for every finding, and for every rule that crashed."""
+    lines = [_annotation(diagnostic) for diagnostic in report.diagnostics]
+    for crash in report.crashed:
+        text = _data(f"{posix(crash.path)}: {crash.error}")
+        lines.append(f"::error title=urdfkit {crash.code or 'check'}::{text}")
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _annotation(diagnostic: Diagnostic) -> str:
+    span = diagnostic.span
+    line, column = span.source.position(span.start)
+    end_line, end_column = span.source.position(span.end)
+    path = posix(span.source.path)
+    properties = f"file={_property(path)},line={line},endLine={end_line}"
+    if end_line == line:  # GitHub takes columns for one line only
+        properties += f",col={column},endColumn={end_column}"
+    title = _property(f"{diagnostic.code} {diagnostic.name}")
+    text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")
+    return f"::{_COMMANDS[diagnostic.severity]} {properties},title={title}::{_data(text)}"
+
+
+def _data(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _data(text).replace(":", "%3A").replace(",", "%2C")

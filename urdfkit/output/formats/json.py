@@ -1,0 +1,112 @@
+"""For programs: one JSON document, as ``report.schema.json`` describes it.
+
+Lines and columns count from 1, columns in characters; an end is the place after the last
+character. The same report gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from urdfkit import __version__
+from urdfkit.output.formats._paths import posix
+from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.text.document import Step
+from urdfkit.text.source import Span
+
+#: Of the document; a change that could break a reader counts it up.
+VERSION = 2
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """The whole report."""
+    document = {
+        "version": VERSION,
+        "urdfkit": __version__,
+        "diagnostics": [_diagnostic(diagnostic) for diagnostic in report.diagnostics],
+        "launched": [
+            {"path": posix(one.path), "launch": posix(one.launch), "arguments": one.arguments}
+            for one in report.launched
+        ],
+        "skipped": [
+            {"code": skip.code, "path": posix(skip.path), "reason": skip.reason}
+            for skip in sorted(report.skipped)
+        ],
+        "crashed": [
+            {"code": crash.code, "path": posix(crash.path), "error": crash.error}
+            for crash in sorted(report.crashed)
+        ],
+        "summary": _summary(report),
+    }
+    return json.dumps(document, ensure_ascii=False, indent=2) + "\n"
+
+
+def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
+    return {
+        "code": diagnostic.code,
+        "name": diagnostic.name,
+        "severity": diagnostic.severity.value,
+        "confidence": diagnostic.confidence.value,
+        "targets": list(diagnostic.targets),
+        "variants": list(diagnostic.variants),
+        "message": diagnostic.message,
+        **_place(diagnostic.span),
+        "element": diagnostic.element,
+        "calls": [_call(call) for call in diagnostic.calls],
+        "related": [
+            {"message": related.message, **_place(related.span)} for related in diagnostic.related
+        ],
+        "help": diagnostic.help,
+        "fix": _fix(diagnostic.fix) if diagnostic.fix else None,
+    }
+
+
+def _place(span: Span) -> dict[str, Any]:
+    line, column = span.source.position(span.start)
+    end_line, end_column = span.source.position(span.end)
+    return {
+        "path": posix(span.source.path),
+        "line": line,
+        "column": column,
+        "end_line": end_line,
+        "end_column": end_column,
+    }
+
+
+def _call(call: Call) -> dict[str, Any]:
+    via = [_step(step) for step in call.via]
+    return {"message": call.message, "element": call.element, "via": via}
+
+
+def _step(step: Step) -> dict[str, Any]:
+    return {"kind": step.kind, "name": _name(step), **_place(step.span)}
+
+
+def _name(step: Step) -> str:
+    return step.name if step.kind == "macro" else posix(step.name)
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    edits = [{**_place(edit.span), "text": edit.text} for edit in fix.edits]
+    return {"title": fix.title, "safe": fix.safe, "edits": edits}
+
+
+def _summary(report: Report) -> dict[str, Any]:
+    codes: dict[str, int] = {}
+    for diagnostic in report.diagnostics:
+        codes[diagnostic.code] = codes.get(diagnostic.code, 0) + 1
+    return {
+        "files": [posix(path) for path in report.files],
+        "rules": list(report.rules),
+        "targets": [
+            {"path": posix(path), "names": list(targets.names), "evidence": list(targets.evidence)}
+            for path, targets in report.targets
+        ],
+        "error": report.count(Severity.ERROR),
+        "warning": report.count(Severity.WARNING),
+        "info": report.count(Severity.INFO),
+        "suppressed": report.suppressed,
+        "tolerated": report.tolerated,
+        "codes": dict(sorted(codes.items())),
+    }

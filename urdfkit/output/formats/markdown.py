@@ -1,0 +1,61 @@
+"""Markdown for the summary of a CI job or a comment on a pull request."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from urdfkit.lint.grouping import gathered
+from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats.text import summary
+from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.markdown import escape
+
+#: Findings of one table. GitHub takes 1 MiB for all steps of a job.
+MAX_ROWS = 200
+_WIDE = 10**6  # of a line that is never broken
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """A heading with the counts, a table of errors and warnings, and the infos folded up."""
+    counts = summary(report, width=_WIDE).strip()
+    shown = gathered(report.diagnostics)
+    bad = [found for found in shown if found.severity is not Severity.INFO]
+    bad.sort(key=lambda found: found.severity.rank)
+    infos = [found for found in shown if found.severity is Severity.INFO]
+    lines = [f"### urdfkit: {escape(counts)}", ""]
+    for crash in report.crashed:
+        what = crash.code or "the check"
+        text = f"{what} crashed on {posix(crash.path)}: {crash.error}. This is a bug of urdfkit."
+        lines += [f"**{escape(text)}**", ""]
+    if bad:
+        lines += [*_table(bad), ""]
+    if infos:
+        count = report.count(Severity.INFO)
+        many = "1 info" if count == 1 else f"{count} infos"
+        lines += [f"<details><summary>{many}</summary>", "", *_table(infos), "", "</details>", ""]
+    if report.diagnostics:
+        first = report.diagnostics[0].code
+        lines += [f"More about a code: `urdfkit explain {first}`", ""]
+    return "\n".join(lines)
+
+
+def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
+    yield "| | where | what |"
+    yield "| --- | --- | --- |"
+    for diagnostic in diagnostics[:MAX_ROWS]:
+        span = diagnostic.span
+        line, column = span.source.position(span.start)
+        where = f"{posix(span.source.path)}:{line}:{column}"
+        kind = f"{diagnostic.severity.value} **{diagnostic.code}**"
+        yield f"| {kind} | <code>{escape(where)}</code> | {_what(diagnostic)} |"
+    if len(diagnostics) > MAX_ROWS:
+        yield f"| | | and {len(diagnostics) - MAX_ROWS} more |"
+
+
+def _what(diagnostic: Diagnostic) -> str:
+    parts = [escape(diagnostic.message)]
+    if len(diagnostic.calls) > 1:
+        parts[0] += f" (expanded from {len(diagnostic.calls)} places)"
+    if diagnostic.help:
+        parts.append(f"<sub>{escape(diagnostic.help)}</sub>")
+    return "<br>".join(parts)

@@ -1,0 +1,57 @@
+"""reviewdog's JSON, by which it comments on pull requests, with fixes as suggestions.
+
+Columns count bytes of UTF-8, ends are exclusive. Source of the form: the comments of reviewdog's
+``reviewdog.proto``.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from urdfkit.output.formats._paths import posix
+from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.source import Source, Span
+
+SOURCE = {"name": "urdfkit"}
+
+_SEVERITIES = {Severity.ERROR: "ERROR", Severity.WARNING: "WARNING", Severity.INFO: "INFO"}
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """All findings as one document."""
+    document = {"source": SOURCE, "diagnostics": [as_json(d) for d in report.diagnostics]}
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
+    """One finding."""
+    span = diagnostic.span
+    text = diagnostic.message + (f"\n{diagnostic.help}" if diagnostic.help else "")
+    found: dict[str, Any] = {
+        "message": text,
+        "location": {"path": posix(span.source.path), "range": _range(span)},
+        "severity": _SEVERITIES[diagnostic.severity],
+        "code": {"value": diagnostic.code},
+    }
+    if suggestions := _suggestions(diagnostic):
+        found["suggestions"] = suggestions
+    return found
+
+
+def _suggestions(diagnostic: Diagnostic) -> list[dict[str, Any]]:
+    """The edits of a fix; none where one is in another file, which a suggestion cannot reach."""
+    edits = diagnostic.fix.edits if diagnostic.fix else ()
+    if any(edit.span.source is not diagnostic.span.source for edit in edits):
+        return []
+    return [{"range": _range(edit.span), "text": edit.text} for edit in edits]
+
+
+def _range(span: Span) -> dict[str, dict[str, int]]:
+    return {"start": _position(span.source, span.start), "end": _position(span.source, span.end)}
+
+
+def _position(source: Source, offset: int) -> dict[str, int]:
+    line, column = source.position(offset)
+    before = source.line(line)[: column - 1]
+    return {"line": line, "column": len(before.encode("utf-8", "surrogatepass")) + 1}

@@ -1,0 +1,187 @@
+"""SARIF 2.1.0 for code scanning: every finding at its region in the file that a person edits.
+
+The macro calls that led to a finding are related locations, the element after expansion is its
+logical location, and the fingerprint stays the same under edits elsewhere. Columns count UTF-16
+code units, as SARIF wants.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from typing import Any
+
+from urdfkit import __version__
+from urdfkit.lint import rules
+from urdfkit.lint.baseline import fingerprints
+from urdfkit.output.formats._paths import posix
+from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.text.source import Source, Span
+
+_SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"
+_LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
+#: Calls of one macro that are worth a location.
+_MAX_CALLS = 20
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """The whole report as one run."""
+    ran = sorted({*report.rules, *(d.code for d in report.diagnostics)})
+    numbers = {code: number for number, code in enumerate(ran)}
+    marks = fingerprints(report.diagnostics)
+    run = {
+        "tool": {"driver": _driver(ran)},
+        "columnKind": "utf16CodeUnits",
+        "originalUriBaseIds": {"SRCROOT": {"description": {"text": "where urdfkit was run"}}},
+        "invocations": [_invocation(report)],
+        "results": [
+            _result(diagnostic, numbers[diagnostic.code], mark)
+            for diagnostic, mark in zip(report.diagnostics, marks, strict=True)
+        ],
+    }
+    document = {"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def _driver(codes: Iterable[str]) -> dict[str, Any]:
+    return {
+        "name": "urdfkit",
+        "version": __version__,
+        "semanticVersion": __version__,
+        "rules": [_rule(rules.get(code)) for code in codes],
+    }
+
+
+def _rule(rule: rules.Rule) -> dict[str, Any]:
+    summary, _, rest = rule.explanation.partition("\n")
+    text = f"{rest.strip()}\n\n{rule.help}".strip()
+    return {
+        "id": rule.code,
+        "name": "".join(word.capitalize() for word in rule.name.split("-")),
+        "shortDescription": {"text": summary.strip()},
+        "fullDescription": {"text": " ".join(rest.split()) or summary.strip()},
+        "help": {"text": text or summary.strip()},
+        "defaultConfiguration": {"level": _LEVELS[rule.severity]},
+        "properties": {"tags": [rule.code[:3]]},
+    }
+
+
+def _invocation(report: Report) -> dict[str, Any]:
+    found = [one for one in report.diagnostics if one.code == rules.NOT_CHECKED]
+    levels = {one.span.source.path: _LEVELS[one.severity] for one in found}
+    notes = [
+        {
+            "level": levels.get(skip.path, "note"),
+            "message": {
+                "text": f"{posix(skip.path)}: {skip.code or 'file'} skipped: {skip.reason}"
+            },
+        }
+        for skip in report.skipped
+    ]
+    notes += [
+        {
+            "level": "error",
+            "message": {"text": f"{posix(crash.path)}: {crash.code or 'check'}: {crash.error}"},
+        }
+        for crash in report.crashed
+    ]
+    return {
+        "executionSuccessful": not report.crashed,
+        "toolExecutionNotifications": notes,
+    }
+
+
+def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
+    text = diagnostic.message
+    if diagnostic.help:
+        text += f"\n{diagnostic.help}"
+    location: dict[str, Any] = _location(diagnostic.span)
+    if diagnostic.element:
+        location["logicalLocations"] = [
+            {"fullyQualifiedName": diagnostic.element, "kind": "element"}
+        ]
+    result: dict[str, Any] = {
+        "ruleId": diagnostic.code,
+        "ruleIndex": number,
+        "level": _LEVELS[diagnostic.severity],
+        "message": {"text": text},
+        "locations": [location],
+        "partialFingerprints": {"urdfkit/v1": mark},
+        "properties": {"confidence": diagnostic.confidence.value},
+    }
+    if diagnostic.variants:
+        result["properties"]["variants"] = list(diagnostic.variants)
+    if related := _related(diagnostic):
+        result["relatedLocations"] = related
+    if diagnostic.fix:
+        result["fixes"] = [_fix(diagnostic.fix)]
+    return result
+
+
+def _related(diagnostic: Diagnostic) -> list[dict[str, Any]]:
+    places = [(related.span, related.message) for related in diagnostic.related]
+    for call in diagnostic.calls[:_MAX_CALLS]:
+        places += _steps(call, several=len(diagnostic.calls) > 1)
+    return [
+        {"id": number, **_location(span), "message": {"text": message}}
+        for number, (span, message) in enumerate(dict.fromkeys(places), 1)
+    ]
+
+
+def _steps(call: Call, *, several: bool) -> list[tuple[Span, str]]:
+    """The steps to one call, innermost first; of several calls each with its numbers."""
+    steps = []
+    for step in reversed(call.via):
+        verb = "included" if step.kind == "include" else f"called by {step.kind} '{step.name}'"
+        steps.append((step.span, verb))
+    if several and steps:
+        steps[0] = (steps[0][0], call.message)
+    return steps
+
+
+def _location(span: Span) -> dict[str, Any]:
+    return {
+        "physicalLocation": {"artifactLocation": _artifact(span.source), "region": _region(span)}
+    }
+
+
+def _artifact(source: Source) -> dict[str, Any]:
+    from urllib.parse import quote
+
+    path = posix(source.path)
+    if os.path.isabs(path):
+        return {"uri": f"file://{'/' * (path[0] != '/')}" + quote(os.fsencode(path))}
+    return {"uri": quote(os.fsencode(path)), "uriBaseId": "SRCROOT"}
+
+
+def _region(span: Span) -> dict[str, int]:
+    line, column = _utf16(span.source, span.start)
+    end_line, end_column = _utf16(span.source, span.end)
+    return {
+        "startLine": line,
+        "startColumn": column,
+        "endLine": end_line,
+        "endColumn": end_column,
+    }
+
+
+def _utf16(source: Source, offset: int) -> tuple[int, int]:
+    line, column = source.position(offset)
+    before = source.line(line)[: column - 1]
+    return line, len(before.encode("utf-16-le", "surrogatepass")) // 2 + 1
+
+
+def _fix(fix: Fix) -> dict[str, Any]:
+    by_source: dict[Source, list[dict[str, Any]]] = {}
+    for edit in fix.edits:
+        by_source.setdefault(edit.span.source, []).append(
+            {"deletedRegion": _region(edit.span), "insertedContent": {"text": edit.text}}
+        )
+    return {
+        "description": {"text": fix.title},
+        "artifactChanges": [
+            {"artifactLocation": _artifact(source), "replacements": replacements}
+            for source, replacements in by_source.items()
+        ],
+    }

@@ -1,0 +1,19 @@
+"""How often each rule found something, the most frequent first."""
+
+from __future__ import annotations
+
+from urdfkit.output.formats.text import summary
+from urdfkit.text.diagnostic import Report
+
+
+def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+    """A table of count, code, severity and name, then the summary."""
+    counts: dict[tuple[str, str, str], int] = {}
+    for diagnostic in report.diagnostics:
+        key = (diagnostic.code, diagnostic.severity.value, diagnostic.name)
+        counts[key] = counts.get(key, 0) + 1
+    rows = [
+        f"{count:>6}  {code}  {severity:<7}  {name}\n"
+        for (code, severity, name), count in sorted(counts.items(), key=lambda row: (-row[1], row))
+    ]
+    return "".join(rows) + summary(report, color=color, width=width)

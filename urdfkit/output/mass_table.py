@@ -1,0 +1,95 @@
+"""The mass properties of a robot: each link as declared, beside its shapes, and the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.lint.context import Subject
+from urdfkit.robot.bounding_box import WITHOUT_MESHES
+from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.inertia import MassProperties, principal_axes
+from urdfkit.robot.inertials.shape_mass import Matter, matter
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import Link
+from urdfkit.robot.rigid_bodies import properties_of
+
+
+class MassRow(Record):
+    """A link.
+
+    Attributes:
+        link: its name.
+        properties: as declared, in the frame of the link.
+        moments: principal moments, smallest first, in kg m^2.
+        axes: a rotation whose columns are their axes, in the frame of the link.
+        matter: what its shapes enclose; None where that is not known.
+        reason: why it is not known; empty if it is.
+    """
+
+    link: str
+    properties: MassProperties
+    moments: Vector
+    axes: Rotation
+    matter: Matter | None
+    reason: str
+
+    @property
+    def density(self) -> float | None:
+        """The declared mass by the volume of the shapes, in kg/m^3; None without them."""
+        volume = self.matter.properties.mass if self.matter else 0.0
+        return self.properties.mass / volume if volume > 0 else None
+
+    @property
+    def of_shapes(self) -> tuple[Vector, Rotation] | None:
+        """Principal moments and axes of the shapes with the declared mass, uniformly dense."""
+        if self.matter is None or not self.matter.properties.mass > 0:
+            return None
+        return principal_axes(self.matter.weighing(self.properties.mass).tensor)
+
+
+class MassTable(Record):
+    """All links that have a mass or a shape.
+
+    Attributes:
+        rows: in the order of the document.
+        whole: the robot as one rigid body at a pose.
+        moments, axes: of the whole, as for a link; None where it has no properties.
+    """
+
+    rows: tuple[MassRow, ...]
+    whole: Whole
+    moments: Vector | None
+    axes: Rotation | None
+
+
+def mass_properties(subject: Subject, pose: Mapping[str, float] | None = None) -> MassTable:
+    """The table.
+
+    Args:
+        subject: the robot.
+        pose: positions of joints in rad or m, for the whole; the others are at 0.
+    """
+    links = subject.model.links_by_name.values()
+    found = whole(subject.tree, frames(subject.tree, pose or {}))
+    body = found.properties
+    moments, axes = principal_axes(body.tensor) if body else (None, None)
+    rows = [_row(subject, link) for link in links if _matters(link)]
+    return MassTable(tuple(rows), found, moments, axes)
+
+
+def _matters(link: Link) -> bool:
+    return bool(link.inertial or link.collisions or link.visuals)
+
+
+def _row(subject: Subject, link: Link) -> MassRow:
+    properties = properties_of(link, Frame())
+    moments, axes = principal_axes(properties.tensor)
+    try:
+        found = matter(link, "auto", subject.measures)
+    except ImportError:
+        found = WITHOUT_MESHES
+    if isinstance(found, str):
+        return MassRow(link.name, properties, moments, axes, None, found)
+    return MassRow(link.name, properties, moments, axes, found, "")

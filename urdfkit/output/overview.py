@@ -1,0 +1,265 @@
+"""What an engineer wants to know first of a robot, at one configuration.
+
+Nothing here needs a heavy library, except where meshes come in: what they would add is left out
+where they cannot be read, and that is said.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame
+from urdfkit.lint.context import Subject
+from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
+from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.joints import driven
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import Body, RobotModel, Shape
+from urdfkit.robot.reach import Reach, reach
+from urdfkit.robot.shapes import Box
+from urdfkit.robot.tree import KinematicTree
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
+
+#: How many numbers each type of joint takes in Pinocchio's configuration q and velocity v; an
+#: angle without limits is kept as its cosine and sine, a rotation as a quaternion.
+COORDINATES = {
+    "revolute": (1, 1),
+    "continuous": (2, 1),
+    "prismatic": (1, 1),
+    "planar": (4, 3),
+    "floating": (7, 6),
+}
+
+
+class Structure(Record):
+    """Links and joints.
+
+    Attributes:
+        links: how many.
+        joints: how many of each type, in the order of the document.
+        roots: the links without a parent.
+        depth: joints on the longest way from a root.
+        deepest: the link at its end.
+        free: the joints that can be set, each by name with its type.
+        followers: what each joint with ``<mimic>`` follows, by its name.
+        nq, nv: numbers of a configuration and of a velocity, the root fixed; see `COORDINATES`.
+        driven: joints that a transmission or ros2_control drives.
+    """
+
+    links: int
+    joints: dict[str, int]
+    roots: tuple[str, ...]
+    depth: int
+    deepest: str
+    free: dict[str, str]
+    followers: dict[str, str]
+    nq: int
+    nv: int
+    driven: tuple[str, ...]
+
+
+class Weight(Record):
+    """The mass of all links.
+
+    Attributes:
+        by_link: in kg, of those that weigh something, the heaviest first.
+        whole: as one rigid body at the configuration.
+    """
+
+    by_link: dict[str, float]
+    whole: Whole
+
+
+class Shapes(Record):
+    """Visuals, collisions and the files behind them.
+
+    Attributes:
+        visuals, collisions: how many of each kind of shape.
+        files: how many mesh files of each format were found.
+        size: of these files, in bytes.
+        missing: references to meshes that lead to no usable file.
+        triangles: of all meshes as often as they are used, by role; None if not counted.
+        box: around all shapes at the configuration, in the frame of the root; None without any.
+        measured: how many links have a shape in ``box``.
+        left_out: why shapes are not in it, by link.
+    """
+
+    visuals: dict[str, int]
+    collisions: dict[str, int]
+    files: dict[str, int]
+    size: int
+    missing: tuple[str, ...]
+    triangles: dict[str, int] | None
+    box: Box | None
+    measured: int
+    left_out: dict[str, str]
+
+
+class Overview(Record):
+    """A robot on one page.
+
+    Attributes:
+        name: of the robot.
+        file: as named.
+        is_xacro: True unless it is plain URDF.
+        targets: the programs it is for, and the evidence.
+        structure, weight, shapes: see there.
+        reach: of the longest chain; None where nothing moves.
+        sensors: in ``<gazebo>`` tags.
+        plugins: file and name of each Gazebo plugin.
+        pose: the positions that were given.
+        skipped: what was not measured, and why.
+    """
+
+    name: str
+    file: str
+    is_xacro: bool
+    targets: tuple[str, ...]
+    evidence: tuple[str, ...]
+    structure: Structure
+    weight: Weight
+    shapes: Shapes
+    reach: Reach | None
+    sensors: tuple[Sensor, ...]
+    plugins: tuple[tuple[str, str], ...]
+    pose: dict[str, float]
+    skipped: tuple[str, ...]
+
+
+def summarise(subject: Subject, pose: Mapping[str, float] | None = None) -> Overview:
+    """The page.
+
+    >>> from urdfkit.lint.loading import read
+    >>> arm = summarise(read("models/good/two_link_arm/urdf/two_link_arm.urdf"))
+    >>> round(arm.weight.whole.mass, 9), list(arm.structure.free)
+    (5.2, ['shoulder', 'elbow'])
+
+    Args:
+        subject: the robot.
+        pose: positions of joints in rad or m; the others are at 0.
+    """
+    model, given = subject.model, dict(pose or {})
+    placed = frames(subject.tree, given)
+    shapes, skipped = _shapes(subject, placed)
+    return Overview(
+        model.name,
+        subject.source.path,
+        subject.reading.xacro is not None,
+        subject.targets.names,
+        subject.targets.evidence,
+        structure(subject.tree),
+        Weight(_masses(model), whole(subject.tree, placed)),
+        shapes,
+        reach(subject.tree),
+        tuple(sensors(model)),
+        tuple((use.filename, use.name) for use in subject.plugins),
+        given,
+        skipped,
+    )
+
+
+def structure(tree: KinematicTree) -> Structure:
+    """Links, joints and degrees of freedom.
+
+    Args:
+        tree: of the model.
+    """
+    model = tree.model
+    free = {
+        joint.name: joint.kind
+        for joint in model.joints
+        if joint.kind in COORDINATES and not joint.mimic
+    }
+    sizes = [COORDINATES[kind] for kind in free.values()]
+    depths = _depths(tree)
+    deepest = max(depths, key=lambda name: depths[name], default="")
+    return Structure(
+        len(model.links),
+        dict(Counter(joint.kind for joint in model.joints)),
+        tuple(root.name for root in tree.roots),
+        depths.get(deepest, 0),
+        deepest,
+        free,
+        {
+            joint.name: joint.mimic.joint.value
+            for joint in model.joints
+            if joint.mimic and joint.mimic.joint
+        },
+        sum(nq for nq, _ in sizes),
+        sum(nv for _, nv in sizes),
+        tuple(sorted(driven(model) & model.joints_by_name.keys())),
+    )
+
+
+def _depths(tree: KinematicTree) -> dict[str, int]:
+    """Joints between each link and its root."""
+    depths = {root.name: 0 for root in tree.roots}
+    queue = list(depths)
+    for name in queue:  # grows while it is walked
+        for joint in tree.children[name]:
+            assert joint.child is not None
+            if joint.child.value not in depths:
+                depths[joint.child.value] = depths[name] + 1
+                queue.append(joint.child.value)
+    return depths
+
+
+def _masses(model: RobotModel) -> dict[str, float]:
+    """The mass of each link that has one, in kg, the heaviest first."""
+    masses = {link.name: link.mass for link in model.links if link.mass}
+    return dict(sorted(masses.items(), key=lambda item: -item[1]))
+
+
+def _shapes(subject: Subject, placed: Mapping[str, Frame]) -> tuple[Shapes, tuple[str, ...]]:
+    model = subject.model
+    found = {mesh.located.path: mesh.facts for mesh in subject.files.meshes if mesh.located.path}
+    usable = [facts for facts in found.values() if facts and not facts.defect]
+    missing = [
+        mesh.at.value
+        for mesh in subject.files.meshes
+        if mesh.facts is None or mesh.facts.defect is not None
+    ]
+    skipped: tuple[str, ...] = ()
+    try:
+        triangles: dict[str, int] | None = _triangles(subject)
+    except ImportError:
+        triangles, skipped = None, (f"triangles: {WITHOUT_MESHES}",)
+    extent = extent_of(subject, placed)
+    return Shapes(
+        _kinds(body for link in model.links for body in link.visuals),
+        _kinds(body for link in model.links for body in link.collisions),
+        dict(Counter(facts.format for facts in usable)),
+        sum(facts.size for facts in usable),
+        tuple(dict.fromkeys(missing)),
+        triangles,
+        extent.box,
+        extent.measured,
+        extent.left_out,
+    ), skipped
+
+
+def _kinds(bodies: Iterable[Body]) -> dict[str, int]:
+    return dict(Counter(body.shape.kind for body in bodies if body.shape))
+
+
+def _triangles(subject: Subject) -> dict[str, int]:
+    """Triangles of the meshes of visuals and collisions, each as often as it is used.
+
+    Raises:
+        ImportError: a library that reads meshes is not installed.
+    """
+    roles: tuple[tuple[str, Iterable[Body]], ...] = (
+        ("visual", (body for link in subject.model.links for body in link.visuals)),
+        ("collision", (body for link in subject.model.links for body in link.collisions)),
+    )
+    return {
+        role: sum(_count(subject, body.shape) for body in bodies if body.shape)
+        for role, bodies in roles
+    }
+
+
+def _count(subject: Subject, shape: Shape) -> int:
+    mesh = subject.meshes.mesh(shape) if shape.filename else None
+    return sum(len(part.faces) for part in mesh.parts) if mesh else 0

@@ -1,0 +1,65 @@
+"""One table of the report, for a spreadsheet."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.output.report.document import Document
+
+#: The tables there are, and the columns of each.
+COLUMNS = {
+    "findings": "severity code name message path line column element help".split(),
+    "links": "name mass share center moments visuals collisions path line".split(),
+    "joints": "name type parent child axis lower upper effort velocity path line".split(),
+    "meshes": "link role name path format size triangles defect".split(),
+    "statics": "joint unit at_zero worst effort used exceeded".split(),
+    "collisions": "first second verdict frequency distance".split(),
+}
+#: Where the rows of a table are, if they are a part of what the document has under its name.
+_ROWS = {"statics": "joints", "collisions": "pairs"}
+#: A cell that begins with one of these is a formula to a spreadsheet.
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+def render(document: Document, table: str = "findings") -> str:
+    """A table with a header.
+
+    Raises:
+        UrdfkitError: the robot cannot be read and has no such table.
+    """
+    rows = document[table]
+    if rows is None:
+        reason = document["missing"].get(table, "it takes a while, and was left out")
+        raise UrdfkitError(f"there is no table '{table}': {reason}")
+    if table in _ROWS:
+        rows = rows[_ROWS[table]]
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(COLUMNS[table])
+    writer.writerows(_rows(rows, COLUMNS[table]))
+    return text.getvalue()
+
+
+def _rows(rows: Iterable[dict[str, Any]], columns: Iterable[str]) -> Iterator[list[object]]:
+    for row in rows:
+        yield [_cell(row[column]) for column in columns]
+
+
+def _cell(value: object) -> object:
+    """A list is its parts with spaces between; a text is never a formula."""
+    if isinstance(value, list):
+        return _cell(" ".join(map(str, value))) if value else ""
+    if isinstance(value, str) and value.startswith(_FORMULA) and not _is_numbers(value):
+        return f"'{value}"
+    return value
+
+
+def _is_numbers(text: str) -> bool:
+    try:
+        return bool([float(part) for part in text.split()])
+    except ValueError:
+        return False

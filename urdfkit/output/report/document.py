@@ -1,0 +1,228 @@
+"""The document of a report: plain values that JSON can hold.
+
+Lengths in m, angles in rad, masses in kg, moments in kg m^2. A part that cannot be had, for want
+of a library or of a robot, is None, and ``missing`` says why.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from typing import Any
+
+from urdfkit import __version__
+from urdfkit.core.record import Record
+from urdfkit.core.strict_json import finite
+from urdfkit.lint import rules
+from urdfkit.lint.config import Config
+from urdfkit.lint.context import Subject, Unavailable
+from urdfkit.lint.engine import check
+from urdfkit.lint.grouping import gathered
+from urdfkit.lint.loading import described
+from urdfkit.output.formats import json as as_json
+from urdfkit.output.report import physics, tables
+from urdfkit.output.report.findings import findings
+from urdfkit.robot.element_lookup import Places
+from urdfkit.ros.gazebo.rejection import rejecting
+from urdfkit.ros.targets import TARGETS
+from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.source import Source, shown, without_folder
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.resolve import Resolver
+
+#: Of the document; a change that could break a reader counts it up.
+VERSION = 1
+
+Document = dict[str, Any]
+
+#: The parts that are computed from the robot, each by a function of its Subject.
+_PARTS: dict[str, Callable[[Subject], object]] = {
+    "robot": tables.robot,
+    "links": tables.links,
+    "joints": tables.joints,
+    "gazebo": tables.gazebo,
+    "meshes": tables.meshes,
+}
+#: The parts that take a while.
+LONG = ("statics", "standing", "collisions")
+
+
+class Told(Record):
+    """A robot and what is told of it.
+
+    Attributes:
+        document: for all outputs.
+        subject: the robot.
+        diagnostics: what ``urdfkit check`` finds.
+    """
+
+    document: Document
+    subject: Subject
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def describe(
+    file: str | os.PathLike[str] | Source,
+    *,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+    variant: str = "",
+    quick: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Told:
+    """Everything that is told of a robot.
+
+    A robot that cannot be read has its findings told, and nothing else.
+
+    Args:
+        file: a URDF or xacro file, or a launch file that describes one robot.
+        arguments: for xacro.
+        packages: folders of ROS packages by name; they win over every search.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+        variant: which of those that the configuration has of the file.
+        quick: leave out what takes a while, which is all of `LONG`.
+        progress: called with the number of steps done and of all, where it takes a while.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UnreadableRobot: a launch file describes none, or several.
+        ConfigError: the configuration has several variants of the file, or none of this name.
+    """
+    every = {**(config.packages if config else {}), **(packages or {})}
+    source, resolver = Source.of(file), Resolver(every)
+    values = (config or Config()).entry(source.path, arguments, variant).arguments
+    if is_launch(source.path):
+        source, values = described(source, resolver, values)
+    report = check(
+        source,
+        arguments=values,
+        packages=every,
+        targets=targets,
+        trust=trust,
+        config=config._replace(robots=()) if config else None,
+    )
+    subject = Subject(source, resolver, values, trust=trust)
+    told = Told(_document(subject, report), subject, report.diagnostics)
+    return told if quick else completed(told, progress)
+
+
+def completed(told: Told, progress: Callable[[int, int], None] | None = None) -> Told:
+    """The same with what takes a while.
+
+    Args:
+        told: a robot that was described quickly.
+        progress: called with the number of steps done and of all.
+    """
+    long: dict[str, Callable[[Subject], object]] = {
+        "statics": physics.statics,
+        "standing": physics.standing,
+        "collisions": partial(physics.collisions, progress=progress),
+    }
+    parts, missing = _computed(told.subject, long)
+    missing = told.document["missing"] | missing
+    return told._replace(
+        document=told.document | _portable(finite(parts), told.subject) | {"missing": missing}
+    )
+
+
+def _computed(
+    subject: Subject, wanted: Mapping[str, Callable[[Subject], object]]
+) -> tuple[Document, dict[str, str]]:
+    """Parts of a document, and why some of them cannot be had."""
+    parts: Document = {}
+    missing: dict[str, str] = {}
+    for name, part in wanted.items():
+        try:
+            parts[name] = part(subject)
+        except Unavailable as reason:
+            parts[name], missing[name] = None, str(reason)
+    return parts, missing
+
+
+def _document(subject: Subject, report: Report) -> Document:
+    parts, missing = _computed(subject, _PARTS)
+    if parts["gazebo"]:
+        parts["gazebo"]["rejected"] = [
+            {"by": reader, "code": one.code, "message": one.message}
+            for reader, one in rejecting(report.diagnostics)
+        ]
+    is_read = subject.reading.document is not None
+    places = Places(subject.model if is_read else None)
+    written = json.loads(as_json.render(report))
+    grouped = gathered(report.diagnostics)
+    listed = json.loads(as_json.render(report._replace(diagnostics=grouped)))["diagnostics"]
+    document = {
+        "version": VERSION,
+        "urdfkit": __version__,
+        "file": shown(subject.source.path),
+        "arguments": subject.arguments,
+        "summary": {
+            key: written["summary"][key]
+            for key in ("error", "warning", "info", "suppressed", "codes", "rules")
+        },
+        "targets": _targets(report),
+        "findings": findings(report.diagnostics, written["diagnostics"], places),
+        "gathered": findings(grouped, listed, places),
+        "skipped": written["skipped"],
+        "crashed": written["crashed"],
+        **dict.fromkeys(LONG),
+        **parts,
+        "missing": missing,
+    }
+    found: Document = _portable(finite(document), subject)
+    return found
+
+
+def _portable(value: Any, subject: Subject) -> Any:
+    """Plain values without the folders of the machine that they were made on.
+
+    Paths in the workspace of the robot begin at the workspace.
+    """
+    if isinstance(value, dict):
+        return {key: _portable(one, subject) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_portable(one, subject) for one in value]
+    if not isinstance(value, str) or os.sep not in value:
+        return value
+    file = os.path.realpath(subject.source.path)
+    for folder in (subject.resolver.packages.workspace(file), os.path.dirname(file)):
+        value = without_folder(value, folder)
+    return without_folder(value, os.path.expanduser("~"), "~/")
+
+
+def _targets(report: Report) -> list[dict[str, Any]]:
+    """For each program that will read the robot: how it will fare, and why it was thought of."""
+    names = [name for _, targets in report.targets for name in targets.names]
+    evidence = {
+        name: reason
+        for _, targets in report.targets
+        for name, _, reason in (text.partition(": ") for text in targets.evidence)
+    }
+    return [_target(name, evidence.get(name, ""), report) for name in names]
+
+
+def _target(name: str, evidence: str, report: Report) -> dict[str, Any]:
+    counts = dict.fromkeys((severity.value for severity in Severity), 0)
+    for found in report.diagnostics:
+        counts[_severity(found, name).value] += 1
+    verdict = "good"
+    if counts["error"]:
+        verdict = "unfit"
+    elif counts["warning"]:
+        verdict = "doubtful"
+    about = TARGETS[name]
+    return {"name": name, "about": about, "evidence": evidence, "verdict": verdict, **counts}
+
+
+def _severity(found: Diagnostic, target: str) -> Severity:
+    """How bad a finding is for one program alone."""
+    rule = rules.get(found.code)
+    is_by_target = found.targets and target in rule.by_target
+    return rule.weigh([target])[0] if is_by_target else found.severity

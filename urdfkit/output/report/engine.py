@@ -1,0 +1,74 @@
+"""The 3D engine: three.js as trimesh's package brings it, read when a page is written.
+
+Compared were the packages that ship a 3D engine as a script: trimesh's viewer (0.7 MB; three.js
+with its reader of glTF, and trimesh is installed anyway), viser (0.8 MB; its page speaks a
+protocol of its own), meshcat (0.9 MB; an old three.js, and it needs IPython, ZeroMQ and Tornado)
+and k3d (2.6 MB, and it needs the Jupyter widgets).
+"""
+
+from __future__ import annotations
+
+import re
+from importlib.metadata import PackageNotFoundError, distribution
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+
+#: The engine ends here in the script of trimesh's page; what follows is that page's own.
+_END = "THREE.GLTFLoader=GLTFLoader;})();"
+_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+_TEMPLATE = "templates/viewer.zip"
+
+
+class Engine(Record):
+    """A 3D engine.
+
+    Attributes:
+        script: that makes ``THREE`` and ``THREE.GLTFLoader``, with its copyright notice.
+        package: that it comes from, with its version.
+        licence: the text of the licence.
+    """
+
+    script: str
+    package: str
+    licence: str
+
+
+def load() -> Engine:
+    """The engine.
+
+    Raises:
+        UrdfkitError: trimesh is not installed, or is one whose viewer is another.
+    """
+    try:
+        from trimesh.resources import get_bytes
+    except ImportError as error:
+        raise UrdfkitError("the 3D view needs trimesh: pip install 'urdfkit[report]'") from error
+    match = _SCRIPT.search(_page(get_bytes(_TEMPLATE)))
+    script, end, _ = match.group(1).partition(_END) if match else ("", "", "")
+    package = distribution("trimesh")
+    name = f"trimesh {package.version}"
+    if not end:
+        raise UrdfkitError(
+            f"the viewer of {name} is not one that urdfkit knows: pip install 'trimesh>=4.9'"
+        )
+    notice = script[: script.find("*/") + 2]
+    return Engine(script + end, name, f"{notice}\n\n{_licence()}")
+
+
+def _page(archive: bytes) -> str:
+    import io
+    import zipfile
+
+    with zipfile.ZipFile(io.BytesIO(archive)) as files:
+        return files.read(files.namelist()[0]).decode("utf-8")
+
+
+def _licence() -> str:
+    """The text of the MIT licence, which is that of three.js and of trimesh, as trimesh has it."""
+    try:
+        files = distribution("trimesh").files or []
+    except PackageNotFoundError:
+        return "MIT"
+    texts = [file for file in files if "license" in file.name.lower() and ".dist-info" in str(file)]
+    return texts[0].read_text(encoding="utf-8") if texts else "MIT"

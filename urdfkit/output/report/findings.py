@@ -1,0 +1,80 @@
+"""Findings for a page: with the piece of source that they are about, and the links they concern."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from urdfkit.lint import rules
+from urdfkit.robot.element_lookup import Places
+from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.source import Span
+from urdfkit.text.terminal import printable
+
+#: Lines around the one that a finding is about.
+CONTEXT = 1
+#: Characters of a line that are shown on either side of what is marked, and of that itself.
+MAX_SIDE, MAX_MARKED = 80, 240
+_MORE = "..."
+
+
+def findings(
+    diagnostics: Sequence[Diagnostic], written: Sequence[dict[str, Any]], places: Places
+) -> list[dict[str, Any]]:
+    """The findings, each as the JSON report has it, with what a page needs besides."""
+    return [
+        {
+            **{key: value for key, value in entry.items() if key != "variants"},  # it is one
+            "family": rules.FAMILIES.get(found.code[:3], found.code[:3]),
+            "links": _unique(places.link(call.element) for call in found.calls),
+            "joints": _unique(places.joint(call.element) for call in found.calls),
+            "excerpt": excerpt(found.span),
+            "explanation": rules.get(found.code).explanation,
+        }
+        for found, entry in zip(diagnostics, written, strict=True)
+    ]
+
+
+def _unique(names: Any) -> list[str]:
+    return list(dict.fromkeys(name for name in names if name))
+
+
+def excerpt(span: Span) -> list[dict[str, Any]]:
+    """The line of a span and those around it, as text before, in and after the span."""
+    source, line = span.source, span.line
+    last = source.position(len(source.data))[0]
+    shown = range(max(1, line - CONTEXT), min(last, line + CONTEXT) + 1)
+    return [_marked(span) if number == line else _plain(span, number) for number in shown]
+
+
+def _plain(span: Span, number: int) -> dict[str, Any]:
+    text = _shown(span.source.line(number))
+    if len(text) > MAX_MARKED:
+        text = text[:MAX_MARKED] + _MORE
+    return {"line": number, "before": text, "marked": "", "after": ""}
+
+
+def _marked(span: Span) -> dict[str, Any]:
+    data = span.source.data
+    begin = max(data.rfind(b"\n", 0, span.start), data.rfind(b"\r", 0, span.start)) + 1
+    ends = (data.find(b"\n", span.start), data.find(b"\r", span.start))
+    end = min((at for at in ends if at >= 0), default=len(data))
+    before, marked, after = (
+        _shown(data[start:stop].decode("utf-8", "replace"))
+        for start, stop in (
+            (max(begin, span.start - 4 * MAX_SIDE), span.start),
+            (span.start, min(span.end, end, span.start + 4 * MAX_MARKED)),
+            (max(span.start, min(span.end, end)), min(end, span.end + 4 * MAX_SIDE)),
+        )
+    )
+    if len(before) > MAX_SIDE:
+        before = _MORE + before[-MAX_SIDE:]
+    if len(marked) > MAX_MARKED:
+        marked = marked[:MAX_MARKED] + _MORE
+    if len(after) > MAX_SIDE:
+        after = after[:MAX_SIDE] + _MORE
+    return {"line": span.line, "before": before, "marked": marked, "after": after}
+
+
+def _shown(text: str) -> str:
+    return printable(text.replace("\t", "    "))

@@ -1,0 +1,268 @@
+"""The report as one HTML file that opens offline, from templates beside this module.
+
+Everything that comes from a robot is escaped by Jinja. The page also carries a content security
+policy: the browser runs only the scripts whose hashes it names, and loads nothing from anywhere.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from math import degrees, log10
+from typing import TYPE_CHECKING, Any
+
+from urdfkit import __version__
+from urdfkit.errors import UrdfkitError
+from urdfkit.output.report.document import Document
+from urdfkit.output.report.translations import Words
+from urdfkit.robot.stability import VERDICTS
+from urdfkit.text.terminal import printable
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+    from urdfkit.output.report.engine import Engine
+    from urdfkit.output.report.scene import Scene
+
+#: Findings and rows of a table that a page shows; a browser takes no pleasure in more.
+MAX_FINDINGS, MAX_ROWS = 500, 400
+#: Links of a matrix.
+MAX_MATRIX = 60
+
+_FOLDER = os.path.join(os.path.dirname(__file__), "templates")
+#: The scripts of the 3D view, in the order of their needs.
+_SCENE = ("joints.js", "surfaces.js", "overlays.js", "camera.js", "scene.js")
+_SEVERITIES = ("error", "warning", "info")
+
+
+def render(
+    document: Document,
+    words: Words,
+    drawings: Mapping[str, str],
+    scene: Scene | None = None,
+    engine: Engine | None = None,
+    *,
+    shape: int = 0,
+) -> str:
+    """A whole page.
+
+    Args:
+        document: what it tells.
+        words: of the reader's language.
+        drawings: addresses of pictures, by name.
+        scene: the robot in three dimensions; None for a page without.
+        engine: that draws the scene.
+        shape: for the viewer, which sends its page new contents: the number of this robot.
+
+    Raises:
+        UrdfkitError: Jinja is not installed.
+    """
+    environment = _environment()
+    names = ["page.js", *(_SCENE if scene else ()), *(["live.js"] if shape else ())]
+    scripts = [_read(name) for name in names]
+    inline = [*scripts, *([engine.script] if engine else [])]
+    return environment.get_template("live.html.j2" if shape else "report.html.j2").render(
+        **_context(document, words, drawings),
+        style=_safe(_read("page.css")),
+        policy=_policy(inline, live=bool(shape)),
+        shape=shape,
+        scripts=[_safe(script) for script in scripts],
+        words=_json(words.known),
+        scene=scene and {"robot": _json(scene.robot), "model": _safe(_base64(scene.model))},
+        engine=engine and engine._replace(script=_safe(engine.script)),
+    )
+
+
+def render_plain(template: str, words: Words, **context: object) -> str:
+    """A page without a 3D view, of another template.
+
+    Args:
+        template: its file.
+        words: of the reader's language.
+        context: what it shows, by name.
+    """
+    scripts = [_read("page.js")]
+    return (
+        _environment()
+        .get_template(template)
+        .render(
+            **context,
+            style=_safe(_read("page.css")),
+            policy=_policy(scripts, live=False),
+            scripts=[_safe(script) for script in scripts],
+            version=__version__,
+            words=_json(words.known),
+            _=words,
+        )
+    )
+
+
+def render_content(document: Document, words: Words, drawings: Mapping[str, str]) -> str:
+    """What is told of the robot, without the page around it."""
+    context = _context(document, words, drawings)
+    return _environment().get_template("content.html.j2").render(context)
+
+
+def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> dict[str, Any]:
+    robot = document["robot"]
+    name = robot["name"] if robot else ""
+    found = sorted(document["gathered"], key=lambda one: _SEVERITIES.index(one["severity"]))
+    return {
+        "document": document,
+        "drawings": drawings,
+        "_": words,
+        "title": printable(name or os.path.basename(document["file"])),
+        "absent": _by_reason(document["missing"].items()),
+        "skipped": _by_reason((one["code"], one["reason"]) for one in document["skipped"]),
+        "groups": _groups(found[:MAX_FINDINGS]),
+        "more": max(0, len(found) - MAX_FINDINGS),
+        "rows": MAX_ROWS,
+        "verdicts": VERDICTS,
+        "matrix": _matrix(document["collisions"]),
+        "colliding": _colliding(document["collisions"]),
+        "sections": [
+            (key, title)
+            for key, title, there in (
+                ("summary", "Summary", True),
+                ("pictures", "Pictures", "picture" in drawings),
+                ("findings", "Findings", True),
+                ("tree", "Kinematic tree", "tree" in drawings),
+                ("masses", "Masses and inertias", document["links"]),
+                ("joints", "Joints", document["joints"]),
+                ("meshes", "Meshes", document["meshes"]),
+                ("statics", "Statics", document["statics"] or document["standing"]),
+                ("collisions", "Collisions", document["collisions"]),
+                ("gazebo", "In Gazebo", document["gazebo"]),
+            )
+            if there
+        ],
+    }
+
+
+def _matrix(found: dict[str, Any] | None) -> list[tuple[str, list[dict[str, Any] | None]]]:
+    """The lower half of the matrix of collisions, a row for each link; empty if it is too large."""
+    if not found or len(found["links"]) > MAX_MATRIX:
+        return []
+    pairs = {frozenset((pair["first"], pair["second"])): pair for pair in found["pairs"]}
+    names = found["links"]
+    return [
+        (name, [pairs.get(frozenset((name, other))) for other in names[:number]])
+        for number, name in enumerate(names)
+    ]
+
+
+def _colliding(found: dict[str, Any] | None) -> list[dict[str, Any]]:
+    """The pairs that collide, or come near to it, the most frequent first."""
+    pairs = [
+        pair
+        for pair in (found["pairs"] if found else ())
+        if pair["near_miss"] or pair["verdict"] not in ("adjacent", "never")
+    ]
+    return sorted(pairs, key=lambda pair: -(pair["frequency"] or 0.0))
+
+
+def _by_reason(missing: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """What cannot be had, each with the reason: by the reason."""
+    found: dict[str, list[str]] = {}
+    for name, reason in missing:
+        found.setdefault(reason, []).append(name)
+    return found
+
+
+def _groups(findings: Iterable[dict[str, Any]]) -> list[tuple[str, list[tuple[int, Any]]]]:
+    """The findings by what they are about, each with a number; the worst first."""
+    groups: dict[str, list[tuple[int, Any]]] = {}
+    for number, found in enumerate(findings):
+        groups.setdefault(found["family"], []).append((number, found))
+    return list(groups.items())
+
+
+@cache
+def _environment() -> Environment:
+    try:
+        from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    except ImportError as error:
+        raise UrdfkitError("a page needs Jinja: pip install 'urdfkit[report]'") from error
+    environment = Environment(
+        autoescape=True,
+        loader=FileSystemLoader(_FOLDER),
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    environment.filters |= {
+        "degrees": lambda angle: _number(degrees(angle)),
+        "dots": _dots,
+        "number": _number,
+        "printable": printable,
+        "vector": _vector,
+    }
+    return environment
+
+
+def _read(name: str) -> str:
+    with open(os.path.join(_FOLDER, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def _safe(text: str) -> str:
+    """A text of our own that is markup, or stands where nothing is escaped."""
+    from markupsafe import Markup
+
+    assert "</script" not in text.lower()
+    return Markup(text)
+
+
+def _json(value: object) -> str:
+    """JSON for a script element, which nothing in it can end."""
+    from jinja2.utils import htmlsafe_json_dumps
+
+    return htmlsafe_json_dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
+def _base64(data: bytes) -> str:
+    return base64.b64encode(data).decode("ascii")
+
+
+def _policy(scripts: Sequence[str], *, live: bool) -> str:
+    """What a page may do: run these scripts, and show what it carries; a live one, ask us."""
+    hashes = (hashlib.sha256(script.encode()).digest() for script in scripts)
+    sources = " ".join(f"'sha256-{_base64(digest)}'" for digest in hashes)
+    connections = "'self' blob: data:" if live else "blob: data:"
+    return "; ".join(
+        [
+            "default-src 'none'",
+            f"script-src {sources}",
+            "style-src 'unsafe-inline'",
+            "img-src data: blob:",
+            f"connect-src {connections}",
+            "base-uri 'none'",
+            "form-action 'none'",
+        ]
+    )
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:.4g}"
+
+
+def _vector(values: Sequence[float | None] | None) -> str:
+    return " ".join("?" if value is None else _number(value) for value in values or ())
+
+
+def _dots(moments: Sequence[float | None] | None) -> str:
+    """A drawing of three moments on a logarithmic scale from 1e-7 to 100 kg m^2."""
+    from markupsafe import Markup
+
+    known = [moment for moment in moments or () if moment is not None and moment > 0]
+    if not known:
+        return ""
+    places = [min(max((log10(moment) + 7) / 9, 0.0), 1.0) for moment in known]
+    dots = "".join(f'<circle cx="{4 + 92 * place:.1f}" cy="6" r="3"/>' for place in places)
+    return Markup(
+        '<svg class="dots" viewBox="0 0 100 12" width="100" height="12" aria-hidden="true">'
+        f'<line x1="4" y1="6" x2="96" y2="6"/>{dots}</svg>'
+    )

@@ -1,0 +1,74 @@
+"""The report as Markdown, for a pull request."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from urdfkit.output.report.document import Document
+from urdfkit.output.report.translations import Words
+from urdfkit.text.markdown import escape, fitted, table
+
+_SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
+_PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
+_VERDICTS = {"good": "🟢", "doubtful": "🟡", "unfit": "🔴"}
+
+
+def render(document: Document, words: Words) -> str:
+    """Summary, verdicts and findings first; tables follow as long as they fit."""
+    return fitted(_sections(document, words))
+
+
+def _sections(document: Document, _: Words) -> Iterator[str]:
+    robot, summary = document["robot"], document["summary"]
+    counts = ", ".join(_counted(summary[key], key, _) for key in ("error", "warning", "info"))
+    title = robot["name"] if robot else document["file"]
+    yield f"## {escape(title)}\n\n{_code(document['file'])}: **{counts}**\n"
+    if robot:
+        rows = [
+            [_("Links"), str(robot["links"])],
+            [_("Joints"), str(robot["joints"])],
+            [_("Degrees of freedom"), str(robot["degrees_of_freedom"])],
+            [_("Mass"), f"{robot['mass']:g} kg"],
+            [_("Centre of mass"), f"{_vector(robot['center'] or [None] * 3)} m"],
+        ]
+        yield table(["", ""], rows)
+    if document["targets"]:
+        header = [_("Program"), _("Verdict"), _("error"), _("warning"), _("info")]
+        yield table(header, (_target(one, _) for one in document["targets"]))
+    if document["findings"]:
+        header = ["", _("Where"), _("What")]
+        yield f"### {_('Findings')}\n\n" + table(header, _findings(document["gathered"], _))
+    if document["links"]:
+        header = [_("Link"), f"{_('Mass')} / kg", _("Principal moments") + " / kg m²"]
+        yield f"### {_('Masses')}\n\n" + table(header, map(_link, document["links"]))
+
+
+def _counted(count: int, noun: str, _: Words) -> str:
+    return f"{count} {_(noun if count == 1 else _PLURALS[noun])}"
+
+
+def _target(target: dict[str, Any], _: Words) -> list[str]:
+    verdict = f"{_VERDICTS[target['verdict']]} {_(target['verdict'])}"
+    counts = [str(target[key]) for key in ("error", "warning", "info")]
+    return [target["name"], verdict, *counts]
+
+
+def _findings(findings: Iterable[dict[str, Any]], _: Words) -> Iterator[list[str]]:
+    for found in sorted(findings, key=lambda one: list(_SIGNS).index(one["severity"])):
+        place = f"{found['path']}:{found['line']}:{found['column']}"
+        what = f"{_SIGNS[found['severity']]} {found['code']}"
+        yield [what, _code(place), escape(found["message"])]
+
+
+def _link(link: dict[str, Any]) -> list[str]:
+    mass = "" if link["mass"] is None else f"{link['mass']:g}"
+    return [_code(link["name"]), mass, _vector(link["moments"] or ())]
+
+
+def _code(text: str) -> str:
+    return f"<code>{escape(text)}</code>"
+
+
+def _vector(values: Iterable[float | None]) -> str:
+    return " ".join("?" if value is None else f"{value:.4g}" for value in values)

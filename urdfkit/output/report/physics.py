@@ -1,0 +1,102 @@
+"""The parts of a report that take a while: what gravity asks of joints, and which links collide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Unavailable
+from urdfkit.output.report.tables import Row
+from urdfkit.robot.joints import effort_unit
+from urdfkit.robot.stability import standing as standing_of
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+#: Poses that statics and collisions sample; the commands of their own take more.
+POSES, SAMPLES = 200, 1000
+#: Torques in N m, and forces in N, under this are rounding.
+NOISE = 1e-9
+
+Progress = Callable[[int, int], None]
+
+
+def statics(subject: Subject) -> Row:
+    """What gravity asks of each joint in its worst pose, the weakest joint first.
+
+    Raises:
+        Unavailable: Pinocchio is not installed, or cannot take the robot.
+    """
+    robot = subject.dynamics
+    from urdfkit.physics.dynamics.statics import statics as loads_of
+
+    found = loads_of(robot, samples=POSES)
+    joints = subject.model.joints_by_name
+    return {
+        "poses": found.poses,
+        "mass": found.mass,
+        "joints": [
+            {
+                "joint": load.joint,
+                "unit": effort_unit(joints[load.joint]),
+                "at_zero": _round(load.at_zero),
+                "worst": _round(load.worst),
+                "effort": load.effort,
+                "used": load.used,
+                "exceeded": load.is_exceeded,
+            }
+            for load in found.loads
+        ],
+    }
+
+
+def _round(torque: float) -> float:
+    """A torque, or 0 where it is but the rounding of sums."""
+    return 0.0 if abs(torque) < NOISE else torque
+
+
+def standing(subject: Subject) -> Row:
+    """Whether the robot stands, all joints at zero: what ``urdfkit statics`` says.
+
+    Raises:
+        Unavailable: links and joints do not form one tree.
+    """
+    if not subject.tree.is_sound:
+        raise Unavailable("links and joints do not form one tree; urdfkit check tells why")
+    return standing_of(subject).facts()
+
+
+def collisions(subject: Subject, progress: Progress | None = None) -> Row:
+    """Which links can collide with which, as sampling shows it.
+
+    Args:
+        subject: the robot.
+        progress: called with the number of samples done and of all.
+
+    Raises:
+        Unavailable: coal is not installed, or the robot is beyond it.
+    """
+    try:
+        matrix = subject.collisions.matrix(samples=SAMPLES, progress=progress)
+    except UrdfkitError as error:
+        raise Unavailable(str(error)) from error
+    names = dict.fromkeys(name for pair in matrix.pairs for name in (pair.first, pair.second))
+    return {
+        "samples": matrix.samples,
+        "seed": matrix.seed,
+        "links": [name for name in subject.model.links_by_name if name in names],
+        "pairs": [
+            {
+                "first": pair.first,
+                "second": pair.second,
+                "verdict": pair.verdict.value,
+                "frequency": pair.frequency,
+                "distance": pair.nearest.distance if pair.nearest else None,
+                "near_miss": pair.is_near_miss,
+            }
+            for pair in matrix.pairs
+        ],
+        "parts": list(matrix.parts),
+        "omitted": [{"link": one.link, "reason": one.reason} for one in matrix.omitted],
+    }

@@ -1,0 +1,139 @@
+"""A robot in three dimensions, for the engine in a page: surfaces, and how joints move links."""
+
+from __future__ import annotations
+
+import gzip
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame
+from urdfkit.errors import MissingLibrary
+from urdfkit.lint.context import Unavailable
+from urdfkit.robot.joints import bounds
+from urdfkit.robot.kinematics import SLIDING, TURNING, direction, laws
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.render import Scene as Surfaces
+    from urdfkit.robot.model import Link
+
+INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
+
+#: A page of more links is too slow to open, one of more triangles too large to send.
+MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
+
+
+class Scene(Record):
+    """What the engine draws.
+
+    Attributes:
+        model: binary glTF, packed with gzip; each surface in the frame of its link.
+        robot: links, and joints with parents before children, as plain values.
+    """
+
+    model: bytes
+    robot: dict[str, Any]
+
+
+def surfaces(subject: Subject) -> Surfaces:
+    """The triangles of a robot, for pictures and for the engine.
+
+    Raises:
+        Unavailable: a library is not installed, or the robot has too many links for a page.
+    """
+    if len(subject.model.links) > MAX_LINKS:
+        raise Unavailable(f"{len(subject.model.links)} links are more than a page can show")
+    try:
+        from urdfkit.render import build as build_surfaces
+    except (ImportError, MissingLibrary) as error:
+        raise Unavailable(INSTALL) from error
+    return build_surfaces(subject, roles=("visual", "collision"))
+
+
+def build(subject: Subject, built: Surfaces) -> Scene:
+    """The scene of a robot; of one with very many triangles a coarse one.
+
+    Args:
+        subject: the robot.
+        built: its triangles.
+    """
+    from urdfkit.output.report.gltf import write
+    from urdfkit.render.coarse import coarsened
+
+    tree = subject.tree
+    model, triangles = write(coarsened(built.items, MAX_TRIANGLES))
+    names = list(tree.frames)  # parents before children, links of closed loops left out
+    numbers = {name: number for number, name in enumerate(names)}
+    robot = {
+        "links": [_link(subject.model.links_by_name[name]) for name in names],
+        "joints": _joints(subject, numbers),
+        "triangles": triangles,
+        "missing": [list(map(str, missing)) for missing in built.missing],
+    }
+    return Scene(packed(model), robot)
+
+
+def nothing() -> Scene:
+    """The scene of a robot that cannot be read.
+
+    Raises:
+        Unavailable: numpy is not installed.
+    """
+    try:
+        from urdfkit.output.report.gltf import write
+    except (ImportError, MissingLibrary) as error:
+        raise Unavailable(INSTALL) from error
+    model, triangles = write(())
+    return Scene(packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []})
+
+
+def packed(model: bytes) -> bytes:
+    """A model as a page carries it."""
+    return gzip.compress(model, mtime=0)
+
+
+def _link(link: Link) -> dict[str, Any]:
+    from urdfkit.output.report.boxes import inertia_box
+
+    inertial = link.inertial
+    found: dict[str, Any] = {"name": link.name}
+    if inertial and link.mass > 0:
+        found |= {"mass": link.mass, "center": list(inertial.origin.position)}
+        box = inertia_box(inertial, link.mass)
+        if box is not None:
+            edges, frame = box
+            found["box"] = {"edges": list(edges), "matrix": _matrix(frame)}
+    return found
+
+
+def _joints(subject: Subject, numbers: dict[str, int]) -> list[dict[str, Any]]:
+    """One joint for each link that hangs on another, as `mechanics.kinematics.frames` has it."""
+    joints = subject.model.joints_by_name
+    every = laws(joints)
+    order = {name: number for number, name in enumerate(joints)}
+    found = []
+    for joint in subject.tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        entry = {
+            "name": joint.name,
+            "order": order.get(joint.name, 0),
+            "type": joint.kind,
+            "parent": numbers[joint.parent.value],
+            "child": numbers[joint.child.value],
+            "origin": _matrix(joint.origin),
+            "axis": list(direction(joint)),
+        }
+        law = every.get(joint.name)
+        if joint.kind in (*TURNING, *SLIDING) and law is not None:
+            entry |= {"leader": law.leader, "factor": law.factor, "shift": law.shift}
+            entry |= {"limits": bounds(joint)}
+        found.append(entry)
+    return found
+
+
+def _matrix(frame: Frame) -> list[float]:
+    """Sixteen numbers, column by column, as three.js takes them."""
+    (a, b, c), (x, y, z) = frame.rotation, frame.position
+    columns = [*zip(a, b, c, strict=True)]
+    return [v for column in columns for v in (*column, 0.0)] + [x, y, z, 1.0]

@@ -1,0 +1,169 @@
+"""The parts of a report that are computed from the robot: rows of plain values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.errors import MissingLibrary
+from urdfkit.lint.context import Unavailable
+from urdfkit.output.overview import summarise
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.text.source import Span, shown
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Joint, Link, Shape
+
+Row = dict[str, Any]
+
+
+def robot(subject: Subject) -> Row:
+    """What it is as a whole, all joints at zero; in the frame of its root."""
+    model, tree = subject.model, subject.tree
+    seen = summarise(subject)
+    whole = seen.weight.whole.properties
+    return {
+        "name": model.name,
+        "links": len(model.links),
+        "joints": len(model.joints),
+        "degrees_of_freedom": model.degrees_of_freedom,
+        "roots": [root.name for root in tree.roots],
+        "mass": model.mass,
+        "center": list(whole.center) if whole else None,
+        "visuals": sum(len(link.visuals) for link in model.links),
+        "size": list(seen.shapes.box.edges) if seen.shapes.box else None,
+        "reach": seen.reach.distance if seen.reach else None,
+        "collisions": sum(len(link.collisions) for link in model.links),
+    }
+
+
+def links(subject: Subject) -> list[Row]:
+    """Each link with its mass, centre of mass and principal moments."""
+    total = subject.model.mass
+    return [_link(link, total) for link in subject.model.links]
+
+
+def _link(link: Link, total: float) -> Row:
+    inertial = link.inertial
+    tensor = inertial.tensor.value if inertial and inertial.tensor else None
+    return {
+        "name": link.name,
+        "mass": inertial.mass.value if inertial and inertial.mass else None,
+        "share": link.mass / total if total > 0 else 0.0,
+        "center": list(inertial.origin.position) if inertial else None,
+        "moments": list(principal_moments(tensor)) if tensor else None,
+        "inertia": tensor._asdict() if tensor else None,
+        "visuals": [_shape(body.shape) for body in link.visuals],
+        "collisions": [_shape(body.shape) for body in link.collisions],
+        **_place(link.at.span),
+    }
+
+
+def _shape(shape: Shape | None) -> str:
+    """The mesh that it is, or its kind."""
+    if shape is None:
+        return ""
+    return shape.filename.value if shape.filename else shape.kind
+
+
+def _place(span: Span) -> Row:
+    line, column = span.source.position(span.start)
+    return {"path": shown(span.source.path), "line": line, "column": column}
+
+
+def joints(subject: Subject) -> list[Row]:
+    """Each joint with its type, links, axis, limits and the joint that it follows."""
+    return [_joint(joint) for joint in subject.model.joints]
+
+
+def _joint(joint: Joint) -> Row:
+    limits = {
+        key: placed.value if joint.limit and (placed := getattr(joint.limit, key)) else None
+        for key in ("lower", "upper", "effort", "velocity")
+    }
+    mimic = None
+    if joint.mimic and joint.mimic.joint:
+        mimic = {
+            "joint": joint.mimic.joint.value,
+            "multiplier": joint.mimic.multiplier,
+            "offset": joint.mimic.offset,
+        }
+    return {
+        "name": joint.name,
+        "type": joint.kind,
+        "parent": joint.parent.value if joint.parent else "",
+        "child": joint.child.value if joint.child else "",
+        "axis": list(joint.axis.value) if joint.axis else None,
+        **limits,
+        "mimic": mimic,
+        **_place(joint.at.span),
+    }
+
+
+def gazebo(subject: Subject) -> Row:
+    """What becomes of each link in Gazebo, and what is left."""
+    conversion = subject.gazebo
+    fates = {
+        link.name: _fate(link.name, conversion.survivor, conversion.dropped)
+        for link in conversion.model.links
+    }
+    return {
+        "converter": conversion.converter.name,
+        "fates": [{"link": name, **fate} for name, fate in fates.items()],
+        "links": [
+            {
+                "name": link.name,
+                "mass": link.properties.mass,
+                "center": list(link.properties.center),
+                "merged": [part.name for part, _ in link.body.links[1:]],
+            }
+            for link in conversion.links
+        ],
+        "joints": len(conversion.joints) + len(conversion.added_joints),
+        "added": [link.get("name") for link in conversion.added_links],
+    }
+
+
+def _fate(name: str, survivor: dict[str, str], dropped: dict[str, str]) -> Row:
+    if name in dropped:
+        return {"fate": "dropped", "into": "", "reason": dropped[name]}
+    if name not in survivor:
+        return {"fate": "not made", "into": "", "reason": ""}
+    into = survivor[name]
+    fate = "stays" if into == name else "merged"
+    return {"fate": fate, "into": into if into != name else "", "reason": ""}
+
+
+def meshes(subject: Subject) -> list[Row]:
+    """Each mesh that the robot names: where its file is, and what the file holds."""
+    counts = _triangles(subject)
+    rows = []
+    for mesh in subject.files.meshes:
+        facts = mesh.facts
+        rows.append(
+            {
+                "link": mesh.link,
+                "role": mesh.role,
+                "name": mesh.at.value,
+                "path": shown(mesh.located.path) if mesh.located.path else None,
+                "format": facts.format if facts else "",
+                "size": facts.size if facts else None,
+                "triangles": counts.get(mesh.at.value),
+                "defect": facts.defect.reason if facts and facts.defect else "",
+            }
+        )
+    return rows
+
+
+def _triangles(subject: Subject) -> dict[str, int]:
+    """How many triangles a mesh file gives, by the name that it is referred to."""
+    found: dict[str, int] = {}
+    for shape in subject.model.shapes:
+        if shape.filename and shape.filename.value not in found:
+            try:
+                mesh = subject.meshes.mesh(shape)
+            except (ImportError, MissingLibrary, Unavailable):
+                return {}
+            if mesh is not None:
+                found[shape.filename.value] = sum(len(part.faces) for part in mesh.parts)
+    return found

@@ -1,0 +1,157 @@
+"""report(): the report of a robot in the form that a file's suffix asks for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.lint.context import Unavailable
+from urdfkit.output.report.document import LONG, Document, Told, describe
+from urdfkit.output.report.translations import Words
+from urdfkit.text.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.lint.config import Config
+    from urdfkit.output.report.scene import Scene
+
+#: Forms of a report, by the suffix of a file.
+SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json", ".csv": "csv"}
+
+
+def report(
+    file: str | os.PathLike[str] | Source,
+    form: str = "html",
+    *,
+    language: str = "en",
+    table: str = "findings",
+    quick: bool = False,
+    arguments: Mapping[str, str] | None = None,
+    packages: Mapping[str, str] | None = None,
+    targets: Iterable[str] = (),
+    trust: bool = False,
+    config: Config | None = None,
+    variant: str = "",
+    progress: Callable[[int, int], None] | None = None,
+) -> tuple[str, Document]:
+    """The text of a report, and the document that it was made from.
+
+    Args:
+        file: a URDF or xacro file.
+        form: ``html``, ``markdown``, ``json`` or ``csv``.
+        language: of headings and the like: ``en`` or ``zh``.
+        table: of CSV, one of `csv.COLUMNS`.
+        quick: leave out what takes a while: pictures, statics and collisions.
+        arguments: for xacro.
+        packages: folders of ROS packages by name; they win over every search.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+        variant: which of those that the configuration has of the file.
+        progress: called with the number of steps done and of all, where it takes a while.
+
+    Raises:
+        UnreadableFile: the file is missing or may not be read.
+        UrdfkitError: the form needs a library that is not installed, or has no such table.
+    """
+    told = describe(
+        file,
+        arguments=arguments,
+        packages=packages,
+        targets=targets,
+        trust=trust,
+        config=config,
+        variant=variant,
+        quick=quick or not _shows_all(form, table),
+        progress=progress,
+    )
+    document = told.document
+    if form == "json":
+        from urdfkit.output.report import json
+
+        return json.render(document), document
+    if form == "csv":
+        from urdfkit.output.report import csv
+
+        return csv.render(document, table), document
+    if form == "markdown":
+        from urdfkit.output.report import markdown
+
+        return markdown.render(document, Words(language)), document
+    return _page(told, Words(language), has_pictures=not quick)
+
+
+def _shows_all(form: str, table: str) -> bool:
+    """True if a form shows what takes a while."""
+    return form in ("html", "json") or (form == "csv" and table in LONG)
+
+
+def _page(told: Told, words: Words, *, has_pictures: bool) -> tuple[str, Document]:
+    """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
+    from urdfkit.output.report import html
+
+    document, data_uris, scene = drawn(told, has_pictures=has_pictures)
+    if scene is None:
+        return html.render(document, words, data_uris), document
+    from urdfkit.output.report import engine
+
+    return html.render(document, words, data_uris, scene, engine.load()), document
+
+
+class Drawn(Record):
+    """A robot as pictures.
+
+    Attributes:
+        document: what is told of it, and why a picture is missing.
+        drawings: addresses of pictures, by name.
+        scene: the robot in three dimensions; None if it cannot be had.
+    """
+
+    document: Document
+    drawings: dict[str, str]
+    scene: Scene | None
+
+
+def drawn(told: Told, *, has_pictures: bool) -> Drawn:
+    """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
+
+    Args:
+        told: the robot.
+        has_pictures: with the pictures that take a while.
+    """
+    from urdfkit.output.report import data_uris, scene
+
+    subject = told.subject
+    found = data_uris.tree(subject)
+    if subject.reading.document is None or not subject.model.links:
+        return Drawn(told.document, found, None)
+    try:
+        built = scene.surfaces(subject)
+    except Unavailable as error:
+        return Drawn(_without_view(told.document, str(error)), found, None)
+    if has_pictures:
+        found |= data_uris.pictures(built, subject, told.diagnostics)
+    document, triangles = told.document, sum(len(item.faces) for item in built.items)
+    if triangles > scene.MAX_TRIANGLES:
+        reason = f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
+        document = _without_view(document, reason)
+    return Drawn(document, found, scene.build(subject, built))
+
+
+def _without_view(document: Document, reason: str) -> Document:
+    """A document that tells why the robot is not to be seen in three dimensions, or not well."""
+    return {**document, "missing": {**document["missing"], "3D view": reason}}
+
+
+def form_of(target: str) -> str:
+    """The form that the suffix of a file asks for.
+
+    Raises:
+        UrdfkitError: it asks for none.
+    """
+    for suffix, form in SUFFIXES.items():
+        if target.lower().endswith(suffix):
+            return form
+    raise UrdfkitError(f"{target}: the suffix is none of {', '.join(SUFFIXES)}")

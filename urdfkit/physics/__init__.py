@@ -1,0 +1,1 @@
+"""What needs Pinocchio or coal: dynamics, self-collision, poses."""

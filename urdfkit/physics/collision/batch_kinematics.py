@@ -1,0 +1,316 @@
+"""Where the links are in many configurations at once.
+
+The same mathematics as `urdfkit.robot.kinematics`, over arrays: frames are homogeneous matrices
+(n, 4, 4) in the frame of the root link, for n configurations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from urdfkit.core.spatial import Frame
+from urdfkit.mesh.geometry import Floats
+from urdfkit.robot.joints import span, start_of
+from urdfkit.robot.kinematics import SLIDING, TURNING, Law, direction, laws
+from urdfkit.robot.model import Joint
+from urdfkit.robot.tree import KinematicTree
+
+#: In m: larger distances stand for nothing, and their squares may overflow.
+_FARTHEST = 1e9
+
+#: (3, 9): a vector n becomes the rows of a matrix N with v N = v x n; np.cross takes far longer.
+_CROSS = np.array(
+    (
+        (0, 0, 0, 0, 0, -1, 0, 1, 0),
+        (0, 0, 1, 0, 0, 0, -1, 0, 0),
+        (0, -1, 0, 1, 0, 0, 0, 0, 0),
+    ),
+    dtype=np.float64,
+)
+
+#: Of a joint without a name.
+_STILL = Law("", 0.0, 0.0)
+
+
+class Axis(NamedTuple):
+    """A joint that moves freely: the range that is sampled, and where it begins, in rad or m."""
+
+    joint: str
+    lower: float
+    upper: float
+    default: float
+
+
+class Step(NamedTuple):
+    """From one link to a child of it.
+
+    The frame of the child in that of the parent is ``still + f sine + g versine``, with f and g
+    the sine and 1 - cosine of an angle (Rodrigues' formula), or f a distance.
+
+    Attributes:
+        parent: number of the link.
+        child: number of the link.
+        still: (4, 4), where the joint is at zero.
+        sine: (4, 4).
+        versine: (4, 4).
+        axis: (3,), a unit vector, in the frame of the child as well as of the joint.
+        turns: True for an angle, False for a distance.
+        column: of the axis whose position it follows; -1 for a joint that stays where it is.
+        factor: its position is ``factor * position of the axis + shift``.
+        shift: likewise.
+    """
+
+    parent: int
+    child: int
+    still: Floats
+    sine: Floats
+    versine: Floats
+    axis: Floats
+    turns: bool
+    column: int
+    factor: float
+    shift: float
+
+    def frames(self, configurations: Floats) -> Floats:
+        """Of the child in the parent: (n, 4, 4) for (n, dof), or (4, 4) where nothing moves."""
+        if self.column < 0:
+            return self._at(np.float64(self.shift))
+        return self._at(self.factor * configurations[:, self.column, None, None] + self.shift)
+
+    def _at(self, position: Floats | np.float64) -> Floats:
+        if not self.turns:
+            return np.asarray(self.still + position * self.sine)
+        turned = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
+        return np.asarray(self.still + turned)
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A kinematic tree as arrays.
+
+    Attributes:
+        links: names; a step names them by number.
+        axes: the joints that move freely, one column of a configuration each.
+        steps: parents before children.
+        parts: for each link, the number of the topmost one that joints with limits bind it to. A
+            root, and what hangs on a planar or floating joint, begins a part; links in a closed
+            loop that no root leads to are one each.
+    """
+
+    links: tuple[str, ...]
+    axes: tuple[Axis, ...]
+    steps: tuple[Step, ...]
+    parts: tuple[int, ...]
+
+    @cached_property
+    def above(self) -> dict[int, Step]:
+        """The step that leads to each link but the roots."""
+        return {step.child: step for step in self.steps}
+
+    @property
+    def default(self) -> Floats:
+        """(dof,), the configuration that MoveIt begins in."""
+        return self.row({})
+
+    @property
+    def limits(self) -> tuple[Floats, Floats]:
+        """(dof,) each: the least and the greatest positions."""
+        lower = np.array([axis.lower for axis in self.axes])
+        return lower, np.array([axis.upper for axis in self.axes])
+
+    def samples(self, count: int, seed: int, block: int) -> Floats:
+        """Configurations (count, dof), equally likely everywhere within the limits."""
+        lower, upper = self.limits
+        random = np.random.default_rng([seed, block]).random((count, len(self.axes)))
+        return np.asarray(lower + (upper - lower) * random)
+
+    def extremes(self) -> Floats:
+        """(1 + 2 dof, dof): the default, then each joint alone at its lower and upper limit."""
+        poses = np.tile(self.default, (1 + 2 * len(self.axes), 1))
+        for column, axis in enumerate(self.axes):
+            poses[1 + 2 * column, column] = axis.lower
+            poses[2 + 2 * column, column] = axis.upper
+        return poses
+
+    def row(self, given: Mapping[str, float]) -> Floats:
+        """(dof,), the default with some positions by joint in place of its own."""
+        return np.array([given.get(axis.joint, axis.default) for axis in self.axes])
+
+    def pose(self, row: Floats, first: int, second: int) -> dict[str, float]:
+        """The positions by joint, in rad or m, that say how two links stand to one another."""
+        return {self.axes[at].joint: float(row[at]) for at in self.between(first, second)}
+
+    def frames(self, configurations: Floats, links: Iterable[int]) -> dict[int, Floats]:
+        """The frames of some links, (n, 4, 4) each, in n configurations (n, dof)."""
+        count = len(configurations)
+        wanted = set(links)
+        for step in reversed(self.steps):
+            if step.child in wanted:
+                wanted.add(step.parent)
+        found: dict[int, Floats] = dict.fromkeys(wanted, np.eye(4))
+        for step in self.steps:
+            if step.child in wanted:
+                found[step.child] = found[step.parent] @ step.frames(configurations)
+        return {link: np.broadcast_to(found[link], (count, 4, 4)) for link in links}
+
+    def pairs(self, links: Iterable[int]) -> Iterator[tuple[int, int]]:
+        """The pairs of some links, those of one part: of others nothing says how they stand."""
+        of_part: dict[int, list[int]] = {}
+        for link in sorted(links):
+            of_part.setdefault(self.parts[link], []).append(link)
+        for group in of_part.values():
+            yield from combinations(group, 2)
+
+    def default_with(self, columns: Sequence[int], positions: Floats) -> Floats:
+        """Configurations (n, dof): the default, but for some columns with positions (n, k)."""
+        rows = np.tile(self.default, (len(positions), 1))
+        rows[:, columns] = positions
+        return rows
+
+    def between(self, first: int, second: int) -> list[int]:
+        """The columns of the axes that move one link against another one."""
+        branches = self.branches(first, second)
+        return sorted({step.column for branch in branches for step in branch} - {-1})
+
+    def branches(self, first: int, second: int) -> tuple[list[Step], list[Step]]:
+        """The steps to two links from the last link above both, or from the root of each."""
+        ways: list[list[Step]] = []
+        for end in (first, second):
+            way: list[Step] = []
+            while step := self.above.get(way[-1].parent if way else end):
+                way.append(step)
+            ways.append(way[::-1])
+        shared = sum(one is other for one, other in zip(*ways, strict=False))
+        return ways[0][shared:], ways[1][shared:]
+
+
+class Way(NamedTuple):
+    """Where a branch leads in n configurations, in the frame at its beginning.
+
+    Attributes:
+        end: (n, 4, 4), the frames at its end.
+        axes: (n, s, 3), of its s moving joints, unit vectors.
+        places: (n, s, 3), a point on each axis, in m.
+    """
+
+    end: Floats
+    axes: Floats
+    places: Floats
+
+
+class Branch:
+    """Some steps in a row, as arrays over those that move.
+
+    Args:
+        steps: from the beginning to the end.
+        columns: of all axes that they follow, and perhaps of others.
+    """
+
+    def __init__(self, steps: Sequence[Step], columns: Sequence[int]) -> None:
+        before, rows = np.eye(4), []
+        for step in steps:
+            if step.column < 0:
+                before = before @ step.frames(np.zeros((0, 0)))
+            else:
+                rows.append([before @ part for part in (step.still, step.sine, step.versine)])
+                before = np.eye(4)
+        self._tail = before
+        moving = [step for step in steps if step.column >= 0]
+        self._still, self._sine, self._versine = np.reshape(rows, (-1, 3, 4, 4)).swapaxes(0, 1)
+        self._axes = np.reshape([step.axis for step in moving], (-1, 3))
+        self._turns = np.array([step.turns for step in moving], dtype=bool)
+        self._shift = np.array([step.shift for step in moving])
+        self._factors = np.zeros((len(columns), len(moving)))
+        for number, step in enumerate(moving):
+            self._factors[columns.index(step.column), number] = step.factor
+
+    def at(self, positions: Floats) -> Way:
+        """Where it leads with its columns at positions (n, k), in rad or m."""
+        at = (positions @ self._factors + self._shift)[:, :, None, None]
+        turns = self._turns[:, None, None]
+        frames = self._still + np.where(turns, np.sin(at), at) * self._sine
+        frames += np.where(turns, 1 - np.cos(at), 0.0) * self._versine
+        for number in range(1, len(self._axes)):
+            frames[:, number] = frames[:, number - 1] @ frames[:, number]
+        end = frames[:, -1] @ self._tail if len(self._axes) else self._tail
+        axes = (frames[:, :, :3, :3] @ self._axes[:, :, None])[..., 0]
+        return Way(np.broadcast_to(end, (len(positions), 4, 4)), axes, frames[:, :, :3, 3])
+
+    def slopes(self, way: Way, points: Floats, directions: Floats) -> Floats:
+        """(n, k): how fast points fixed to its end go along directions, as each column moves.
+
+        Args:
+            way: from `at`.
+            points: (n, 3), in m.
+            directions: (n, 3), unit vectors.
+        """
+        levers = (points[:, None] - way.places) @ (directions @ _CROSS).reshape(-1, 3, 3)
+        along = np.where(self._turns[:, None], levers, directions[:, None])
+        slopes: Floats = np.einsum("nsi,nsi->ns", way.axes, along) @ self._factors.T
+        return slopes
+
+
+def chain(tree: KinematicTree) -> Chain:
+    """The arrays of a tree; links in a closed loop that no root leads to stay at the origin."""
+    names = tuple(tree.model.links_by_name)
+    number = {name: index for index, name in enumerate(names)}
+    axes = tuple(
+        Axis(j.name, *span(j), start_of(j))
+        for j in tree.model.joints_by_name.values()
+        if _is_free(j)
+    )
+    columns = {axis.joint: column for column, axis in enumerate(axes)}
+    followed = laws(tree.model.joints_by_name)
+    steps: list[Step] = []
+    parts = list(range(len(names)))
+    for joint in tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        parent, child = number[joint.parent.value], number[joint.child.value]
+        law = followed.get(joint.name, _STILL)
+        steps.append(_step(joint, parent, child, law, columns))
+        if joint.kind not in ("planar", "floating"):
+            parts[child] = parts[parent]
+    return Chain(names, axes, tuple(steps), tuple(parts))
+
+
+def _is_free(joint: Joint) -> bool:
+    return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
+
+
+def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
+    does_move = joint.kind in (*TURNING, *SLIDING)
+    origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
+    x, y, z = direction(joint)
+    turns = joint.kind in TURNING
+    sine = np.zeros((4, 4))
+    if turns:
+        sine[:3, :3] = ((0, -z, y), (z, 0, -x), (-y, x, 0))
+    else:
+        sine[:3, 3] = (x, y, z)
+    return Step(
+        parent,
+        child,
+        origin,
+        origin @ sine,
+        origin @ sine @ sine,
+        np.array((x, y, z)),
+        turns,
+        columns.get(law.leader, -1) if does_move else -1,
+        law.factor,
+        law.shift if does_move else 0.0,
+    )
+
+
+def matrix(frame: Frame) -> Floats:
+    """(4, 4), homogeneous."""
+    found = np.eye(4)
+    found[:3, :3] = frame.rotation
+    found[:3, 3] = frame.position
+    return found

@@ -1,0 +1,213 @@
+"""Collision bodies as coal wants them, each with bounds that numpy can test for many poses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf
+from typing import Any, NamedTuple
+
+import coal
+import numpy as np
+
+from urdfkit.mesh.geometry import Floats, Integers
+from urdfkit.physics.collision.geometry_arrays import Solid
+
+#: Bodies that overlap by no more than this, in m, touch.
+TOUCH = 1e-5
+#: coal's requests: without it coal misses hits of meshes (measured on a UR5).
+MARGIN = 1e-6
+#: Contacts of two meshes that are looked at for the deepest.
+_CONTACTS = 200
+#: A mesh is flat, and has no hull, below this ratio of its thickness and its length.
+_FLAT = 1e-6
+#: A mesh is its own hull if their volumes differ by no more than this, relatively.
+_CONVEX = 1e-6
+
+#: Of a cube, with a triangle, as coal makes hulls of surfaces only.
+_CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
+_BOX = np.array([[0, 1, 2]])
+
+_STILL = coal.Transform3s()
+
+_PRIMITIVES: dict[str, Callable[..., Any]] = {
+    "box": coal.Box,
+    "sphere": coal.Sphere,
+    "cylinder": coal.Cylinder,
+    "capsule": coal.Capsule,
+}
+
+
+class Form(NamedTuple):
+    """One body.
+
+    Attributes:
+        solid: it was made from.
+        exact: coal's geometry of it: a convex body, or the triangles of a mesh that is none.
+        hull: a convex body around it; the same object if it is convex.
+        center: (3,), of its bounding box, in its own frame, in m.
+        half: (3,), half the sides of that box.
+        radius: of a sphere about the center that holds it, in m.
+    """
+
+    solid: Solid
+    exact: Any
+    hull: Any
+    center: Floats
+    half: Floats
+    radius: float
+
+    @property
+    def is_convex(self) -> bool:
+        """True if its hull is no larger than itself."""
+        return self.exact is self.hull
+
+
+def form(solid: Solid) -> Form:
+    """A body for coal."""
+    if solid.kind == "mesh":
+        return _mesh(solid)
+    exact = _PRIMITIVES[solid.kind](*solid.size)
+    return Form(solid, exact, exact, np.zeros(3), *_extent(solid))
+
+
+def _extent(solid: Solid) -> tuple[Floats, float]:
+    """Half the sides of the box around a primitive, and the radius of the sphere, in m."""
+    if solid.kind == "box":
+        half = np.array(solid.size) / 2
+        return half, float(np.linalg.norm(half))
+    radius = solid.size[0]
+    if solid.kind == "sphere":
+        return np.full(3, radius), radius
+    above = solid.size[1] / 2
+    if solid.kind == "capsule":
+        return np.array([radius, radius, above + radius]), above + radius
+    return np.array([radius, radius, above]), float(np.hypot(radius, above))
+
+
+def _mesh(solid: Solid) -> Form:
+    vertices, faces = solid.vertices, solid.faces
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    center, half = (low + high) / 2, (high - low) / 2
+    radius = float(np.linalg.norm(vertices - center, axis=1).max())
+    triangles = _surface(vertices, faces)
+    if _is_flat(vertices):
+        return Form(solid, triangles, triangles, center, half, radius)
+    hull = _hull(triangles) or _hull(_surface(center + _CORNERS * half, _BOX))
+    inside = abs(volume(vertices - center, faces))
+    exact = hull if abs(inside - hull.computeVolume()) <= _CONVEX * inside else triangles
+    return Form(solid, exact, hull, center, half, radius)
+
+
+def _surface(vertices: Floats, faces: Integers) -> Any:
+    model = coal.BVHModelOBBRSS()
+    model.beginModel(len(faces), len(vertices))
+    model.addVertices(vertices)
+    model.addTriangles(faces.astype(np.uint32))
+    model.endModel()
+    return model
+
+
+def _hull(surface: Any) -> Any:
+    """The convex hull of a surface; None where 256 edges meet, which coal cannot count."""
+    try:
+        surface.buildConvexHull(True, "Qt")
+    except RuntimeError:
+        return None
+    return surface.convex
+
+
+def _is_flat(vertices: Floats) -> bool:
+    """True for points in a plane, of which coal's hull would end the process."""
+    spread = np.linalg.svd(vertices - vertices.mean(axis=0), compute_uv=False)
+    return len(vertices) < 4 or bool(spread[2] <= _FLAT * spread[0])
+
+
+def volume(vertices: Floats, faces: Integers) -> float:
+    """Of a closed surface, in m^3; negative if it is inside out (divergence theorem)."""
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
+
+
+class Gauge:
+    """Measures the distance of two bodies, thousands of times.
+
+    Args:
+        first: stays where it is.
+        second: is moved.
+
+    Attributes:
+        first, second: see there.
+        is_exact: both are convex, so that their hulls tell the distance.
+    """
+
+    def __init__(self, first: Form, second: Form) -> None:
+        self.first, self.second = first, second
+        self.is_exact = first.is_convex and second.is_convex
+        self._reach = second.radius / 4
+        self._place = coal.Transform3s()
+        self._ask = coal.DistanceRequest()
+        self._distance = coal.DistanceResult()
+        self._one, self._many = coal.CollisionRequest(), coal.CollisionRequest()
+        for request, contacts in ((self._one, 1), (self._many, _CONTACTS)):
+            request.security_margin = MARGIN
+            request.enable_contact = True
+            request.num_max_contacts = contacts
+        self._hits = coal.CollisionResult()
+
+    def distance(self, rotation: Floats, translation: Floats, limit: float) -> float:
+        """The signed distance of the two, in m: negative by how deep they overlap.
+
+        Meshes that are no convex bodies are surfaces: one within the other does not overlap.
+
+        Args:
+            rotation: (3, 3), of the second in the frame of the first.
+            translation: (3,), likewise.
+            limit: of a distance from here on only a lower bound is needed.
+        """
+        apart = self.hulls(rotation, translation)
+        if self.is_exact or apart >= max(limit, TOUCH):
+            return apart
+        if apart <= TOUCH:
+            depth = self._depth(self._one)
+            if 0 < depth <= TOUCH:  # another pair of triangles may lie deeper
+                depth = self._depth(self._many)
+            if depth > TOUCH:
+                return -depth
+            limit = max(limit, 0.0) + self._reach  # the hulls tell nothing here
+        return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
+
+    def hulls(self, rotation: Floats, translation: Floats) -> float:
+        """The signed distance of the hulls of the two, in m; a lower bound of theirs."""
+        self._place.setRotation(rotation)
+        self._place.setTranslation(translation)
+        return self._measure(self.first.hull, self.second.hull, inf)
+
+    @property
+    def line(self) -> tuple[Floats, Floats, Floats]:
+        """Where the two were nearest when their distance was measured last, in the first's frame.
+
+        Returns:
+            A point of the first, one of the second, and coal's unit vector from the first to the
+            second, (3,) each. The last is no number to rely on if both are triangles.
+        """
+        found = self._distance
+        return found.getNearestPoint1(), found.getNearestPoint2(), found.normal
+
+    def _measure(self, first: Any, second: Any, limit: float) -> float:
+        """The distance of two of coal's bodies; the limit, if it is no less than that."""
+        found = self._distance
+        found.clear()
+        if limit < inf:
+            found.min_distance = limit  # coal looks no farther
+        coal.distance(first, _STILL, second, self._place, self._ask, found)
+        return float(found.min_distance)
+
+    def _depth(self, request: Any) -> float:
+        """How deep the exact bodies overlap, at the deepest of some contacts; 0 without any."""
+        hits = self._hits
+        hits.clear()
+        if not coal.collide(
+            self.first.exact, _STILL, self.second.exact, self._place, request, hits
+        ):
+            return 0.0
+        return max(-float(contact.penetration_depth) for contact in hits.getContacts())

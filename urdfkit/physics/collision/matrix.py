@@ -1,0 +1,122 @@
+"""Which links of a robot can collide with one another, as sampling has shown it."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+from urdfkit.physics.collision.geometry_arrays import Omitted
+
+#: Pairs that come nearer than this, in m, without a collision are near misses.
+NEAR = 0.005
+
+
+class Verdict(Enum):
+    """What became of a pair; the first that fits, in the order of MoveIt's Setup Assistant."""
+
+    ADJACENT = "adjacent"  # a joint holds them together
+    DEFAULT = "default"  # they collide where all joints begin
+    ALWAYS = "always"  # they collide in nearly all samples
+    SOMETIMES = "sometimes"  # they can collide, and must be watched
+    NEVER = "never"  # no sample shows a collision
+    UNKNOWN = "unknown"  # measuring them ended the process that tried
+
+    @property
+    def reason(self) -> str:
+        """The reason that SRDF has for passing over such a pair; empty if it must be watched."""
+        return "" if self in (Verdict.SOMETIMES, Verdict.UNKNOWN) else self.value.capitalize()
+
+
+class Nearest(NamedTuple):
+    """Where two links came nearest to one another, or overlapped the most.
+
+    Attributes:
+        distance: signed, in m: negative by how deep they overlap. A configuration that was
+            sampled may be nearer by a tenth.
+        pose: positions of the joints that move one against the other, in rad or m.
+    """
+
+    distance: float
+    pose: dict[str, float]
+
+
+class PairResult(NamedTuple):
+    """Two links that both have collision geometry.
+
+    Attributes:
+        first, second: their names, in the order of the document.
+        verdict: what became of them.
+        moves: False if only fixed joints lie between.
+        frequency: of collisions, from 0 to 1, in the samples that all pairs were counted in;
+            None for pairs that these samples say nothing new of.
+        nearest: None for adjacent pairs, which are not measured.
+    """
+
+    first: str
+    second: str
+    verdict: Verdict
+    moves: bool
+    frequency: float | None
+    nearest: Nearest | None
+
+    @property
+    def is_seldom(self) -> bool:
+        """True if they collide where the robot begins, and in less than half of the samples.
+
+        An SRDF that gives them as *Default* hides collisions that can be avoided.
+        """
+        if self.verdict is not Verdict.DEFAULT or self.frequency is None:
+            return False
+        return self.frequency < 0.5
+
+    @property
+    def is_near_miss(self) -> bool:
+        """True if they move against one another and do not collide, by a hair's breadth."""
+        is_free = self.verdict is Verdict.NEVER and self.moves
+        return is_free and self.nearest is not None and self.nearest.distance < NEAR
+
+
+class Matrix(NamedTuple):
+    """All pairs of a robot.
+
+    Attributes:
+        robot: its name.
+        pairs: in the order of the document.
+        samples: configurations that were looked at.
+        asked: configurations that were asked for; more than `samples` if more showed nothing new.
+        counted: of these, the ones that collisions were counted in.
+        seed: of the samples.
+        omitted: collision bodies that took no part, and why.
+        parts: the topmost links of the parts of the robot, if it has several: roots, and what
+            hangs on a planar or floating joint. Links of different parts make no pair, since
+            nothing bounds how they stand to one another.
+        units: meshes whose file states another unit than the metre, by the number of metres.
+        applies_units: True if that unit was applied.
+    """
+
+    robot: str
+    pairs: tuple[PairResult, ...]
+    samples: int
+    asked: int
+    counted: int
+    seed: int
+    omitted: tuple[Omitted, ...]
+    parts: tuple[str, ...]
+    units: dict[str, float]
+    applies_units: bool
+
+    def of(self, verdict: Verdict) -> list[PairResult]:
+        """The pairs with a verdict."""
+        return [pair for pair in self.pairs if pair.verdict is verdict]
+
+    @property
+    def colliding(self) -> list[PairResult]:
+        """The pairs that collide somewhere, and that no joint holds together."""
+        verdicts = (Verdict.DEFAULT, Verdict.ALWAYS, Verdict.SOMETIMES)
+        return [pair for pair in self.pairs if pair.moves and pair.verdict in verdicts]
+
+    @property
+    def near_misses(self) -> list[PairResult]:
+        """The pairs that never collide and come close to it, the nearest first."""
+        found = [pair for pair in self.pairs if pair.is_near_miss]
+        return sorted(found, key=lambda pair: pair.nearest.distance if pair.nearest else 0.0)

@@ -1,0 +1,43 @@
+"""The self-collisions of one robot: what sampling shows, and what a few poses show at once."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.physics.collision.sampled_poses import Still
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.physics.collision.matrix import Matrix
+
+
+class Collisions:
+    """Of one robot.
+
+    Args:
+        robot: with its meshes.
+    """
+
+    def __init__(self, robot: Subject) -> None:
+        self._robot = robot
+
+    @cached_property
+    def still(self) -> Still:
+        """The robot where it begins, and with each joint at its limits."""
+        robot = self._robot
+        return Still(robot.model, robot.tree, robot.meshes, unit=robot.targets.applies_units)
+
+    @cached_property
+    def in_moveit(self) -> Still:
+        """The same as MoveIt has it, which ignores the units of COLLADA files."""
+        robot = self._robot
+        return Still(robot.model, robot.tree, robot.meshes, unit=False)
+
+    def matrix(self, **options: Any) -> Matrix:
+        """Which links can collide; the options are those of `sampling.collisions`."""
+        from urdfkit.physics.collision.sampling import (
+            collisions,  # processes, which the rules do without
+        )
+
+        return collisions(self._robot, **options)

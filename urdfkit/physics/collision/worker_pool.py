@@ -1,0 +1,228 @@
+"""Processes of our own that sample, and what happens when one of them crashes."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from queue import SimpleQueue
+from types import TracebackType
+from typing import Any
+
+from urdfkit.errors import UrdfkitError
+from urdfkit.physics.collision.batch_kinematics import Chain
+from urdfkit.physics.collision.geometry_arrays import Omitted, Solid
+from urdfkit.physics.collision.task import Found, Task
+
+#: The folders of modules are handed over, so that nothing is imported from where we stand.
+_BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.physics.collision.worker import main; main()"
+
+#: A robot that crashes more processes than this is given up.
+_MAX_CRASHES = 20
+
+#: What takes a share of the work must not bring threads of its own along.
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+class CollisionError(UrdfkitError):
+    """The collisions of a robot cannot be measured."""
+
+
+class _Died(Exception):
+    """A process ended without an answer."""
+
+
+class Crew:
+    """Some processes with the bodies of one robot; use it in a ``with`` statement.
+
+    Attributes:
+        solids: the bodies that coal takes.
+        omitted: those that crashed it.
+
+    Args:
+        chain: how the robot moves.
+        solids: its bodies.
+        count: of processes.
+
+    Raises:
+        CollisionError: no process can be started.
+    """
+
+    def __init__(self, chain: Chain, solids: Sequence[Solid], count: int) -> None:
+        self.solids = list(solids)
+        self.omitted: list[Omitted] = []
+        self._chain = chain
+        self._crashes = 0
+        self._is_over = False
+        self._idle: SimpleQueue[_Worker] = SimpleQueue()
+        self._all: list[_Worker] = []
+        self._count = count
+
+    def __enter__(self) -> Crew:  # noqa: PYI034 - Self is not in Python 3.10
+        try:
+            self._start()
+        except BaseException:
+            self._end()
+            raise
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._end()
+
+    def run(self, tasks: Iterable[Task], done: Callable[[], None]) -> list[list[Found | None]]:
+        """The answers to some tasks, in their order; None for a pair that crashes coal.
+
+        Args:
+            tasks: of this robot.
+            done: called after each.
+
+        Raises:
+            CollisionError: too many of them crash.
+        """
+        with ThreadPoolExecutor(self._count) as pool:
+            waiting = [pool.submit(self._answer, task) for task in tasks]
+            try:
+                answers = []
+                for one in waiting:
+                    answers.append(one.result())
+                    done()
+                return answers
+            except BaseException:
+                for one in waiting:
+                    one.cancel()
+                self._end()  # the threads wait for these processes
+                raise
+
+    def _start(self) -> None:
+        """Start all processes; a body that is fatal to the first is left out for all."""
+        while True:
+            workers = [self._worker() for _ in range(self._count)]
+            fatal = workers[0].wait()
+            if fatal is None:
+                break
+            self._kill()
+            self._note_crash()
+            solid = self.solids.pop(fatal)
+            self.omitted.append(Omitted(solid.link, solid.number, "it crashes coal"))
+        for worker in workers:
+            self._idle.put(worker)
+
+    def _worker(self) -> _Worker:
+        if self._is_over:
+            raise CollisionError("the sampling was stopped")
+        worker = _Worker(self._chain, self.solids)
+        self._all.append(worker)
+        return worker
+
+    def _end(self) -> None:
+        self._is_over = True
+        self._kill()
+
+    def _kill(self) -> None:
+        for worker in self._all:
+            worker.end()
+        self._all.clear()
+
+    def _note_crash(self) -> None:
+        self._crashes += 1
+        if self._crashes > _MAX_CRASHES:
+            raise CollisionError(f"coal crashed {self._crashes} times on this robot")
+
+    def _answer(self, task: Task) -> list[Found | None]:
+        try:
+            return self._ask(task)
+        except _Died:
+            self._note_crash()
+        parts = task.parts()
+        if len(parts) == 1:
+            return [None]
+        return [answer for part in parts for answer in self._answer(part)]
+
+    def _ask(self, task: Task) -> list[Found | None]:
+        worker = self._idle.get()
+        try:
+            answer: list[Found | None] = worker.ask(task)
+        except _Died:
+            worker.end()
+            worker = self._worker()
+            raise
+        finally:
+            self._idle.put(worker)
+        return answer
+
+
+class _Worker:
+    """One process."""
+
+    def __init__(self, chain: Chain, solids: Sequence[Solid]) -> None:
+        environment = {**os.environ, **dict.fromkeys(_THREADS, "1")}
+        try:
+            self._process = subprocess.Popen(
+                [sys.executable, "-I", "-c", _BOOT, *sys.path],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                env=environment,
+            )
+        except OSError as error:
+            raise CollisionError(f"no process can be started: {error.strerror}") from error
+        self._total = self._expected = len(solids)
+        try:
+            self._send((chain, list(solids)))
+        except _Died:
+            pass  # the answer tells
+
+    def wait(self) -> int | None:
+        """Wait until it has made its bodies; the number of the one that was fatal, if one was."""
+        while self._expected:
+            try:
+                self._receive()
+            except _Died:
+                return self._total - self._expected
+            self._expected -= 1
+        return None
+
+    def ask(self, task: Task) -> Any:
+        """The answer to a task.
+
+        Raises:
+            _Died: the process crashed.
+        """
+        if self.wait() is not None:
+            raise _Died
+        self._send(task)
+        return self._receive()
+
+    def end(self) -> None:
+        """End it, whatever it is doing."""
+        self._process.kill()
+        self._process.wait()
+        for pipe in (self._process.stdin, self._process.stdout):
+            assert pipe is not None
+            try:
+                pipe.close()
+            except OSError:
+                pass  # what was left in the buffer has no reader
+
+    def _send(self, value: object) -> None:
+        assert self._process.stdin is not None
+        try:
+            pickle.dump(value, self._process.stdin)
+            self._process.stdin.flush()
+        except (OSError, ValueError) as error:
+            raise _Died from error
+
+    def _receive(self) -> Any:
+        assert self._process.stdout is not None
+        try:
+            return pickle.load(self._process.stdout)
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError) as error:
+            raise _Died from error

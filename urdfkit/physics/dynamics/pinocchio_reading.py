@@ -1,0 +1,65 @@
+"""A second opinion: what Pinocchio itself makes of a URDF."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+from urdfkit.core.record import Record
+
+#: Seconds, with the start of Python and the import of Pinocchio.
+TIMEOUT = 60
+
+
+class Opinion(Record):
+    """What Pinocchio says of a text.
+
+    Attributes:
+        refusal: why it makes no model; empty if it does.
+        complaints: what it wrote to standard error, a sentence each, the first cause first.
+        nq, nv: numbers of a configuration and a velocity, the root fixed, followers counted.
+        mass: of all links, in kg.
+        center: of mass, all joints at zero, in the frame of the root, in m.
+    """
+
+    refusal: str
+    complaints: tuple[str, ...]
+    nq: int = 0
+    nv: int = 0
+    mass: float = 0.0
+    center: tuple[float, ...] = (0.0, 0.0, 0.0)
+
+
+def opinion(text: bytes) -> Opinion:
+    """Ask Pinocchio in a process of its own, since its parser may crash on hostile text.
+
+    Args:
+        text: a URDF, expanded.
+    """
+    child = os.path.join(os.path.dirname(os.path.abspath(__file__)), "pinocchio_process.py")
+    try:
+        done = subprocess.run(
+            [sys.executable, child], input=text, capture_output=True, check=False, timeout=TIMEOUT
+        )
+    except subprocess.TimeoutExpired:
+        return Opinion(f"it takes longer than {TIMEOUT} s", ())
+    complaints = _sentences(done.stderr.decode("utf-8", "replace"))
+    lines = done.stdout.decode("utf-8", "replace").splitlines()
+    if done.returncode or not lines:
+        return Opinion(_end(done.returncode), complaints)
+    facts = json.loads(lines[-1])
+    if "error" in facts:
+        return Opinion(complaints[0] if complaints else facts["error"], complaints)
+    return Opinion("", complaints, facts["nq"], facts["nv"], facts["mass"], tuple(facts["center"]))
+
+
+def _end(code: int) -> str:
+    return f"it crashes (signal {-code})" if code < 0 else f"it ends with exit code {code}"
+
+
+def _sentences(text: str) -> tuple[str, ...]:
+    """The reasons that urdfdom writes: ``Error:   ...``, each followed by its place in C++."""
+    found = (line.partition("Error:")[2].strip() for line in text.splitlines())
+    return tuple(dict.fromkeys(line for line in found if line))

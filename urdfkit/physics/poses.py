@@ -1,0 +1,204 @@
+"""Poses: the positions of joints, as people give them.
+
+A pose file is YAML or JSON with a position by the name of each joint, in rad or m; ``90deg`` is
+an angle in degrees. A state of a group in the SRDF beside the robot is a pose with a name.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from math import pi
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UrdfkitError
+from urdfkit.robot.joints import bounds, unit
+from urdfkit.robot.kinematics import SLIDING, TURNING
+from urdfkit.robot.model import DEGREES_OF_FREEDOM, number, numbers
+from urdfkit.text.source import Source
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros.moveit.srdf import Srdf
+
+#: Larger files are no poses.
+MAX_BYTES = 1024 * 1024
+
+_DEGREES = ("deg", "°")
+
+
+class PoseError(UrdfkitError):
+    """A pose that cannot be taken: no such file, joint or state, or no number."""
+
+
+def pose(
+    subject: Subject, joints: Mapping[str, str | float] | None = None, name: str | None = None
+) -> dict[str, float]:
+    """The positions that a pose gives to joints, in rad or m; the other joints are at 0.
+
+    >>> from urdfkit.lint.loading import read
+    >>> arm = read("models/good/two_link_arm/urdf/two_link_arm.urdf")
+    >>> pose(arm, {"elbow": "90deg"})
+    {'elbow': 1.5707963267948966}
+
+    Args:
+        subject: the robot.
+        joints: positions by joint, numbers or text such as ``90deg``; they win over ``name``.
+        name: a pose file; or a state of the SRDF beside the robot (``ready``, ``arm/ready``), or
+            of another one (``arm.srdf:ready``).
+
+    Raises:
+        PoseError: there is no such file, state or joint, or a value is no position.
+    """
+    found = _named(subject, name) if name else {}
+    return found | _positions(subject.tree, joints or {})
+
+
+def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]:
+    """A sentence for each joint that a pose takes beyond its limits."""
+    found = []
+    for name, position in given.items():
+        ends = bounds(tree.model.joints_by_name[name])
+        if ends and not ends[0] - 1e-9 <= position <= ends[1] + 1e-9:
+            of = unit(tree.model.joints_by_name[name])
+            found.append(
+                f"joint '{name}' at {position:.4g} {of} is outside its limits "
+                f"{ends[0]:.4g} to {ends[1]:.4g} {of}"
+            )
+    return found
+
+
+def _named(subject: Subject, name: str) -> dict[str, float]:
+    if os.path.exists(name):
+        return _positions(subject.tree, _read(name))
+    path, _, state = name.rpartition(":")
+    srdf = _srdf(subject, path) if os.path.exists(path) else subject.srdf
+    if srdf is None:
+        raise PoseError(f"there is no pose file '{name}', nor an SRDF with such a state")
+    states = _states(srdf)
+    if state not in states:
+        hint = did_you_mean(state, states) or f"; there are {', '.join(states) or 'none'}"
+        raise PoseError(f"there is no pose file '{name}', nor such a state in {srdf.path}{hint}")
+    return _positions(subject.tree, states[state])
+
+
+def _srdf(subject: Subject, path: str) -> Srdf:
+    from urdfkit.ros.moveit.srdf import read
+
+    srdf = read(path, subject.tree, subject.resolver, trust=subject.trust)
+    if srdf is None:
+        raise PoseError(f"{path}: it is no SRDF")
+    return srdf
+
+
+def _states(srdf: Srdf) -> dict[str, dict[str, str]]:
+    """The positions in every state, by ``group/state`` and by ``state`` for all groups alike.
+
+    Joints of more than one degree of freedom are left out, and what MoveIt would refuse.
+    """
+    found: dict[str, dict[str, str]] = {}
+    for state in srdf.states:
+        own = {
+            joint.get("name") or "": joint.get("value") or ""
+            for joint in state.all("joint")
+            if _is_posable(srdf.tree, joint.get("name") or "")
+            and len(numbers(joint.get("value")) or ()) == 1
+        }
+        name = state.get("name") or ""
+        for key in (name, f"{state.get('group')}/{name}"):
+            found[key] = found.get(key, {}) | own
+    return found
+
+
+def _is_posable(tree: KinematicTree, name: str) -> bool:
+    joint = tree.model.joints_by_name.get(name)
+    return joint is not None and joint.kind in (*TURNING, *SLIDING) and joint.mimic is None
+
+
+def _read(path: str) -> Mapping[str, Any]:
+    """The mapping in a pose file."""
+    source = Source.read(path)
+    if len(source.data) > MAX_BYTES:
+        raise PoseError(f"{path}: larger than {MAX_BYTES // 2**20} MiB")
+    found = _parse(path, source.data.decode("utf-8", "replace"))
+    if not isinstance(found, dict):
+        raise PoseError(f"{path}: it must hold one 'joint: position' a line, as YAML or JSON")
+    return {str(name): value for name, value in found.items()}
+
+
+def _parse(path: str, text: str) -> object:
+    def checked(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        _refuse_twins(path, (name for name, _ in pairs))
+        return dict(pairs)
+
+    try:
+        return json.loads(text, object_pairs_hook=checked)
+    except (ValueError, RecursionError):
+        pass  # most are YAML, which cannot hold the tabs that JSON may
+    import yaml
+
+    try:
+        root = yaml.compose(text, yaml.SafeLoader)
+        if isinstance(root, yaml.MappingNode):
+            _refuse_twins(path, (key.value for key, _ in root.value))
+        return yaml.safe_load(text)
+    except RecursionError as error:
+        raise PoseError(f"{path}: nested too deeply to be a pose") from error
+    except (yaml.YAMLError, ValueError) as error:
+        raise PoseError(f"{path}: neither YAML nor JSON: {' '.join(str(error).split())}") from error
+
+
+def _refuse_twins(path: str, names: Iterable[object]) -> None:
+    """YAML and JSON let the last of them win, without a word."""
+    known: set[object] = set()
+    for name in map(str, names):
+        if name in known:
+            raise PoseError(f"{path}: joint '{name}' is given twice")
+        known.add(name)
+
+
+def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float]:
+    """Positions in rad or m of joints that can take them.
+
+    Raises:
+        PoseError: a name is no such joint, or a value no position.
+    """
+    found = {}
+    for name, value in given.items():
+        joint = tree.model.joints_by_name.get(name)
+        if joint is None:
+            meant = did_you_mean(name, tree.model.joints_by_name)
+            raise PoseError(f"there is no joint '{name}'{meant}")
+        if joint.mimic and joint.mimic.joint:
+            leader = joint.mimic.joint.value
+            raise PoseError(f"joint '{name}' follows '{leader}'; give the position of that one")
+        if joint.kind not in (*TURNING, *SLIDING):
+            is_free = joint.kind in DEGREES_OF_FREEDOM
+            why = "takes several numbers, and stays at its origin" if is_free else "does not move"
+            raise PoseError(f"joint '{name}' is {joint.kind or 'without a type'}: it {why}")
+        found[name] = _position(name, value, turns=joint.kind in TURNING)
+    return found
+
+
+def _position(name: str, value: object, *, turns: bool) -> float:
+    text = _text(value)
+    degrees = next((suffix for suffix in _DEGREES if text.endswith(suffix)), "")
+    position = number(text.removesuffix(degrees))
+    if position is None or isinstance(value, bool):
+        raise PoseError(f"joint '{name}': '{text}' is no position; write 1.57, 90deg or 0.1")
+    if degrees and not turns:
+        raise PoseError(f"joint '{name}' slides; write its position in m, not in degrees")
+    return position * pi / 180 if degrees else position
+
+
+def _text(value: object) -> str:
+    """A value as it was written; its type where that is longer than anybody reads."""
+    if isinstance(value, (list, dict)):  # which aliases may make of any size
+        return type(value).__name__
+    try:
+        return str(value).strip()
+    except ValueError:  # an integer of more digits than Python writes
+        return type(value).__name__

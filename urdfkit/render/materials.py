@@ -1,0 +1,95 @@
+"""How the surfaces of a robot look."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from urdfkit.lint.context import Subject
+from urdfkit.mesh import geometry
+from urdfkit.robot.assets.colours import Colours
+from urdfkit.robot.model import Body, Material
+from urdfkit.ros.catalog.materials import materials
+
+Colour = tuple[float, float, float, float]
+
+
+class Look(NamedTuple):
+    """The colour or the texture of a surface.
+
+    Attributes:
+        rgba: each part from 0 to 1, as written (sRGB); multiplied with the texture.
+        texture: path of an image, or its bytes; None without one.
+        sign: True for what explains the robot and is no part of it: it casts no shadow, and is
+            seen through what hides it.
+    """
+
+    rgba: Colour
+    texture: str | bytes | None = None
+    sign: bool = False
+
+
+#: For what says nothing about its looks.
+PLAIN = Look((0.72, 0.74, 0.77, 1.0))
+#: For the box that stands for a missing mesh; the name is drawn as stripes.
+STRIPES = "urdfkit:stripes"
+PLACEHOLDER = Look((1.0, 1.0, 1.0, 1.0), STRIPES)
+#: Collisions are seen through where visuals are shown, too.
+COLLISION = Look((0.93, 0.42, 0.12, 0.45))
+
+
+class Looks:
+    """The looks of one model.
+
+    A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
+    the link's Gazebo material counts.
+
+    Args:
+        subject: the description.
+        see_through: whether collisions show what is in them.
+    """
+
+    def __init__(self, subject: Subject, *, see_through: bool = True) -> None:
+        self._subject = subject
+        self._collision = COLLISION if see_through else Look((*COLLISION.rgba[:3], 1.0))
+        self._colours = Colours(subject.model)
+        self._gazebo = {
+            block.get("reference"): material.text.strip()
+            for block in subject.model.gazebo
+            if (material := block.child("material"))
+        }
+
+    def of(self, link: str, role: str, body: Body, embedded: geometry.Material | None) -> Look:
+        """The look of triangles.
+
+        Args:
+            link: name of the link.
+            role: ``visual`` or ``collision``.
+            body: the visual or collision.
+            embedded: the material in the mesh file.
+        """
+        if role == "collision":
+            return self._collision
+        own = self._colours.of(body)
+        if own is not None:
+            return self._written(own)
+        if embedded is not None:
+            return Look(embedded.rgba, embedded.texture)
+        if link in self._gazebo:
+            known = materials().get(self._gazebo[link])
+            if known and known.rgba:
+                return Look(_colour(known.rgba))
+        return PLAIN
+
+    def _written(self, material: Material) -> Look:
+        """What a ``<material>`` says; a texture that is missing leaves the colour."""
+        texture = None
+        if material.texture is not None:
+            texture = self._subject.files.find(material.texture)
+        if material.rgba is None:
+            return Look(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
+        return Look(_colour(material.rgba.value), texture)
+
+
+def _colour(values: tuple[float, ...]) -> Colour:
+    r, g, b, a = (min(max(part, 0.0), 1.0) for part in (*values, 1.0, 1.0, 1.0, 1.0)[:4])
+    return (r, g, b, a)

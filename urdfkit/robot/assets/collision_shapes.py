@@ -1,0 +1,280 @@
+"""A simple collision for every visual mesh, and the edits that put it into the source."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterable
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector, rotate, to_rpy, transposed
+from urdfkit.robot.assets.geometry import body_mesh
+from urdfkit.robot.inertials.suggestions import UnknownLink
+from urdfkit.robot.model import Body, Link
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.document import Attribute
+from urdfkit.text.editing import rewriting
+from urdfkit.text.editing.apply import apply_edits, encoded
+from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
+from urdfkit.text.editing.rewriting import Rewrite, on_disk
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.mesh.fitting import Fits
+    from urdfkit.mesh.geometry import Mesh
+    from urdfkit.text.source import Source
+
+#: How far a shape may stick out, as a part of the diagonal of the mesh.
+RELATIVE = 0.05
+
+
+class Proposal(Record):
+    """The collision of a link.
+
+    Attributes:
+        link: the link.
+        bodies: its visuals.
+        fits: for each visual, what was tried.
+        bounds: for each visual, the bound of the error in m.
+        reason: why nothing is proposed; empty if something is.
+    """
+
+    link: Link
+    bodies: tuple[Body, ...]
+    fits: tuple[Fits, ...]
+    bounds: tuple[float, ...]
+    reason: str = ""
+
+
+class Edited(Record):
+    """What would be written.
+
+    Attributes:
+        files: the robot's files with the new collisions.
+        meshes: new mesh files, by path.
+        left: by name of a link, why it stays as it is.
+    """
+
+    files: tuple[Rewrite, ...]
+    meshes: dict[str, Mesh]
+    left: dict[str, str]
+
+    def write(self) -> list[str]:
+        """Write the meshes and then the files that name them.
+
+        Raises:
+            UrdfkitError: one cannot be written; none of the robot's files is changed then.
+        """
+        from urdfkit.mesh.writers import write
+
+        paths = [path for name, mesh in self.meshes.items() for path in write(mesh, name)]
+        rewriting.write(self.files)
+        return [*paths, *(file.path for file in self.files)]
+
+
+def propose(
+    subject: Subject,
+    *,
+    error: float | None = None,
+    links: Collection[str] = (),
+    most: int = 8,
+    progress: Callable[[int, int], None] | None = None,
+) -> tuple[Proposal, ...]:
+    """A simple collision for links whose collision is missing or is the visual mesh itself.
+
+    Args:
+        subject: the robot.
+        error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
+        links: these links instead, whatever their collision is.
+        most: convex pieces at most, of a visual.
+        progress: is told how many of how many links are done.
+
+    Raises:
+        UnknownLink: one of the links is not in the robot.
+    """
+    known = subject.model.links_by_name
+    for name in links:
+        if name not in known:
+            raise UnknownLink(f"the robot has no link '{name}'")
+    chosen = [
+        link
+        for link in known.values()
+        if (link.name in links if links else _has_mesh(link) and _lacks_shape(link))
+    ]
+    fitted: dict[tuple[object, ...], Fits] = {}
+    proposals = []
+    for number, link in enumerate(chosen):
+        proposals.append(_proposal(subject, link, error, most, fitted))
+        if progress:
+            progress(number + 1, len(chosen))
+    return tuple(proposals)
+
+
+def _has_mesh(link: Link) -> bool:
+    return any(body.shape and body.shape.kind == "mesh" for body in link.visuals)
+
+
+def _lacks_shape(link: Link) -> bool:
+    """True without a collision, and where it is the very mesh that is seen."""
+    seen = {_filename(body) for body in link.visuals} - {""}
+    return all(_filename(body) in seen for body in link.collisions)
+
+
+def _filename(body: Body) -> str:
+    """Of the mesh of a shape; empty for a primitive."""
+    return body.shape.filename.value if body.shape and body.shape.filename else ""
+
+
+def _proposal(
+    subject: Subject,
+    link: Link,
+    error: float | None,
+    most: int,
+    fitted: dict[tuple[object, ...], Fits],
+) -> Proposal:
+    """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
+    from urdfkit.mesh.fitting import fit, rolling
+    from urdfkit.mesh.hull import NoHull
+    from urdfkit.mesh.repair.soup import soup_of
+
+    fits, bounds = [], []
+    for body in link.visuals:
+        mesh = body_mesh(subject, body)
+        if mesh is None or body.shape is None:
+            why = subject.meshes.reason(body.shape) if body.shape else ""
+            return Proposal(link, link.visuals, (), (), why or "a visual cannot be read")
+        bound = RELATIVE * soup_of(mesh).size if error is None else error
+        key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
+        try:
+            if key not in fitted:
+                fitted[key] = fit(mesh, bound, most=most)
+        except NoHull as reason:
+            return Proposal(link, link.visuals, (), (), str(reason))
+        axle = _axle(subject, link, body)
+        fits.append(rolling(fitted[key], mesh, *axle) if axle else fitted[key])
+        bounds.append(bound)
+    if not fits:
+        return Proposal(link, (), (), (), "it has no visual")
+    return Proposal(link, link.visuals, tuple(fits), tuple(bounds))
+
+
+def _axle(subject: Subject, link: Link, body: Body) -> tuple[Vector, Vector] | None:
+    """The axis of the continuous joint of a link, and a point of it, in the frame of a shape."""
+    joints = subject.tree.parents.get(link.name, [])
+    turning = [joint for joint in joints if joint.kind == "continuous"]
+    if not turning:
+        return None
+    x, y, z = turning[0].axis.value if turning[0].axis else (1.0, 0.0, 0.0)
+    length = (x * x + y * y + z * z) ** 0.5
+    if not length:
+        return None
+    back = transposed(body.origin.rotation)
+    a, b, c = body.origin.position
+    return rotate(back, (x / length, y / length, z / length)), rotate(back, (-a, -b, -c))
+
+
+def edited(subject: Subject, proposals: Iterable[Proposal]) -> Edited:
+    """The robot's files and the mesh files that the proposals need; nothing is written."""
+    changes: dict[Source, list[Edit]] = {}
+    meshes: dict[str, Mesh] = {}
+    left: dict[str, str] = {}
+    for proposal in proposals:
+        reason = _why_not(subject, proposal)
+        if reason:
+            left[proposal.link.name] = reason
+            continue
+        lines: list[str] = []
+        needed: dict[str, Mesh] = {}
+        for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
+            lines += _collision(subject, body, fits, needed)
+        if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
+            left[proposal.link.name] = f"{taken} is there already, and is another mesh"
+            continue
+        meshes |= needed
+        elements = [body.at for body in proposal.link.collisions]
+        edits = (*insert_after(proposal.bodies[-1].at, lines), *remove_elements(elements))
+        for edit in edits:
+            changes.setdefault(edit.span.source, []).append(edit)
+    files = []
+    for source, found in changes.items():
+        before = on_disk(source.path) or b""
+        after = encoded(apply_edits(source.data, found), source.encoding, before)
+        files.append(Rewrite(os.path.normpath(source.path), before, after))
+    return Edited(tuple(files), meshes, left)
+
+
+def _is_other(path: str, mesh: Mesh) -> bool:
+    """True if a file is there that is not the mesh to write."""
+    from urdfkit.mesh.writers import encode
+
+    there = on_disk(path)
+    name = os.path.basename(path)
+    return there is not None and there != encode(mesh, name)[name]
+
+
+def _why_not(subject: Subject, proposal: Proposal) -> str:
+    """Why a proposal cannot be written; empty if it can."""
+    if proposal.reason:
+        return proposal.reason
+    if from_macro(proposal.link.at):
+        return "a macro wrote it; put the collision into the macro"
+    for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
+        if fits.best.kind in ("hull", "pieces") and _beside(subject, body) is None:
+            return "its shape needs a mesh file, and there is no mesh to put it beside"
+    return ""
+
+
+def _beside(subject: Subject, body: Body) -> tuple[str, str] | None:
+    """The reference of the visual mesh, as XML has it, and its path, both without the suffix."""
+    path = subject.files.path(body.shape) if body.shape else None
+    if path is None or body.shape is None or body.shape.filename is None:
+        return None
+    at, (stem, suffix) = body.shape.filename.at, os.path.splitext(body.shape.filename.value)
+    reference = escape(stem)
+    # What is written is kept: behind $(find), its value is a path of this machine.
+    if isinstance(at, Attribute) and at.span.text.endswith(suffix):
+        reference = at.span.text.removesuffix(suffix)
+    return reference.replace('"', "&quot;"), os.path.splitext(path)[0]
+
+
+def _collision(subject: Subject, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:
+    """The lines of a visual's collisions; mesh files that they need are added."""
+    from urdfkit.mesh.geometry import Mesh
+
+    best = fits.best
+    if best.kind not in ("hull", "pieces"):
+        return _element(body.origin @ best.frame, _primitive(best.kind, best.size))
+    beside = _beside(subject, body)
+    assert beside is not None
+    reference, path = beside
+    lines: list[str] = []
+    # Scaled already, so the new element has no scale, and other scales need other files.
+    x, y, z = body.shape.scale if body.shape else (1.0, 1.0, 1.0)
+    scale = "" if x == y == z == 1 else f"_{x:g}_{y:g}_{z:g}"
+    for number, part in enumerate(best.mesh.parts, start=1):
+        end = f"{scale}_collision{'' if best.kind == 'hull' else f'_{number}'}.stl"
+        meshes[path + end] = Mesh((part,))
+        lines += _element(body.origin, f'<mesh filename="{reference}{end}"/>')
+    return lines
+
+
+def _primitive(kind: str, size: tuple[float, float, float]) -> str:
+    if kind == "box":
+        return f'<box size="{_words(size)}"/>'
+    if kind == "cylinder":
+        return f'<cylinder radius="{size[0]:.6g}" length="{size[1]:.6g}"/>'
+    return f'<sphere radius="{size[0]:.6g}"/>'
+
+
+def _element(origin: Frame, shape: str) -> list[str]:
+    lines = ["<collision>"]
+    xyz, rpy = _words(origin.position), _words(to_rpy(origin.rotation))
+    if (xyz, rpy) != ("0 0 0", "0 0 0"):
+        lines.append(f'  <origin xyz="{xyz}" rpy="{rpy}"/>')
+    return [*lines, "  <geometry>", f"    {shape}", "  </geometry>", "</collision>"]
+
+
+def _words(vector: Iterable[float]) -> str:
+    """Six digits, and nothing below a micrometre or a microradian."""
+    return " ".join(f"{round(value, 6) + 0.0:.6g}" for value in vector)

@@ -1,0 +1,52 @@
+"""Any visual or collision as triangles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.robot.model import Body
+from urdfkit.robot.shapes import Primitive, primitive
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.mesh.geometry import Mesh
+
+
+def body_mesh(subject: Subject, body: Body, *, unit: bool = True) -> Mesh | None:
+    """The triangles of a shape in m, in the frame of its visual or collision.
+
+    Args:
+        subject: the robot.
+        body: a visual or collision of it.
+        unit: apply the unit of length that a COLLADA file states.
+
+    Returns:
+        None where the shape is no known primitive and its file is not to be had.
+    """
+    if body.shape is None:
+        return None
+    part = primitive(body)
+    if part is not None:
+        return _primitive(part)
+    mesh = subject.meshes.mesh(body.shape)
+    if mesh is None or not all(body.shape.scale):
+        return None
+    from urdfkit.mesh.transforms import scaled
+
+    factor = mesh.unit if unit else 1.0
+    x, y, z = body.shape.scale
+    return scaled(mesh, (x * factor, y * factor, z * factor))._replace(unit=1.0)
+
+
+def _primitive(part: Primitive) -> Mesh:
+    from urdfkit.mesh import solids
+
+    if part.kind == "box":
+        return solids.as_mesh(solids.box(part.size))
+    if part.kind == "cylinder":
+        half = part.length / 2
+        return solids.as_mesh(solids.cylinder(part.radius, -half, half))
+    if part.kind == "sphere":
+        return solids.as_mesh(solids.ball(part.radius, (0.0, 0.0, 0.0)))
+    ends = [solids.ball(part.radius, (0.0, 0.0, z)) for z in (-part.length / 2, part.length / 2)]
+    return solids.as_mesh((ends[0] + ends[1]).hull())

@@ -1,0 +1,408 @@
+"""The mesh files that a model names: where they are, what their bytes say, what was meant."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.mesh.io.facts import BY_SUFFIX, GLB, GLTF, MAX_BYTES, Kind, MeshFacts, has_other_unit
+from urdfkit.robot.model import Body, Placed, RobotModel, Shape
+from urdfkit.text.document import Attribute, Tag
+from urdfkit.workspace.resolve import Located, Resolver
+
+#: Folders of a package that are searched for a file of the wanted name.
+MAX_FOLDERS = 2000
+#: Two words are one word misspelt above this ratio of common letters.
+_SLIP = 0.75
+#: How like another name that of a file must be to be offered; "base_link" is no "lidar_link".
+_LIKE = 0.7
+
+_CODES = {
+    Kind.EMPTY: "MSH008",
+    Kind.UNREADABLE: "MSH009",
+    Kind.NOT_A_MESH: "MSH010",
+    Kind.TRUNCATED: "MSH011",
+}
+_SEPARATORS = str.maketrans("_-.", "   ")
+
+
+class MeshReference(Record):
+    """A mesh that a visual or a collision names.
+
+    Attributes:
+        at: the file name as it is after expansion.
+        link: name of the link.
+        role: ``visual`` or ``collision``.
+        located: where it leads.
+        facts: what the file's bytes say; None if there is no file.
+    """
+
+    at: Placed[str]
+    link: str
+    role: str
+    located: Located
+    facts: MeshFacts | None
+
+    @property
+    def who(self) -> str:
+        """The subject of a message."""
+        return f"link '{self.link}': the {self.role} mesh '{self.at.value}'"
+
+    @property
+    def literal(self) -> Attribute | None:
+        """The attribute, if the source holds this very reference and a fix may edit it."""
+        at = self.at.at
+        return at if isinstance(at, Attribute) and at.literal else None
+
+
+class Suggestion(Record):
+    """What a reference may have meant.
+
+    Attributes:
+        reference: to write instead.
+        path: the file that it leads to.
+        sure: True if nothing else comes into question.
+    """
+
+    reference: str
+    path: str
+    sure: bool
+
+
+class Files:
+    """The files of one model; every file is found and read once.
+
+    Args:
+        model: that names them.
+        resolver: finds them.
+    """
+
+    def __init__(self, model: RobotModel, resolver: Resolver) -> None:
+        self.resolver = resolver
+        self.top = model.document.sources[0].path
+        self._model = model
+        self._facts: dict[str, MeshFacts] = {}
+        self._below: dict[str, list[str]] = {}
+
+    @cached_property
+    def meshes(self) -> tuple[MeshReference, ...]:
+        """Every mesh reference, in the order of the document.
+
+        References with an unexpanded ``${`` or ``$(`` are left out: they name no file yet.
+        """
+        return tuple(
+            self._mesh(link.name, role, filename)
+            for link in self._model.links
+            for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
+            for filename in _filenames(bodies)
+            if "${" not in filename.value and "$(" not in filename.value
+        )
+
+    @cached_property
+    def each_file(self) -> tuple[MeshReference, ...]:
+        """The first reference to each file that is there; links to one file are one."""
+        first: dict[str, MeshReference] = {}
+        for mesh in self.meshes:
+            if mesh.located.path:
+                first.setdefault(os.path.realpath(mesh.located.path), mesh)
+        return tuple(first.values())
+
+    @cached_property
+    def paths(self) -> tuple[str, ...]:
+        """The mesh files that are there, each once."""
+        found = (mesh.located.path for mesh in self.meshes)
+        return tuple(dict.fromkeys(path for path in found if path is not None))
+
+    def path(self, shape: Shape) -> str | None:
+        """The file that a shape names; None if it is no mesh, or there is no such file."""
+        return self.find(shape.filename) if shape.filename else None
+
+    def find(self, name: Placed[str]) -> str | None:
+        """The file that a mesh or a texture names; None if there is no such file."""
+        return self.resolver.locate(name.value, _tag(name).source.path, self.top).path
+
+    def facts(self, path: str) -> MeshFacts:
+        """What the bytes of a file say."""
+        if path not in self._facts:
+            from urdfkit.mesh.io.sniff import sniff_file
+
+            self._facts[path] = sniff_file(path)
+        return self._facts[path]
+
+    def is_turned_by_some(self, body: Body) -> bool:
+        """True for a mesh whose axes programs read differently: MSH014 and MSH035."""
+        path = self.path(body.shape) if body.shape else None
+        return path is not None and not {"MSH014", "MSH035"}.isdisjoint(
+            _codes(self.facts(path), path)
+        )
+
+    @cached_property
+    def missing(self) -> tuple[MeshReference, ...]:
+        """The references that lead to no file, although their package is known."""
+        return tuple(
+            mesh
+            for mesh in self.meshes
+            if mesh.located.path is None
+            and (mesh.located.package is None or mesh.located.folder is not None)
+            and mesh.located.scheme in ("package", "model", "absolute", "relative")
+        )
+
+    @cached_property
+    def told(self) -> set[str]:
+        """The codes of the rules that may have something to say about these files."""
+        codes = {"MSH001", "MSH002"} if self.missing else set()
+        if self.without_package:
+            codes.add("MSH005")
+        for mesh in self.meshes:
+            if mesh.located.scheme == "absolute":
+                codes.add("MSH003")
+            if "\\" in mesh.at.value:
+                codes.add("MSH004")
+            scheme, is_written, _ = mesh.at.value.partition("://")
+            if is_written and scheme not in ("package", "model", "file"):
+                codes.add("MSH036")
+            if ".." in mesh.located.relative:
+                codes.add("MSH006")
+            if mesh.facts and mesh.located.path:
+                codes |= _codes(mesh.facts, mesh.located.path)
+        found = {
+            "MSH024": self.copies,
+            "MSH025": self.ignored,
+            "MSH027": self.case_collisions,
+            "MSH030": self.unreferenced,
+        }
+        return codes.union(code for code, meshes in found.items() if meshes)
+
+    @cached_property
+    def copies(self) -> list[tuple[MeshReference, MeshReference]]:
+        """The references to a file with the content of an earlier one, and the latter."""
+        by_size: dict[int, list[MeshReference]] = {}
+        for mesh in self.each_file:
+            if mesh.facts and not mesh.facts.defect and mesh.facts.size <= MAX_BYTES:
+                by_size.setdefault(mesh.facts.size, []).append(mesh)
+        found = []
+        for alike in by_size.values():
+            first: dict[bytes, MeshReference] = {}
+            for mesh in alike if len(alike) > 1 else ():
+                earlier = first.setdefault(_content(mesh), mesh)
+                if earlier is not mesh:
+                    found.append((mesh, earlier))
+        return found
+
+    @cached_property
+    def ignored(self) -> list[MeshReference]:
+        """The references to files that git leaves out of the repository that they lie in."""
+        if not self.each_file:
+            return []
+        from urdfkit.workspace.gitignore import Ignored
+
+        ignored = Ignored()
+        return [mesh for mesh in self.each_file if mesh.located.path in ignored]
+
+    @cached_property
+    def case_collisions(self) -> list[tuple[MeshReference, str]]:
+        """The references to files, and the name beside each that differs in case only."""
+        found = []
+        for mesh in self.each_file:
+            folder, name = os.path.split(mesh.located.path or "")
+            entries = self.resolver.folders.entries(folder) or {}
+            others = [one for one in entries if one != name and one.casefold() == name.casefold()]
+            found += [(mesh, other) for other in sorted(others)[:1]]
+        return found
+
+    @cached_property
+    def unreferenced(self) -> list[str]:
+        """The mesh files beside those of this model that its workspace mentions nowhere."""
+        package = self.resolver.packages.enclosing(os.path.abspath(self.top))
+        if package is None or not self._used:
+            return []
+        from urdfkit.workspace.unreferenced import unreferenced
+
+        workspace = self.resolver.packages.workspace(self.top)
+        return unreferenced(self._used, package[1], workspace, self.resolver.folders)
+
+    def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
+        """The references whose file cannot be used for a reason of this kind, and the reason."""
+        for mesh in self.meshes:
+            defect = mesh.facts.defect if mesh.facts else None
+            if defect and defect.kind is kind:
+                yield mesh, defect.reason
+
+    @cached_property
+    def without_package(self) -> dict[str, list[MeshReference]]:
+        """The references whose package is not found, by its name."""
+        found: dict[str, list[MeshReference]] = {}
+        for mesh in self.meshes:
+            if mesh.located.package is not None and mesh.located.folder is None:
+                found.setdefault(mesh.located.package, []).append(mesh)
+        return found
+
+    def spelt_on_disk(self, mesh: MeshReference) -> Suggestion | None:
+        """For a missing file, the reference with upper and lower case as on disk."""
+        base, relative = self._expected(mesh.located)
+        spelt = self.resolver.folders.find_ignoring_case(base, relative)
+        if spelt is None:
+            return None
+        path = os.path.normpath(os.path.join(base, spelt))
+        return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
+
+    def nearest(self, mesh: MeshReference) -> Suggestion | None:
+        """What a missing file may have been meant to be.
+
+        A file of the same name elsewhere in the package, else one of a similar name in the same
+        folder. It is sure if nothing else comes into question and no other link uses it.
+        """
+        path = self._same_name_elsewhere(mesh.located)
+        if path is None:
+            path, sure = self._similar_name(mesh.located)
+        else:
+            sure = True
+        if path is None:
+            return None
+        sure = sure and path not in self._used
+        return Suggestion(self.reference_to(path, mesh.located), path, sure)
+
+    def reference_to(self, path: str, like: Located) -> str:
+        """A reference to a file, of the same sort as another one if it can be."""
+        if like.folder:
+            return f"{like.scheme}://{like.package}/{_relative(path, like.folder)}"
+        package = self.resolver.packages.enclosing(path)
+        if like.scheme != "relative" and package:
+            return f"package://{package[0]}/{_relative(path, package[1])}"
+        return _relative(path, self._folder) if like.scheme == "relative" else path
+
+    @property
+    def _folder(self) -> str:
+        return os.path.dirname(os.path.abspath(self.top))
+
+    @cached_property
+    def _used(self) -> set[str]:
+        return {mesh.located.path for mesh in self.meshes if mesh.located.path}
+
+    def _mesh(self, link: str, role: str, filename: Placed[str]) -> MeshReference:
+        located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
+        facts = self.facts(located.path) if located.path else None
+        return MeshReference(filename, link, role, located, facts)
+
+    def _expected(self, located: Located) -> tuple[str, str]:
+        """The folder below which a missing file should be, and its path there."""
+        if located.folder:
+            return located.folder, located.relative
+        if located.scheme == "relative":
+            return self._folder, located.relative
+        return os.path.split(located.tried[0])
+
+    def _same_name_elsewhere(self, located: Located) -> str | None:
+        """The only file of the wanted name in the package; None if there are several."""
+        base = located.folder
+        if base is None:
+            package = self.resolver.packages.enclosing(self.top)
+            base = package[1] if package else self.resolver.packages.workspace(self.top)
+        if base not in self._below:
+            self._below[base] = self.resolver.folders.files_below(base, MAX_FOLDERS)
+        folder, wanted = os.path.split(located.relative)
+        numbers = _numbers(folder)
+        found = [
+            path
+            for path in self._below[base]
+            if os.path.basename(path).casefold() == wanted.casefold()
+            # The same part of another model of the series is not what was meant.
+            and (not numbers or _numbers(_relative(path, base)) in ([], numbers))
+        ]
+        return found[0] if len(found) == 1 else None
+
+    def _similar_name(self, located: Located) -> tuple[str | None, bool]:
+        """A mesh file of a similar name in the same folder, and whether that name is a slip."""
+        base, relative = self._expected(located)
+        folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))
+        entries = self.resolver.folders.entries(folder) or {}
+        numbers = _numbers(wanted)
+        meshes = [
+            name
+            for name, is_folder in entries.items()
+            if not is_folder and _suffix(name) in BY_SUFFIX and _numbers(name) == numbers
+        ]
+        # Without the endings, which are alike anyway.
+        stems = {os.path.splitext(name)[0]: name for name in meshes}
+        stem = nearest(os.path.splitext(wanted)[0], stems, _LIKE)
+        if stem is None:
+            return None, False
+        return os.path.join(folder, stems[stem]), is_slip(wanted, stems[stem])
+
+
+def _codes(facts: MeshFacts, path: str) -> set[str]:
+    """The codes of the rules that explain what is wrong with the content of a file."""
+    codes = {"MSH026"} if facts.non_finite else set()
+    if has_other_unit(facts):
+        codes.add("MSH013")
+    if facts.up_axis not in ("", "Z_UP"):
+        codes.add("MSH014")
+    if facts.starts_with_solid:
+        codes.add("MSH018")
+    if facts.defect:
+        codes.add(_CODES[facts.defect.kind])
+    else:
+        if facts.format not in BY_SUFFIX.get(_suffix(path), ()):
+            codes.add("MSH007")
+        if facts.format in (GLB, GLTF):
+            codes.add("MSH035")
+    return codes
+
+
+def _content(mesh: MeshReference) -> bytes:
+    """The bytes of a file; its path where they cannot be read, which equals no other."""
+    path = mesh.located.path or ""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return path.encode("utf-8", "surrogateescape")
+
+
+def is_slip(wrong: str, right: str) -> bool:
+    """True if the name of a file or a package is another one misspelt.
+
+    ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
+    alike for itself, and all numbers equal.
+    """
+    if _suffix(wrong) != _suffix(right) or _numbers(wrong) != _numbers(right):
+        return False
+    words, others = _words(wrong), _words(right)
+    if "".join(words) == "".join(others):
+        return True
+    return len(words) == len(others) and all(
+        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _SLIP))
+        for word, other in zip(words, others, strict=True)
+    )
+
+
+def _numbers(name: str) -> list[str]:
+    return re.findall(r"\d+", name)
+
+
+def _words(name: str) -> list[str]:
+    return os.path.splitext(name)[0].casefold().translate(_SEPARATORS).split()
+
+
+def _suffix(name: str) -> str:
+    return os.path.splitext(name)[1].lower()
+
+
+def _relative(path: str, folder: str) -> str:
+    return os.path.relpath(path, folder).replace(os.sep, "/")
+
+
+def _tag(placed: Placed[str]) -> Tag:
+    """The tag that holds the text of a value."""
+    at = placed.at
+    if isinstance(at, Attribute):
+        return at.written_in or at.element.tag_at
+    return at.tag_at
+
+
+def _filenames(bodies: tuple[Body, ...]) -> list[Placed[str]]:
+    return [body.shape.filename for body in bodies if body.shape and body.shape.filename]

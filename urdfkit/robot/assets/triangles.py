@@ -1,0 +1,67 @@
+"""The triangles of the mesh files that a model names; every file is loaded once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.robot.model import Shape
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from urdfkit.mesh.geometry import Floats, Mesh
+    from urdfkit.robot.assets.mesh_files import Files
+
+
+class Meshes:
+    """The meshes of one model.
+
+    Args:
+        files: the mesh files that it names.
+        progress: is told how many of them have been loaded, and how many there are.
+    """
+
+    def __init__(self, files: Files, progress: Callable[[int, int], None] | None = None) -> None:
+        self._files = files
+        self._progress = progress
+        self._loaded: dict[str, Mesh | str] = {}
+
+    def mesh(self, shape: Shape) -> Mesh | None:
+        """What the file of a shape holds, in its own units; None if it is not to be had."""
+        loaded = self._load(shape)
+        return None if isinstance(loaded, str) else loaded
+
+    def reason(self, shape: Shape) -> str:
+        """Why the mesh of a shape is not to be had; empty if it is."""
+        loaded = self._load(shape)
+        return loaded if isinstance(loaded, str) else ""
+
+    def vertices(self, shape: Shape, *, unit: bool = True) -> Floats | None:
+        """The vertices of a shape in m, (n, 3), in the frame of its visual or collision.
+
+        Args:
+            shape: a mesh.
+            unit: apply the unit of length that a COLLADA file states, as RViz and Gazebo do;
+                Pinocchio, coal and MoveIt do not.
+        """
+        mesh = self.mesh(shape)
+        if mesh is None:
+            return None
+        factor = mesh.unit if unit else 1.0
+        x, y, z = shape.scale
+        return mesh.scaled((x * factor, y * factor, z * factor))
+
+    def _load(self, shape: Shape) -> Mesh | str:
+        path = self._files.path(shape)
+        if path is None:
+            return "the file is missing"
+        if path not in self._loaded:
+            from urdfkit.mesh.io.load import UnloadableMesh, load
+
+            if self._progress:
+                self._progress(len(self._loaded), len(self._files.paths))
+            try:
+                self._loaded[path] = load(path)
+            except UnloadableMesh as reason:
+                self._loaded[path] = str(reason)
+        return self._loaded[path]

@@ -1,0 +1,292 @@
+"""The collisions of a link beside its visuals, and the slip that explains why they are unlike.
+
+The two are drawn apart: the collision is simpler, a little larger, or leaves parts out. What is
+compared is the bounding box of each along the axes of the link, in m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cached_property
+from itertools import permutations, product
+from math import hypot, log
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import (
+    Frame,
+    Rotation,
+    Vector,
+    cross,
+    multiply,
+    rotate,
+    to_rpy,
+    transposed,
+)
+from urdfkit.robot.model import Body, Link, RobotModel, Shape
+from urdfkit.robot.shapes import Box, Lump, Solid, solid
+
+#: Common volume by the volume of both bounding boxes together, below which they are apart. A body
+#: that stands on its origin in one and lies about it in the other has 1/3, and a little more where
+#: the half of its height was rounded.
+LEAST_OVERLAP = 0.34
+
+#: A box with this part of its volume within the other one is larger or smaller on purpose.
+NESTED = 0.9
+
+#: Shapes with no edge over this, in m, mark a place.
+MARKER = 0.005
+
+#: Edges of a cube differ by less; and how many times as large as what is too small by a thousand a
+#: part may be, as a rough likeness.
+CUBE, THOUSAND = 1.1, (600.0, 1600.0)
+
+#: A box that is longer, wider and higher by this factor was drawn in another unit.
+LARGER = 5.0
+
+#: The same for two meshes that are larger by one factor in every direction: one part, two scales.
+LARGER_ALIKE, ALIKE = 1.5, 1.02
+
+#: Boxes in one place that would have this much in common are those of one part; those of a motor
+#: and of the cylinder that stands for its neighbour have 0.66.
+SAME = 0.72
+
+#: What a turn must add to the common volume.
+GAIN = 0.3
+
+#: Two meshes that a turn lays over one another like this are one part; above the other, they lie
+#: as they should.
+SAME_MESH, ALIGNED = 0.97, 0.85
+
+
+class Turn(Record):
+    """A turn by which one of the two comes to lie where the other is.
+
+    Attributes:
+        body: the visual or collision that is to be turned.
+        rpy: of its ``<origin>`` then, in rad.
+        overlap: common volume by that of both together, then.
+    """
+
+    body: Body
+    rpy: Vector
+    overlap: float
+
+
+class Likeness:
+    """The collisions of a link beside its visuals.
+
+    Attributes:
+        link: the link.
+        touched, seen: its collisions and its visuals as solids.
+    """
+
+    def __init__(self, link: Link, touched: Solid, seen: Solid) -> None:
+        self.link = link
+        self.touched = touched
+        self.seen = seen
+
+    @property
+    def is_marker(self) -> bool:
+        """True if one of the two only marks a place."""
+        return any(
+            max(one.bounds.edges) <= MARKER and not _is_mesh(one)
+            for one in (self.touched, self.seen)
+        )
+
+    @cached_property
+    def is_shrunk(self) -> bool:
+        """True if one of the two is a thousand times too small, and marks no place.
+
+        A marker is a cube or a ball; a shrunk shape has the proportions of its link.
+        """
+        small, large = sorted((self.touched.bounds.edges, self.seen.bounds.edges), key=max)
+        ratios = [a / b if b > 0 else 0.0 for a, b in zip(large, small, strict=True)]
+        is_cube = max(small) < CUBE * min(small)
+        return not is_cube and all(THOUSAND[0] <= ratio <= THOUSAND[1] for ratio in ratios)
+
+    @cached_property
+    def overlap(self) -> float:
+        """The common volume by that of both together."""
+        return _overlap(self.touched.bounds, self.seen.bounds)
+
+    @property
+    def is_nested(self) -> bool:
+        """True if one of the two is larger about the same place, or stands for a part."""
+        one, other = self.touched.bounds, self.seen.bounds
+        return one.common_volume(other) >= NESTED * min(one.volume, other.volume)
+
+    @cached_property
+    def factor(self) -> float | None:
+        """How many times as large as the collision the visual is; None if that is no slip."""
+        edges = zip(self.seen.bounds.edges, self.touched.bounds.edges, strict=True)
+        low, middle, high = sorted(a / b if b > 0 else 0.0 for a, b in edges)
+        if low <= 0:
+            return None
+        least = LARGER_ALIKE if self._has_meshes and high < ALIKE * low else LARGER
+        return middle if low >= least or high <= 1 / least else None
+
+    @cached_property
+    def turn(self) -> Turn | None:
+        """The quarter turns that lay one over the other; None if they hardly help."""
+        turns = [*self._turns(self.link.visuals, self.seen, self.touched)]
+        turns += self._turns(self.link.collisions, self.touched, self.seen)
+        best = max(turns, key=lambda turn: round(turn.overlap, 3), default=None)
+        least = max(SAME, self.overlap + GAIN)
+        if self._has_meshes:
+            least = min(least, SAME_MESH)
+        return best if best and best.overlap >= least else None
+
+    @property
+    def _has_meshes(self) -> bool:
+        """True if collision and visual are meshes: drawn from one part, with one outline."""
+        return _is_mesh(self.touched) and _is_mesh(self.seen)
+
+    @staticmethod
+    def _turns(bodies: tuple[Body, ...], one: Solid, other: Solid) -> Iterator[Turn]:
+        for body in bodies if len(bodies) == 1 else ():
+            frame = body.origin
+            for quarter in QUARTERS:
+                rotation = multiply(frame.rotation, quarter)
+                box = turned(one.bounds, multiply(rotation, transposed(frame.rotation)), frame)
+                yield Turn(body, to_rpy(rotation), _overlap(box, other.bounds))
+
+    @property
+    def is_apart(self) -> bool:
+        """True if they have little in common, and are not a rough likeness of one another.
+
+        Makers of legs give a hip the cylinder of the motor beside it: that is no slip. The same
+        shape at another place is one, and so are shapes that are farther apart than they are long.
+        """
+        if self.overlap >= LEAST_OVERLAP or self.is_nested:
+            return False
+        if not (_is_mesh(self.touched) or _is_mesh(self.seen)) or self.has_one_shape:
+            return True
+        one, other = self.touched.bounds, self.seen.bounds
+        shift = [a - b for a, b in zip(one.center, other.center, strict=True)]
+        if _overlap(one, other, (shift[0], shift[1], shift[2])) >= SAME:
+            return True
+        gap = max(max(a - d, c - b) for a, b, c, d in zip(*one, *other, strict=True))
+        return gap > max(*one.edges, *other.edges)
+
+    @property
+    def has_one_shape(self) -> bool:
+        """True if collision and visual are one shape, wherever they are."""
+        if len(self.link.collisions) != 1 or len(self.link.visuals) != 1:
+            return False
+        one, other = self.link.collisions[0].shape, self.link.visuals[0].shape
+        return one is not None and other is not None and _form(one) == _form(other)
+
+    def unusual(self, span: float) -> Body:
+        """The first visual or collision, whichever is less of the size of the robot.
+
+        Args:
+            span: the longest distance of two joints that follow one another, in m.
+        """
+        visual, collision = self.link.visuals[0], self.link.collisions[0]
+        if span <= 0:
+            return visual
+        seen, touched = (
+            abs(log(max(one.bounds.edges) / span)) for one in (self.seen, self.touched)
+        )
+        return visual if seen >= touched else collision
+
+
+class Likenesses:
+    """The links of a robot that are both touched and seen.
+
+    Args:
+        model: of the robot.
+        lump: measures visuals and collisions that are meshes; None for one that is not measured.
+        is_ambiguous: tells of a visual or collision that programs turn in different ways.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        lump: Callable[[Body], Lump | None],
+        is_ambiguous: Callable[[Body], bool],
+    ) -> None:
+        self._model = model
+        self._lump = lump
+        self._is_ambiguous = is_ambiguous
+
+    @cached_property
+    def claims(self) -> dict[str, list[Likeness]]:
+        """The links that are unlike, by the code of the one rule that tells it."""
+        found: dict[str, list[Likeness]] = {}
+        for one in self._each():
+            if code := self._code(one):
+                found.setdefault(code, []).append(one)
+        return found
+
+    @property
+    def span(self) -> float:
+        """The longest distance of two joints that follow one another, in m."""
+        places = (joint.origin.position for joint in self._model.joints)
+        return max((hypot(*place) for place in places), default=0.0)
+
+    def _each(self) -> Iterator[Likeness]:
+        for link in self._model.links:
+            if link.visuals and link.collisions:
+                touched, seen = (solid(b, self._lump) for b in (link.collisions, link.visuals))
+                if touched and seen and touched.parts != seen.parts:
+                    yield Likeness(link, touched, seen)
+
+    def _code(self, one: Likeness) -> str:
+        if one.overlap >= ALIGNED or (one.is_marker and not one.is_shrunk):
+            return ""
+        if one.factor:
+            return "GEO016"
+        if one.has_one_shape:  # whose origins tell what happened
+            return "GEO004" if one.is_apart else ""
+        if any(map(self._is_ambiguous, (*one.link.visuals, *one.link.collisions))):
+            return ""
+        if one.turn:
+            return "GEO017"
+        return "GEO004" if one.is_apart else ""
+
+
+def turned(box: Box, rotation: Rotation, about: Frame) -> Box:
+    """The box around a box that is turned about the origin of a frame."""
+    there = about.position
+    x, y, z = (a - b for a, b in zip(box.center, there, strict=True))
+    center = rotate(rotation, (x, y, z))
+    edges = box.edges
+    half = [sum(abs(r) * e for r, e in zip(row, edges, strict=True)) / 2 for row in rotation]
+    low = [a + b - c for a, b, c in zip(center, there, half, strict=True)]
+    high = [a + b + c for a, b, c in zip(center, there, half, strict=True)]
+    return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+
+def _quarters() -> Iterator[Rotation]:
+    """The 23 rotations that lay a cube over itself, the smaller ones first."""
+    axes: list[Vector] = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+    found = []
+    for (a, b), (s, t) in product(permutations(axes, 2), product((1, -1), repeat=2)):
+        x, y = (s * a[0], s * a[1], s * a[2]), (t * b[0], t * b[1], t * b[2])
+        found.append((x, y, cross(x, y)))
+    found.sort(key=lambda r: -(r[0][0] + r[1][1] + r[2][2]))
+    yield from found[1:]
+
+
+#: All turns by right angles.
+QUARTERS: tuple[Rotation, ...] = tuple(_quarters())
+
+
+def _overlap(one: Box, other: Box, shift: Vector = (0.0, 0.0, 0.0)) -> float:
+    """The common volume of two boxes by that of both together, the other one shifted."""
+    x, y, z = shift
+    low, high = ((a + x, b + y, c + z) for a, b, c in other)
+    common = one.common_volume(Box(low, high))
+    both = one.volume + other.volume - common
+    return common / both if both > 0 else 0.0
+
+
+def _is_mesh(one: Solid) -> bool:
+    return any(isinstance(part, Lump) for part in one.parts)
+
+
+def _form(shape: Shape) -> tuple[object, ...]:
+    """What a shape is, wherever it is."""
+    name = shape.filename.value if shape.filename else ""
+    return (shape.kind, shape.size, shape.radius, shape.length, name, shape.scale)

@@ -1,0 +1,106 @@
+"""The box around a robot at a configuration, from all that is seen and touched of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector
+from urdfkit.robot.model import Body
+from urdfkit.robot.shapes import Box, solid
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+#: Why a mesh is not measured where numpy or the readers of meshes are not installed.
+WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
+
+
+class Extent(Record):
+    """What some shapes take up.
+
+    Attributes:
+        box: around them, along the axes of their root; None without any.
+        measured: how many links have a shape in it.
+        left_out: why shapes are not in the box, by link.
+    """
+
+    box: Box | None
+    measured: int
+    left_out: dict[str, str]
+
+
+def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
+    """The box around all visuals and collisions of one tree; of primitives it is exact.
+
+    How the trees of several roots stand to one another, nobody says: the first one with shapes
+    counts.
+
+    Args:
+        subject: the robot.
+        placed: where each link is, as `mechanics.kinematics.frames` tells it.
+    """
+    boxes: list[Box] = []
+    measured: set[str] = set()
+    left_out: dict[str, str] = {}
+    root = ""
+    for name, link in subject.model.links_by_name.items():
+        if name not in placed or not (link.visuals or link.collisions):
+            continue  # a link of a loop that no root leads to is nowhere
+        root = root or subject.tree.root_of[name]
+        if subject.tree.root_of[name] != root:
+            left_out[name] = f"they do not hang on {root}"
+            continue
+        for body in (*link.visuals, *link.collisions):
+            if body.shape is None:
+                continue
+            found = box_of(subject, body, placed[name])
+            if isinstance(found, str):
+                left_out.setdefault(name, found)
+            else:
+                boxes.append(found)
+                measured.add(name)
+    return Extent(around(boxes), len(measured), left_out)
+
+
+def around(boxes: list[Box]) -> Box | None:
+    """The box around some boxes."""
+    if not boxes:
+        return None
+    low = [min(box.low[axis] for box in boxes) for axis in range(3)]
+    high = [max(box.high[axis] for box in boxes) for axis in range(3)]
+    return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+
+def box_of(subject: Subject, body: Body, link: Frame) -> Box | str:
+    """The box around a visual or collision of a link, or why there is none.
+
+    Args:
+        subject: the robot.
+        body: with a shape.
+        link: the frame of the link, in which the box is wanted.
+    """
+    shape = body.shape
+    assert shape is not None
+    if shape.filename is None:
+        primitive = solid([body._replace(origin=link @ body.origin)])
+        return primitive.bounds if primitive else f"a {shape.kind} without positive sizes"
+    try:
+        vertices = subject.meshes.vertices(shape)
+    except ImportError:
+        return WITHOUT_MESHES
+    if vertices is None:
+        return subject.meshes.reason(shape)
+    rotation, position = link @ body.origin
+    low: list[float] = []
+    high: list[float] = []
+    for row, shift in zip(rotation, position, strict=True):
+        along = vertices @ row
+        low.append(float(along.min()) + shift)
+        high.append(float(along.max()) + shift)
+    return Box(_vector(low), _vector(high))
+
+
+def _vector(values: list[float]) -> Vector:
+    return values[0], values[1], values[2]

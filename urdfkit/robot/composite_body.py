@@ -1,0 +1,62 @@
+"""A robot as one rigid body: its mass, and where its joints tell it, centre and tensor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame
+from urdfkit.robot.inertia import MassProperties, combined
+from urdfkit.robot.rigid_bodies import properties_of
+from urdfkit.robot.tree import KinematicTree
+
+#: Names in a reason; the rest are counted.
+_MOST = 3
+
+
+class Whole(Record):
+    """A robot as one rigid body at a configuration.
+
+    Attributes:
+        mass: of all links, in kg.
+        properties: mass, centre and tensor in the frame of ``root``; None where nothing says how
+            the links that weigh something stand to one another.
+        root: the root link above them; empty without one.
+        reason: why there are no properties; empty if there are.
+    """
+
+    mass: float
+    properties: MassProperties | None
+    root: str
+    reason: str
+
+
+def whole(tree: KinematicTree, placed: Mapping[str, Frame]) -> Whole:
+    """All links together.
+
+    Args:
+        tree: of the model.
+        placed: where each link is, as `mechanics.kinematics.frames` tells it.
+    """
+    mass = tree.model.mass
+    links = tree.model.links_by_name
+    heavy = [name for name, link in links.items() if link.mass]
+    lost = [name for name in heavy if name not in tree.root_of]
+    if lost:
+        return Whole(mass, None, "", f"no root leads to {_listed(lost)}, in a closed loop")
+    roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
+    if len(roots) > 1:
+        reason = f"no joint says how the roots {_listed(roots)} stand to one another"
+        return Whole(mass, None, "", reason)
+    root = next(iter((*roots, *(link.name for link in tree.roots))), "")
+    bodies = (
+        properties_of(links[name], frame)
+        for name, frame in placed.items()
+        if tree.root_of[name] == root
+    )
+    return Whole(mass, combined(bodies), root, "")
+
+
+def _listed(names: list[str]) -> str:
+    more = f" and {len(names) - _MOST} more" if len(names) > _MOST else ""
+    return ", ".join(names[:_MOST]) + more

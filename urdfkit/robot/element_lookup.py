@@ -1,0 +1,47 @@
+"""Which links and joints a finding concerns, by the address of its element."""
+
+from __future__ import annotations
+
+from urdfkit.robot.model import RobotModel
+
+
+class Places:
+    """Which links an element of the robot's document concerns.
+
+    Args:
+        model: None if there is none to be had.
+    """
+
+    def __init__(self, model: RobotModel | None) -> None:
+        self._links: dict[str, str] = {}
+        self._joints: dict[str, str] = {}
+        if model is None:
+            return
+        known = model.links_by_name
+        for link in model.links:
+            self._links.setdefault(link.at.path, link.name)
+        for joint in model.joints:
+            if joint.child and joint.child.value in known:
+                self._links.setdefault(joint.at.path, joint.child.value)
+                self._joints.setdefault(joint.at.path, joint.name)
+        for block in model.gazebo:
+            if (name := block.get("reference")) in known:
+                self._links.setdefault(block.path, str(name))
+
+    def link(self, element: str) -> str | None:
+        """The link that an element belongs to, by the element's path."""
+        return _nearest(self._links, element)
+
+    def joint(self, element: str) -> str | None:
+        """The joint that an element belongs to."""
+        return _nearest(self._joints, element)
+
+
+def _nearest(known: dict[str, str], element: str) -> str | None:
+    """What is known of a path, or of the nearest one above it; names may hold slashes."""
+    path = element.partition("@")[0]
+    while path:
+        if path in known:
+            return known[path]
+        path = path.rpartition("/")[0]
+    return None

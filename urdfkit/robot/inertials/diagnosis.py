@@ -1,0 +1,369 @@
+"""Why a tensor is wrong and what was probably meant, for the rules that find one.
+
+A diagnosis is a guess that the numbers bear out: put right in this way, they agree with the shape
+of the link, or become possible at all. It says how sure it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import permutations, product
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import rotate, transposed
+from urdfkit.lint.rules import Finding
+from urdfkit.robot import inertia
+from urdfkit.robot.inertials.diagnoses import HEAVIEST, TOO_SMALL
+from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, Weighed
+from urdfkit.robot.model import Tensor, number
+from urdfkit.text.diagnostic import Confidence, Fix, Related
+from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
+
+if TYPE_CHECKING:
+    from urdfkit.robot.inertials.masses import Masses
+
+#: Units of CAD programs in kg m^2; 1 lb is 0.45359237 kg and 1 in is 0.0254 m by definition.
+UNITS = (
+    ("g mm^2", 1e-9),
+    ("g cm^2", 1e-7),
+    ("kg mm^2", 1e-6),
+    ("kg cm^2", 1e-4),
+    ("lb in^2", 0.45359237 * 0.0254**2),
+    ("lb ft^2", 0.45359237 * 0.3048**2),
+)
+
+#: Put right, the moments must be this near to those of the shape, as a factor.
+NEAR = 1.5
+
+#: Products of inertia below this part of the largest moment come from angles such as 1.57 or 3.14.
+CLEAR = 2e-3
+
+#: A tensor whose entries stand elsewhere, or have other signs, agrees with that of the shape if
+#: they differ by no more than this part of the largest moment.
+_ALIKE = 0.05
+
+#: ``ixx`` is the entry of row 0 and column 0, ``ixy`` that of row 0 and column 1, and so on.
+_CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+
+#: Moments nearer to one another than this factor are as good as equal.
+_EVEN = 1.01
+
+#: Places that a finding about many links lists beside the first.
+MAX_RELATED = 20
+
+
+class Diagnosis(Record):
+    """What is probably wrong with a tensor.
+
+    Attributes:
+        cause: after "the tensor", such as ``is in g mm^2``; empty if nothing explains it.
+        tensor: that was meant, in kg m^2; None if the numbers do not tell it.
+        confidence: how sure the proposal is.
+    """
+
+    cause: str
+    tensor: Tensor | None
+    confidence: Confidence
+
+    def __str__(self) -> str:
+        """The cause and what to do, in one line; empty without a cause and a tensor."""
+        if self.tensor is None:
+            return f"the tensor {self.cause}" if self.cause else ""
+        if not self.cause:
+            return f"write {written(self.tensor)}"
+        if self.confidence is Confidence.GUESSED:
+            return f"perhaps the tensor {self.cause}; then it is {written(self.tensor)}"
+        return f"the tensor {self.cause}: write {written(self.tensor)}"
+
+
+def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
+    """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
+    expected = weighed.expected
+    assert expected is not None
+    for cause, tensor in _slips(weighed, expected):
+        return Diagnosis(cause, tensor, Confidence.INFERRED)
+    other = masses.of_their_shape.get(weighed.tensor)
+    cause = f"is that of link '{other.link.name}', which it fits" if other else ""
+    is_wrong = bool(other) or _is_invented(weighed, expected)
+    return Diagnosis(cause, _of_shape(weighed) if is_wrong else None, Confidence.INFERRED)
+
+
+def _is_invented(weighed: Weighed, expected: Tensor) -> bool:
+    """True if nobody measured a tensor, so that even the rough shape of the link tells more.
+
+    Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
+    proportions of the shape were computed from it; and no rough shape is wrong by a factor of 100.
+    Others may be published for the real robot, beside which the shape may be a placeholder.
+    """
+    moment = weighed.tensor.ixx
+    if weighed.is_diagonal and {*weighed.diagonal} == {moment}:
+        return not _is_even(expected) or float(f"{moment:.0e}") == moment
+    ratios = weighed.ratios(expected)
+    is_scaled = min(ratios) > 0 and max(ratios) <= EXACT * min(ratios)
+    return is_scaled or max(ratios) < TOO_SMALL or min(ratios) > 1 / TOO_SMALL
+
+
+def _of_shape(weighed: Weighed) -> Tensor | None:
+    """The tensor of the shape; None where that marks a place, or is too small for the mass."""
+    is_other = weighed.is_marker or (weighed.densities and weighed.densities[0] > HEAVIEST)
+    return None if is_other else weighed.expected
+
+
+def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
+    """Slips without which the tensor agrees with the shape, each with the tensor meant."""
+    if weighed.is_at_wrong_axes:
+        yield of_wrong_axes(weighed)
+    # Three equal moments of a shape that has none were made up, in whatever unit they fit.
+    if not weighed.is_placeholder and (_is_even(expected) or not _is_even(weighed.tensor)):
+        for unit, factor in UNITS:
+            tensor = inertia.scaled(weighed.tensor, factor)
+            if inertia.agree(tensor, expected, NEAR):
+                yield f"is in {unit}", tensor
+    about_center = _shifted_from_origin(weighed, -weighed.mass)
+    if about_center != weighed.tensor and inertia.agree(about_center, expected, NEAR):
+        yield "is about the origin of the link, not the centre of mass", about_center
+    twice = weighed.expected_of_twice
+    if weighed.is_diagonal and twice is not None and weighed.fits(twice, EXACT):
+        yield "was computed with twice the size, as of a diameter for a radius", expected
+
+
+def _is_even(tensor: Tensor) -> bool:
+    """True for the tensor of a ball or a cube."""
+    moments = (tensor.ixx, tensor.iyy, tensor.izz)
+    products = max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz)))
+    return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
+
+
+def of_wrong_axes(weighed: Weighed) -> tuple[str, Tensor]:
+    """Why a tensor with the moments of the shape has other axes, and the tensor meant.
+
+    Its own entries, as far as possible: moved as little as needed, or with other signs.
+    """
+    expected = weighed.expected
+    assert expected is not None
+    if meant := _rearranged(weighed, expected, list(permutations(range(3)))):
+        if keys := opposite(weighed.tensor, meant):
+            return f"has {' and '.join(keys)} with the opposite sign", meant
+        return "has its moments at the wrong axes", meant
+    return "has its moments at the wrong axes", expected
+
+
+def _rearranged(
+    weighed: Weighed, expected: Tensor, orders: Iterable[Sequence[int]]
+) -> Tensor | None:
+    """The entries of a tensor in other places or with other signs, nearest to those of the shape.
+
+    None if none of these agrees. Of those that do, the one with the fewest changes.
+    """
+    found = []
+    for order, signs in product(orders, product((1, -1), repeat=3)):
+        tensor = _permuted(weighed.tensor, order, signs)
+        pairs = zip(tensor, expected, strict=True)
+        if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(weighed.moments[2]):
+            changes = sum(a != b for a, b in zip(tensor, weighed.tensor, strict=True))
+            found.append((changes, tensor))
+    return min(found)[1] if found else None
+
+
+def _permuted(tensor: Tensor, order: Sequence[int], signs: Sequence[int]) -> Tensor:
+    """A tensor about its axes in another order, with signs for ``ixy``, ``ixz`` and ``iyz``."""
+    of_cell = dict(zip(_CELLS, tensor, strict=True))
+    xx, xy, xz, yy, yz, zz = (
+        of_cell[min(order[i], order[j]), max(order[i], order[j])] for i, j in _CELLS
+    )
+    return Tensor(xx, signs[0] * xy or 0.0, signs[1] * xz or 0.0, yy, signs[2] * yz or 0.0, zz)
+
+
+def opposite(tensor: Tensor, other: Tensor) -> list[str]:
+    """The entries that differ between two tensors by their sign; none if others differ, too."""
+    rows = zip(Tensor._fields, tensor, other, strict=True)
+    different = [(key, a, b) for key, a, b in rows if a != b]
+    keys = [key for key, a, b in different if a == -b]
+    return keys if len(keys) == len(different) else []
+
+
+def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:
+    """Why no body can have a tensor, and which was meant if the numbers tell it."""
+    if weighed.is_measured and weighed.expected:
+        meant = _rearranged(weighed, weighed.expected, [range(3)])
+        if meant and is_possible(meant) and (keys := opposite(weighed.tensor, meant)):
+            cause = f"has {' and '.join(keys)} with the opposite sign"
+            return Diagnosis(cause, meant, Confidence.INFERRED)
+    for cause, tensor in _rewritten(weighed):
+        return Diagnosis(cause, tensor, Confidence.GUESSED)
+    for twin in _twins(weighed, masses):
+        mirrored = twin.tensor._replace(ixy=-twin.tensor.ixy, iyz=-twin.tensor.iyz)
+        if is_possible(mirrored):
+            cause = f"of its twin '{twin.link.name}' is possible"
+            return Diagnosis(cause, mirrored, Confidence.INFERRED)
+    if weighed.is_measured:
+        return Diagnosis("", _of_shape(weighed), Confidence.INFERRED)
+    return Diagnosis("", None, Confidence.GUESSED)
+
+
+def _rewritten(weighed: Weighed) -> Iterator[tuple[str, Tensor | None]]:
+    """Ways of writing it that make the tensor possible, each with the tensor meant."""
+    a, b, c, d, e, f = weighed.tensor
+    as_in_sdf = Tensor(a, d, e, b, f, c)
+    if min(a, b, c) > 0 and is_possible(as_in_sdf):
+        yield "is in the order ixx iyy izz ixy ixz iyz", as_in_sdf
+    if b == d and e > 0 and abs(f) <= e and a > 0 and len({*weighed.tensor}) > 1:
+        rows = "holds the first two rows of the matrix, so that the value at iyz is iyy"
+        yield f"{rows}, the one at izz is iyz, and izz is missing", None
+    positive = Tensor(abs(a), b, c, abs(d), e, abs(f))
+    if positive != weighed.tensor and is_possible(positive):
+        yield "has a negative moment that is possible when positive", positive
+    turned = Tensor(a, -b, -c, d, -e, f)
+    if turned != weighed.tensor and is_possible(turned):
+        yield "has products of inertia with the opposite sign", turned
+    for key in ("ixx", "iyy", "izz"):
+        tenth = weighed.tensor._replace(**{key: getattr(weighed.tensor, key) / 10})
+        diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
+        if is_possible(tenth) and max(diagonal) <= 2 * min(diagonal):
+            yield f"has {key} ten times too large", tenth
+
+
+def _twins(weighed: Weighed, masses: Masses) -> Iterator[Weighed]:
+    for left, right in masses.twins:
+        if weighed in (left, right):
+            yield right if weighed is left else left
+
+
+def is_possible(tensor: Tensor) -> bool:
+    """True if some body can have the tensor."""
+    low, middle, high = inertia.principal_moments(tensor)
+    return low > 0 and high <= (low + middle) * (1 + ROUNDING)
+
+
+def _shifted_from_origin(weighed: Weighed, mass: float) -> Tensor:
+    """The tensor moved between the centre of mass and the origin of the link."""
+    origin = weighed.inertial.origin
+    offset = rotate(transposed(origin.rotation), origin.position)
+    return inertia.shifted(weighed.tensor, mass, offset)
+
+
+def advice(weighed: Weighed, diagnosis: Diagnosis) -> str:
+    """What to do about a tensor, in one line; empty if the help of the rule says it."""
+    if not from_macro(weighed.at):
+        return str(diagnosis)
+    return f"the tensor {diagnosis.cause}; compute it in the macro" if diagnosis.cause else ""
+
+
+def written(tensor: Tensor) -> str:
+    """The attributes of a tensor; products of inertia only where there are any."""
+    texts = zip(Tensor._fields, _digits(tensor), strict=True)
+    return " ".join(f'{key}="{text}"' for key, text in texts if text != "0" or key[1] == key[2])
+
+
+def _digits(tensor: Tensor) -> list[str]:
+    """The numbers to six digits, without what the rounding of an angle makes of zero."""
+    least = CLEAR * max(map(abs, tensor))
+    rows = zip(Tensor._fields, tensor, strict=True)
+    return [
+        f"{value:.6g}" if key[1] == key[2] or abs(value) > least else "0" for key, value in rows
+    ]
+
+
+def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
+    """A fix that writes a tensor in the place of one that stands in the file as numbers.
+
+    Entries that are right stay as they are written; one that stood elsewhere, or had the other
+    sign, keeps its digits.
+    """
+    if tensor is None:
+        return None
+    changed = _changed(weighed, tensor)
+    attributes = weighed.at.attributes
+    edits = all_or_none(replace_value(attributes[key], text) for key, text in changed.items())
+    title = " ".join(f'{key}="{text}"' for key, text in changed.items())
+    return Fix.of(f"write {title}", edits)
+
+
+def _changed(weighed: Weighed, tensor: Tensor) -> dict[str, str]:
+    """The new texts of the entries that are wrong, by their names."""
+    texts = {key: weighed.at.attributes[key].value.strip() for key in Tensor._fields}
+    written_as = {-old: _negated(texts[key]) for key, old in weighed.tensor._asdict().items()}
+    written_as |= {old: texts[key] for key, old in weighed.tensor._asdict().items()}
+    new = {
+        key: (written_as.get(value) if value else None) or text
+        for (key, value), text in zip(tensor._asdict().items(), _digits(tensor), strict=True)
+    }
+    wrong = [key for key in Tensor._fields if number(texts[key]) != number(new[key])]
+    worse = [
+        key for key in wrong if new[key] in written_as.values() or _differs(key, weighed, tensor)
+    ]
+    mixed = tensor._replace(
+        **{key: old for key, old in weighed.tensor._asdict().items() if key not in worse}
+    )
+    return {key: new[key] for key in (worse if is_possible(mixed) else wrong)}
+
+
+def _negated(text: str) -> str:
+    return text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
+
+
+def _differs(key: str, weighed: Weighed, tensor: Tensor) -> bool:
+    """True if an entry differs from the one computed by more than its digits are worth."""
+    old, value, largest = getattr(weighed.tensor, key), getattr(tensor, key), max(map(abs, tensor))
+    bound = CLEAR * largest if key[1] != key[2] else (EXACT - 1) * abs(value)
+    return bool(abs(old - value) > bound)
+
+
+def as_solid(weighed: Weighed) -> str:
+    """What the shape of a link has, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
+    expected = weighed.expected
+    assert expected is not None
+    moments = values((expected.ixx, expected.iyy, expected.izz))
+    article = "the" if weighed.solid and len(weighed.solid.parts) > 1 else "a"
+    return f"{article} solid {weighed.solid} has {moments}"
+
+
+def values(numbers: Iterable[float]) -> str:
+    """Moments to three digits with their unit, such as ``0.1, 0.1, 0.2 kg m^2``."""
+    texts = [f"{value:.3g}" for value in numbers]
+    return f"{texts[0]} kg m^2 each" if len({*texts}) == 1 else f"{', '.join(texts)} kg m^2"
+
+
+def together(
+    findings: Iterable[tuple[Weighed, Finding]],
+    by: Callable[[Weighed], object] = lambda weighed: weighed.tensor,
+) -> Iterator[Finding]:
+    """Findings about copies of one tensor as one, the worst first.
+
+    ``by`` gives what the copies have in common, where that is less than the whole tensor.
+    What a macro wrote stays apart: the engine makes one finding of it, with its calls.
+    """
+    groups: dict[object, list[tuple[Weighed, Finding]]] = {}
+    for weighed, finding in findings:
+        if from_macro(weighed.at):
+            yield finding
+        else:
+            groups.setdefault(by(weighed), []).append((weighed, finding))
+    for group in groups.values():
+        group.sort(key=lambda pair: -pair[1].weight)
+        (_, worst), *others = group
+        if not others:
+            yield worst
+            continue
+        yield worst._replace(
+            message=f"{worst.message} ({and_more(others)})",
+            related=tuple(Related(one.at.span, one.message) for _, one in others[:MAX_RELATED]),
+            fix=_merged([finding.fix for _, finding in group if finding.fix]),
+        )
+
+
+def _merged(fixes: list[Fix]) -> Fix | None:
+    """Several fixes as one."""
+    if len(fixes) < 2:
+        return fixes[0] if fixes else None
+    edits = tuple(edit for fix in fixes for edit in fix.edits)
+    return Fix(f"write the tensors of {len(fixes)} shapes", edits)
+
+
+def and_more(others: list[tuple[Weighed, Finding]]) -> str:
+    """Such as ``and likewise 'b', 'c' and 3 more``."""
+    names = [f"'{weighed.link.name}'" for weighed, _ in others]
+    if len(names) > 3:
+        names = [*names[:2], f"{len(names) - 2} more"]
+    return "and likewise " + " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))

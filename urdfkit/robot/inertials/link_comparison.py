@@ -1,0 +1,243 @@
+"""A link with a mass and an inertia tensor, beside the shapes that it has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import cached_property
+from math import inf
+
+from urdfkit.core.spatial import Vector, transposed
+from urdfkit.robot import inertia
+from urdfkit.robot.model import Body, Inertial, Link, Tensor
+from urdfkit.robot.rigid_bodies import RigidBody
+from urdfkit.robot.shapes import Box, Lump, Primitive, Solid, solid
+
+#: Part of its rigid body's mass or inertia below which an error of a link is lost in it.
+SIGNIFICANT = 0.01
+
+#: Moments up to this, in kg m^2, are noise; a ball of 1 mg with a radius of 1 mm has 4e-13.
+NOISE = 1e-13
+
+#: What rounding may do to a tensor, relative to its largest moment.
+ROUNDING = 0.01
+
+#: How far moments may be from those of a solid to have been computed from it, as a part of them.
+SAME = 0.03
+
+#: Three moments that agree to this factor with those of another formula are no chance.
+EXACT = 1.03
+
+#: What a turn changes in an entry of the tensor, as a part of the largest moment.
+TURNED = 0.25
+
+#: A tensor may be this many times that of the uniform solid: a mass in the middle has less, and the
+#: thinnest shell twice as much. Numbers with many digits were computed from something.
+LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
+
+#: What people write where they know no value, in kg m^2.
+PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
+
+#: Shapes without an edge over this, in m, mark a place and are not the matter of the link.
+MARKER = 0.005
+
+
+class Weighed:
+    """A link with a mass and an inertia tensor.
+
+    Attributes:
+        link: the link.
+        inertial: where mass and tensor stand.
+        mass: in kg, more than 0.
+        tensor: as written: about the centre of mass, along the axes of the ``<inertial>``.
+        at: the ``<inertia>``.
+        body: the rigid body that the link is a part of.
+    """
+
+    def __init__(
+        self,
+        link: Link,
+        inertial: Inertial,
+        tensor: Tensor,
+        body: RigidBody,
+        lump: Callable[[Body], Lump | None] | None = None,
+    ) -> None:
+        at = inertial.at.child("inertia")
+        assert at is not None
+        self.link = link
+        self.inertial = inertial
+        self.mass = link.mass
+        self.tensor = tensor
+        self.at = at
+        self.body = body
+        self._lump = lump
+
+    @cached_property
+    def moments(self) -> Vector:
+        """The principal moments, smallest first, in kg m^2."""
+        return inertia.principal_moments(self.tensor)
+
+    @property
+    def diagonal(self) -> Vector:
+        """``ixx``, ``iyy`` and ``izz``."""
+        return (self.tensor.ixx, self.tensor.iyy, self.tensor.izz)
+
+    @property
+    def is_noise(self) -> bool:
+        """True if the tensor is zero, or as good as."""
+        return max(map(abs, self.moments)) <= NOISE
+
+    @property
+    def is_indefinite(self) -> bool:
+        """True if a principal moment is negative by more than rounding."""
+        low, _, high = self.moments
+        return not self.is_noise and low < -ROUNDING * abs(high)
+
+    @property
+    def breaks_triangle(self) -> bool:
+        """True if a principal moment exceeds the sum of the others by more than rounding."""
+        low, middle, high = self.moments
+        return not self.is_noise and high > (low + middle) * (1 + ROUNDING)
+
+    @property
+    def is_diagonal(self) -> bool:
+        """True without products of inertia: people leave them out, CAD programs do not."""
+        return not (self.tensor.ixy or self.tensor.ixz or self.tensor.iyz)
+
+    @property
+    def is_round(self) -> bool:
+        """True if no number has more than two digits."""
+        return all(float(f"{value:.1e}") == value for value in self.tensor)
+
+    @property
+    def is_placeholder(self) -> bool:
+        """True for a tensor such as 0.1, 0.1, 0.1."""
+        return self.is_diagonal and len({*self.diagonal}) == 1 and self.diagonal[0] in PLACEHOLDERS
+
+    @property
+    def radius_of_gyration(self) -> float:
+        """The distance in m at which all of the mass had the largest moment."""
+        return float((max(self.moments[2], 0.0) / self.mass) ** 0.5)
+
+    @cached_property
+    def solid(self) -> Solid | None:
+        """Its collisions, else its visuals; None unless all of them are measured."""
+        if self.link.collisions and self.link.visuals:
+            return solid(self.link.collisions, self._lump)
+        return self.solids[0] if self.solids else None
+
+    @cached_property
+    def is_measured(self) -> bool:
+        """True if it has shapes and all of them are primitives, or meshes that are measured."""
+        kinds = bool(self.link.collisions) + bool(self.link.visuals)
+        return 0 < kinds == len(self.solids)
+
+    @cached_property
+    def expected(self) -> Tensor | None:
+        """The tensor that the uniform solid has, along the axes of the ``<inertial>``."""
+        if self.solid is None:
+            return None
+        tensor = self.solid.properties(self.mass).tensor
+        return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
+
+    @property
+    def expected_of_twice(self) -> Tensor | None:
+        """The same of a single primitive whose edges, or whose radius, were twice as large."""
+        if self.solid is None or len(self.solid.parts) > 1:
+            return None
+        (part,) = self.solid.parts
+        if not isinstance(part, Primitive):
+            return None
+        x, y, z = part.size
+        larger = part._replace(size=(2 * x, 2 * y, 2 * z), radius=2 * part.radius)
+        tensor = larger.properties(self.mass).tensor
+        return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
+
+    @cached_property
+    def solids(self) -> tuple[Solid, ...]:
+        """Its collisions and its visuals, as far as all of them are measured."""
+        found = (solid(self.link.collisions, self._lump), solid(self.link.visuals, self._lump))
+        return tuple(one for one in found if one)
+
+    @cached_property
+    def outline(self) -> Box:
+        """The bounding box of its shapes along the axes of the link."""
+        boxes = [one.bounds for one in self.solids]
+        low = [min(box.low[i] for box in boxes) for i in range(3)]
+        high = [max(box.high[i] for box in boxes) for i in range(3)]
+        return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+    @cached_property
+    def reach(self) -> float:
+        """Distance in m from the centre of mass to the farthest point of its shapes."""
+        return max(one.farthest(self.inertial.origin.position) for one in self.solids)
+
+    @property
+    def largest_possible(self) -> float:
+        """The largest moment of inertia that the mass can have within the shapes, in kg m^2.
+
+        All of it at the farthest point, for no point is farther from an axis through the centre
+        of mass than from the centre itself.
+        """
+        return self.mass * self.reach * self.reach
+
+    def ratios(self, expected: Tensor) -> list[float]:
+        """``ixx``, ``iyy`` and ``izz`` by those of another tensor."""
+        others = (expected.ixx, expected.iyy, expected.izz)
+        return [a / b if b > 0 else inf for a, b in zip(self.diagonal, others, strict=True)]
+
+    def fits(self, expected: Tensor, factor: float) -> bool:
+        """True if the moments about x, y and z differ by no more than a factor."""
+        return inertia.agree(self.tensor, expected, factor)
+
+    @property
+    def differs(self) -> bool:
+        """True if a tensor without products is not that of the uniform solid, nor near it."""
+        if self.expected is None or not self.is_diagonal:
+            return False
+        ratios = self.ratios(self.expected)
+        most = MOST if self.is_round else MOST_COMPUTED
+        return min(ratios) < LEAST or max(ratios) > most
+
+    @property
+    def is_of_shape(self) -> bool:
+        """True if the tensor is that of the uniform solid."""
+        return self.expected is not None and self.fits(self.expected, EXACT)
+
+    @property
+    def is_at_wrong_axes(self) -> bool:
+        """True if the principal moments are those of the uniform solid, but about other axes."""
+        if self.expected is None or (self.is_diagonal and self.fits(self.expected, 1.2)):
+            return False
+        apart = max(abs(a - b) for a, b in zip(self.tensor, self.expected, strict=True))
+        if not self.is_diagonal and apart < TURNED * self.moments[2]:
+            return False  # it is tilted a little
+        pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
+        return all(abs(a - b) <= SAME * b for a, b in pairs)
+
+    @property
+    def is_marker(self) -> bool:
+        """True if a shape marks a place and is not the matter of the link."""
+        return any(all(part.longest <= MARKER for part in one.parts) for one in self.solids)
+
+    @cached_property
+    def densities(self) -> tuple[float, float] | None:
+        """The mass by the larger and by the smaller volume of collision and visual, in kg/m^3.
+
+        None without a collision, and where a shape is not measured or only marks a place. Of a
+        mesh the larger volume is that of its hull, for a hollow one may hold motors.
+        """
+        if not self.is_measured or not self.link.collisions:
+            return None
+        if self.is_marker:
+            return None
+        least = min(one.least_volume for one in self.solids)
+        most = max(one.most_volume for one in self.solids)
+        return self.mass / most, self.mass / least if least else inf
+
+
+def by_tensor(weighed: Iterable[Weighed]) -> Iterator[list[Weighed]]:
+    """Links in groups with the same tensor, in the order of the first of each."""
+    groups: dict[Tensor, list[Weighed]] = {}
+    for one in weighed:
+        groups.setdefault(one.tensor, []).append(one)
+    yield from groups.values()

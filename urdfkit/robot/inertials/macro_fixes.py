@@ -1,0 +1,239 @@
+"""From a macro that gives every link the same tensor to macros that compute it from the shape.
+
+A uniform solid has its inertial where its shape is, so the calls pass the pose of the shape, too.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Edit, Fix
+from urdfkit.text.editing.edits import insert_behind, replace
+from urdfkit.text.editing.tokens import Kind, tokens
+from urdfkit.text.source import Span
+from urdfkit.workspace.includes import is_included
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.model import Body, Link
+    from urdfkit.text.document import Attribute, Element, Frame, Tag
+
+#: The moments about x, y and z of a uniform solid about its centre, by its parameters.
+_MOMENTS = {
+    "box": (
+        ("x", "y", "z"),
+        (
+            "${mass / 12 * (y*y + z*z)}",
+            "${mass / 12 * (x*x + z*z)}",
+            "${mass / 12 * (x*x + y*y)}",
+        ),
+    ),
+    "cylinder": (
+        ("radius", "length"),
+        (
+            "${mass / 12 * (3*radius*radius + length*length)}",
+            "${mass / 12 * (3*radius*radius + length*length)}",
+            "${mass / 2 * radius*radius}",
+        ),
+    ),
+    "sphere": (("radius",), ("${2 / 5 * mass * radius*radius}",) * 3),
+}
+
+_PARAMETER = r"\$\{\s*(\w+)\s*\}"
+#: A number or an expression of a vector.
+_PART = r"(?:\$\{[^}]*\}|\$\([^)]*\)|[^\s$])+"
+
+
+class _Call(Record):
+    """A macro call that can be written anew.
+
+    Attributes:
+        at: its tag.
+        kind: of the shape of the links that it is for.
+        arguments: for the new macro, as text.
+    """
+
+    at: Tag
+    kind: str
+    arguments: tuple[tuple[str, str], ...]
+
+
+def computing(subject: Subject, links: list[Link], tensor: Tag) -> Fix | None:
+    """Macros for the shapes of some links, and calls of these in the place of one.
+
+    Args:
+        subject: the description.
+        links: those that the macro gives the tensor.
+        tensor: the ``<inertia>`` in the macro.
+    """
+    calls: dict[Tag, _Call] = {}
+    refused: set[Tag] = set()
+    definition = None
+    for link in links:
+        frame = _frame(link)
+        if frame is None:
+            return None
+        definition = frame.definition
+        call = _call(link, frame)
+        if call is None or calls.setdefault(call.at, call) != call:
+            refused.add(frame.call)
+    good = [call for call in calls.values() if call.at not in refused]
+    if not good or definition is None:
+        return None
+    names = _names(subject, {call.kind for call in good})
+    if names is None:
+        return None
+    lines = [line for kind, name in names.items() for line in ("", *_macro(kind, name))]
+    is_complete = not refused and _is_only_use(subject, tensor, links)
+    edits = (*_defined(definition, lines, instead=is_complete), *(_edit(c, names) for c in good))
+    # Nobody but its author can tell what in a comment holds for the new macros, so it stays.
+    stale = is_complete and _has_comment_above(definition)
+    again = "; the comment above was about the old one" if stale else ""
+    return Fix(f"compute the tensors from the shapes, by new macros{again}", edits)
+
+
+def _has_comment_above(definition: Tag) -> bool:
+    """True if a comment ends in the line above an element, or before it in its own line."""
+    before = definition.source.data[: definition.start]
+    text = before.rstrip()
+    return text.endswith(b"-->") and before.count(b"\n", len(text)) < 2
+
+
+def _frame(link: Link) -> Frame | None:
+    """The macro call that gave a link its inertial, if the macro holds nothing else."""
+    assert link.inertial is not None
+    at = link.inertial.at
+    frame = at.frame
+    if frame is None or frame.kind != "macro" or frame.definition is None:
+        return None
+    source, start, end = frame.definition.inner_span
+    body = source.data[start:end].decode("utf-8", "replace")
+    inner = [token for token in tokens(body) if token.kind is not Kind.COMMENT]
+    written = "".join(token.text for token in inner).strip()
+    origin = at.child("origin")
+    if at.frame is not frame or (origin and any(_numbers(origin))):
+        return None
+    whole = "".join(t.text for t in tokens(at.tag_at.whole_span.text) if t.kind is not Kind.COMMENT)
+    return frame if written == whole else None
+
+
+def _numbers(origin: Element) -> list[str]:
+    """The numbers of an origin that are not 0."""
+    values = (attribute.value for attribute in origin.attributes.values())
+    return [text for value in values for text in value.split() if text.strip("+-0.")]
+
+
+def _call(link: Link, frame: Frame) -> _Call | None:
+    """The new call in the place of one; None if the shape or the mass cannot be passed on."""
+    mass = _mass(link, frame)
+    bodies = link.collisions or link.visuals
+    if mass is None or len(bodies) != 1:
+        return None
+    body = bodies[0]
+    shape = body.shape
+    if shape is None or shape.kind not in _MOMENTS or shape.at.frame is not frame.outer:
+        return None
+    sizes = _sizes(shape.at, shape.kind)
+    pose = _pose(body, frame)
+    if sizes is None or pose is None:
+        return None
+    return _Call(frame.call, shape.kind, (("mass", mass), *sizes, *pose))
+
+
+def _mass(link: Link, frame: Frame) -> str | None:
+    """The argument that a call gives for the mass, as text, if it gives nothing else."""
+    assert link.inertial is not None
+    element = link.inertial.at.child("mass")
+    value = element.attributes.get("value") if element else None
+    parameter = re.fullmatch(_PARAMETER, value.span.text) if value else None
+    given = frame.call.attribute_spans()
+    if parameter is None or set(given) != {parameter.group(1)}:
+        return None
+    return given[parameter.group(1)].text
+
+
+def _sizes(shape: Element, kind: str) -> list[tuple[str, str]] | None:
+    """The arguments for the size of a shape, each as it is written there."""
+    parameters, _ = _MOMENTS[kind]
+    if kind != "box":
+        texts = [_text(shape.attributes.get(name)) for name in parameters]
+    else:
+        size = _text(shape.attributes.get("size"))
+        texts = list(re.findall(_PART, size)) if size is not None else []
+    if len(texts) != len(parameters) or not all(texts):
+        return None
+    return [(name, text or "") for name, text in zip(parameters, texts, strict=True)]
+
+
+def _pose(body: Body, frame: Frame) -> list[tuple[str, str]] | None:
+    """The arguments for the pose of a shape."""
+    origin = body.at.child("origin")
+    if origin is None or not _numbers(origin):
+        return []
+    if origin.frame is not frame.outer:
+        return None
+    pairs = [(key, origin.attributes[key]) for key in ("xyz", "rpy") if key in origin.attributes]
+    texts = [(key, _text(attribute)) for key, attribute in pairs]
+    return [(key, text) for key, text in texts if text] if all(t for _, t in texts) else None
+
+
+def _text(attribute: Attribute | None) -> str | None:
+    """A value as it is written in its tag."""
+    if attribute is None or attribute.written_in is not None:
+        return None
+    return " ".join(attribute.span.text.split())
+
+
+def _names(subject: Subject, kinds: set[str]) -> dict[str, str] | None:
+    """Names for the macros by the kind of their shape; None if all are taken."""
+    taken = {macro.name.removeprefix("xacro:") for macro in subject.xacro.macros}
+    for name in ("{}_inertial", "solid_{}_inertial"):
+        names = {kind: name.format(kind) for kind in _MOMENTS if kind in kinds}
+        if taken.isdisjoint(names.values()):
+            return names
+    return None
+
+
+def _is_only_use(subject: Subject, tensor: Tag, links: list[Link]) -> bool:
+    """True if nothing but these links uses a macro, which nobody else can know."""
+    is_private = tensor.source is subject.source and subject.xacro.is_complete
+    return (
+        subject.uses[tensor] == len(links)
+        and is_private
+        and not is_included(subject.source.path, subject.resolver.packages)
+    )
+
+
+def _macro(kind: str, name: str) -> list[str]:
+    """The lines of a macro."""
+    parameters, (ixx, iyy, izz) = _MOMENTS[kind]
+    params = f"mass {' '.join(parameters)} xyz:='0 0 0' rpy:='0 0 0'"
+    return [
+        f"<!-- Inertial of a uniform {kind}; kg and m -->",
+        f'<xacro:macro name="{name}" params="{params}">',
+        "  <inertial>",
+        '    <origin xyz="${xyz}" rpy="${rpy}"/>',
+        '    <mass value="${mass}"/>',
+        f'    <inertia ixx="{ixx}" ixy="0" ixz="0"',
+        f'             iyy="{iyy}" iyz="0"',
+        f'             izz="{izz}"/>',
+        "  </inertial>",
+        "</xacro:macro>",
+    ]
+
+
+def _defined(definition: Tag, lines: list[str], *, instead: bool) -> tuple[Edit, ...]:
+    """The new macros behind an old one, or in its place."""
+    whole = definition.whole_span
+    if not instead:
+        return insert_behind(whole, lines)
+    return replace(whole, lines)
+
+
+def _edit(call: _Call, names: dict[str, str]) -> Edit:
+    """The new call."""
+    whole: Span = call.at.whole_span
+    arguments = "".join(f' {name}="{text}"' for name, text in call.arguments)
+    return Edit(whole, f"<xacro:{names[call.kind]}{arguments}/>")

@@ -1,0 +1,291 @@
+"""The masses and inertia tensors of a robot, and which rules may have something to say of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cached_property
+
+from urdfkit.robot.inertia import principal_moments
+from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, Weighed, by_tensor
+from urdfkit.robot.model import Body, Link, RobotModel, Tensor, number
+from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
+from urdfkit.robot.shapes import Lump
+from urdfkit.robot.symmetry import numbered_pairs, pairs
+from urdfkit.robot.tree import KinematicTree
+from urdfkit.text.document import Element, Tag
+
+#: Masses this close together may well share a tensor that a macro holds.
+SAME_MASS = 1.05
+
+#: Masses of links that share a tensor, largest by smallest, over which it cannot fit all of them.
+SPREAD = 1.5
+
+#: How far twins may differ in mass and in moments: real parts are not quite symmetric.
+TWIN_MASS, TWIN_MOMENTS = 1.2, 1.5
+
+#: Links of implausible density, of more than half of those whose density is known, have one cause.
+LIKEWISE = 3
+
+#: A link that carries more than this many times its own mass makes iterative solvers jitter.
+CARRIED = 1000.0
+
+#: The smallest moment of inertia in kg m^2 that MuJoCo takes for one: its mjMINVAL.
+LEAST_MOMENT = 1e-15
+
+#: A smallest moment that is this part of the largest is zero to a solver.
+SINGULAR = 1e-9
+
+
+class Masses:
+    """What a model says about masses.
+
+    Args:
+        model, tree: of the robot.
+        lump: measures visuals and collisions that are meshes; without it they are left out.
+
+    Attributes:
+        model, tree: of the robot.
+        bodies: the rigid bodies, each before those that hang on it.
+        total: the mass of all links in kg.
+    """
+
+    def __init__(
+        self,
+        model: RobotModel,
+        tree: KinematicTree,
+        lump: Callable[[Body], Lump | None] | None = None,
+    ) -> None:
+        self._lump = lump
+        self.model = model
+        self.tree = tree
+        self.bodies = rigid_bodies(tree)
+        self.total = model.mass
+        self._moments: dict[str, tuple[float, float, float]] = {}
+
+    @cached_property
+    def body_of(self) -> dict[str, RigidBody]:
+        """The rigid body that each link is a part of, by the name of the link."""
+        return {link.name: body for body in self.bodies for link, _ in body.links}
+
+    @cached_property
+    def weighed(self) -> tuple[Weighed, ...]:
+        """The links with a positive mass and a tensor, in the order of the document."""
+        found: list[Weighed] = []
+        for link in self.model.links:
+            inertial, body = link.inertial, self.body_of.get(link.name)
+            if inertial and inertial.tensor and body and link.mass > 0:
+                weighed = Weighed(link, inertial, inertial.tensor.value, body, self._lump)
+                found.append(weighed)
+        return tuple(found)
+
+    @cached_property
+    def by_name(self) -> dict[str, Weighed]:
+        """The same by the name of the link; the first of each name."""
+        return {weighed.link.name: weighed for weighed in reversed(self.weighed)}
+
+    @cached_property
+    def of_their_shape(self) -> dict[Tensor, Weighed]:
+        """By each tensor that is that of the shape of some link, the first such link."""
+        return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
+
+    @cached_property
+    def claims(self) -> dict[str, list[Weighed]]:
+        """The doubtful inertias, each under the code of the one rule that tells it."""
+        from urdfkit.robot.inertials.diagnoses import claims
+
+        return claims(self)
+
+    @cached_property
+    def told(self) -> set[str]:
+        """The codes of the rules that may have something to say."""
+        codes = set(self.claims)
+        inertials = [link.inertial for link in self.model.links if link.inertial]
+        massless = any(inertial.mass and inertial.mass.value <= 0 for inertial in inertials)
+        if massless:
+            codes |= {"INE001", "INE016"}
+        if self.total <= 0:
+            codes.add("INE019")
+        else:
+            codes |= self._told_of_massless()
+        if any(body.joint and 0 < body.mass <= NO_MASS for body in self.bodies):
+            codes.add("INE017")
+        found = {
+            "INE005": self.without_inertia,
+            "INE012": self.unlike_twins,
+            "INE013": self.copies,
+            "INE014": self.overloaded,
+            "INE018": self.singular,
+            "XAC014": self.shared_by_macro,
+        }
+        return codes.union(code for code, findings in found.items() if findings)
+
+    @cached_property
+    def wrong_as_a_whole(self) -> list[Weighed]:
+        """The links with implausible densities, if they are most and all too high, or too low.
+
+        One slip made them, such as a unit of the whole robot.
+        """
+        from urdfkit.robot.inertials.diagnoses import HEAVIEST
+
+        dense = self.claims.get("INE010", [])
+        if len(dense) < LIKEWISE or 2 * len(dense) <= sum(bool(w.densities) for w in self.weighed):
+            return []
+        are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
+        return dense if len(are_high) == 1 else []
+
+    def _told_of_massless(self) -> set[str]:
+        """The rules about links that Gazebo leaves out, if there may be such a link."""
+        preserving = any(
+            child.tag in KEEPING_TAGS for element in self.model.gazebo for child in element.children
+        )
+        codes = {"INE004"} if preserving else set()
+        for body in self.bodies:
+            if body.mass <= 0 and (body.joint or len(self.bodies) > 1):
+                codes.add("INE004")
+            for link, _ in body.links[1:]:
+                joints = self.tree.children[link.name]
+                if link.mass <= 0 and any(joint.kind != "fixed" for joint in joints):
+                    codes.add("INE020")
+        return codes
+
+    def moments_of(self, body: RigidBody) -> tuple[float, float, float]:
+        """The principal moments of a rigid body as a whole, smallest first, in kg m^2."""
+        name = body.top.name
+        if name not in self._moments:
+            self._moments[name] = principal_moments(body.properties.tensor)
+        return self._moments[name]
+
+    def matters(self, body: RigidBody, moment: float) -> bool:
+        """True if a moment of inertia in kg m^2 is a noticeable part of a rigid body's."""
+        return moment >= SIGNIFICANT * self.moments_of(body)[2]
+
+    @cached_property
+    def without_inertia(self) -> list[RigidBody]:
+        """The bodies that joints move, have a mass, and have no moment of inertia at all."""
+        return [
+            body
+            for body in self.bodies
+            if body.joint and body.mass > 0 and self.moments_of(body)[2] <= LEAST_MOMENT
+        ]
+
+    @cached_property
+    def singular(self) -> list[RigidBody]:
+        """The bodies that joints move and that are infinitely thin about some axis."""
+        wrong = {
+            w.body.top.name for code in ("INE002", "INE003") for w in self.claims.get(code, ())
+        }
+        found = []
+        for body in self.bodies:
+            if body.joint and body.mass > 0 and body.top.name not in wrong:
+                low, _, high = self.moments_of(body)
+                if high > LEAST_MOMENT and low <= SINGULAR * high:
+                    found.append(body)
+        return found
+
+    @cached_property
+    def overloaded(self) -> list[tuple[RigidBody, float]]:
+        """The bodies that joints move and that carry far more than their own mass, in kg."""
+        carried = {body.top.name: 0.0 for body in self.bodies}
+        found = []
+        for body in reversed(self.bodies):  # leaves first
+            mass, load = body.mass, carried[body.top.name]
+            if body.joint and body.joint.parent:
+                carried[self.body_of[body.joint.parent.value].top.name] += mass + load
+                if mass > NO_MASS and load > CARRIED * mass:
+                    found.append((body, load))
+        return found[::-1]
+
+    @cached_property
+    def twins(self) -> list[tuple[Weighed, Weighed]]:
+        """The links of the left and of the right that hang on the same link, or on twins."""
+        named = pairs(self.tree.parents)
+        numbered = numbered_pairs(
+            {
+                name: joints[0].origin.position
+                for name, joints in self.tree.parents.items()
+                if joints
+            }
+        )
+        known = {*named, *((right, left) for left, right in named)}
+        found = []
+        for left, right in (*named, *numbered):
+            above = self._parent(left), self._parent(right)
+            mirrored = above[0] == above[1] or above in known
+            if mirrored and left in self.by_name and right in self.by_name:
+                found.append((self.by_name[left], self.by_name[right]))
+        return found
+
+    def _parent(self, name: str) -> str:
+        joint = next(iter(self.tree.parents[name]), None)
+        return joint.parent.value if joint and joint.parent else ""
+
+    @cached_property
+    def unlike_twins(self) -> list[tuple[Weighed, Weighed]]:
+        """Twins of which one has clearly more mass or larger moments, and no other rule says so."""
+        claimed = {
+            w.link.name for code in self.claims if code != "INE008" for w in self.claims[code]
+        }
+        return [
+            (left, right)
+            for left, right in self.twins
+            if claimed.isdisjoint((left.link.name, right.link.name)) and unlike(left, right)
+        ]
+
+    @cached_property
+    def shared_by_macro(self) -> dict[Tag, list[Link]]:
+        """The links of different mass to which one macro gives one tensor, written as numbers."""
+        groups: dict[Tag, list[Link]] = {}
+        for link in self.model.links:
+            tensor = link.inertial.at.child("inertia") if link.inertial else None
+            if tensor is not None and _is_written_out(tensor):
+                groups.setdefault(tensor.tag_at, []).append(link)
+        return {tag: links for tag, links in groups.items() if _spread(links) > SAME_MASS}
+
+    @cached_property
+    def copies(self) -> list[list[Weighed]]:
+        """The links of clearly different mass that have the same tensor, if no rule says so."""
+        told = {w.tensor for code in self.claims if code != "INE008" for w in self.claims[code]}
+        told.update(w.tensor for pair in self.unlike_twins for w in pair)
+        by_macro = {link.name for links in self.shared_by_macro.values() for link in links}
+        free = (
+            w
+            for w in self.weighed
+            if w.tensor not in told
+            and w.link.name not in by_macro
+            and not (w.is_noise or w.body.is_ground)
+        )
+        return [
+            group
+            for group in by_tensor(free)
+            if _spread(w.link for w in group) > SPREAD
+            and any(self.matters(w.body, w.moments[2]) for w in group)
+        ]
+
+
+def unlike(left: Weighed, right: Weighed) -> str:
+    """In what two links differ beyond tolerance: ``mass``, ``inertia``, or nothing."""
+    light, heavy = sorted((left.mass, right.mass))
+    if heavy > TWIN_MASS * light:
+        return "mass"
+    for a, b in zip(left.moments, right.moments, strict=True):
+        low, high = sorted((a, b))
+        if high > TWIN_MOMENTS * max(low, SIGNIFICANT * max(left.moments[2], right.moments[2])):
+            return "inertia"
+    return ""
+
+
+def _spread(links: Iterable[Link]) -> float:
+    """The largest mass by the smallest, of those that have one."""
+    masses = sorted(filter(None, (link.mass for link in links)))
+    return masses[-1] / masses[0] if masses and masses[0] > 0 else 0.0
+
+
+def _is_written_out(tensor: Element) -> bool:
+    """True for a tensor other than zero whose numbers stand in a macro."""
+    in_macro = tensor.frame is not None and tensor.frame.definition is not None
+    attributes = tensor.attributes.values()
+    return (
+        in_macro
+        and any(number(attribute.value) for attribute in attributes)
+        and all(attribute.literal for attribute in attributes)
+    )

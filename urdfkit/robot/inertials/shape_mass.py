@@ -1,0 +1,149 @@
+"""What the shapes of a link enclose: volume, centre and moments at a density of 1 kg/m^3.
+
+Primitives by closed forms, meshes by exact integrals over their triangles. A mesh that does not
+enclose a solid counts with its convex hull, and that is said.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Vector
+from urdfkit.mesh.measures import OVERLAP
+from urdfkit.robot.inertia import MassProperties, combined, rotated, scaled
+from urdfkit.robot.model import Body, Link, Shape, Tensor
+from urdfkit.robot.shapes import solid
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from urdfkit.mesh.measures import Measures, Uniform
+
+    Measure = Callable[[Shape], Measures | str]
+
+#: What the matter of a link can be taken from.
+SOURCES = ("auto", "collision", "visual", "hull")
+
+
+class Matter(Record):
+    """What some shapes enclose.
+
+    Attributes:
+        properties: in the frame of the link; the mass is the volume in m^3.
+        source: such as ``the collision`` or ``the hull of the visual``.
+        notes: what a reader should know, such as that shapes may overlap.
+    """
+
+    properties: MassProperties
+    source: str
+    notes: tuple[str, ...] = ()
+
+    def weighing(self, mass: float) -> MassProperties:
+        """The same with uniform density and a mass in kg."""
+        volume, center, tensor = self.properties
+        # Squared radii first: the density of a heavy dot may leave the range of floating point.
+        return MassProperties(mass, center, Tensor(*(mass * (each / volume) for each in tensor)))
+
+
+def matter(link: Link, source: str, measures: Measure) -> Matter | str:
+    """What the shapes of a link enclose, or why that is not known.
+
+    Args:
+        link: the link.
+        source: one of `SOURCES`; ``auto`` is the collision, else the visual, and ``hull`` is the
+            convex hull of every mesh of those.
+        measures: measures a mesh, or says why it cannot: `Subject.measures`.
+    """
+    collisions = (link.collisions, "the collision")
+    visuals = (link.visuals, "the visual")
+    choices = {"collision": [collisions], "visual": [visuals]}.get(source, [collisions, visuals])
+    reason = "it has no shape"
+    for bodies, name in choices:
+        if not bodies:
+            continue
+        found = _enclosed(bodies, name, measures, hull=source == "hull")
+        if isinstance(found, Matter):
+            return found
+        reason = found
+    return reason
+
+
+def _enclosed(
+    bodies: tuple[Body, ...], name: str, measures: Measure, *, hull: bool
+) -> Matter | str:
+    parts: list[MassProperties] = []
+    notes: list[str] = []
+    hulls = 0
+    overlaps = 0.0
+    for body in bodies:
+        whole = solid((body,))
+        if whole is not None:
+            parts.append(whole.properties(whole.volume))
+            continue
+        if body.shape is None or body.shape.filename is None:
+            return f"a shape of {name} cannot be read"
+        found = _of_mesh(body, measures, hull=hull)
+        if isinstance(found, str):
+            return f"{name}: {found}"
+        hulls += found.is_hull
+        overlaps = max(overlaps, found.overlap)
+        parts.append(found.properties)
+    if hulls and not hull:
+        notes.append("a mesh encloses no solid, so its convex hull is taken")
+    if overlaps > OVERLAP:
+        notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
+    if len(parts) > 1:
+        notes.append(f"{len(parts)} shapes; where they overlap, matter counts twice")
+    return Matter(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
+
+
+class _Enclosed(Record):
+    """The matter of a mesh.
+
+    Attributes:
+        properties: in the frame of the link.
+        is_hull: True for those of the convex hull.
+        overlap: the part that is counted too much, for pieces of the mesh overlap.
+    """
+
+    properties: MassProperties
+    is_hull: bool
+    overlap: float
+
+
+def _of_mesh(body: Body, measures: Measure, *, hull: bool) -> _Enclosed | str:
+    assert body.shape is not None
+    assert body.shape.filename is not None
+    measured = measures(body.shape)
+    if isinstance(measured, str):
+        return f"'{body.shape.filename.value}' {measured}"
+    is_hull = hull or measured.solid is None
+    uniform = measured.hull if is_hull else measured.solid
+    if uniform is None:
+        return "all of the mesh lies in a plane"
+    whole = stretched(uniform, body.shape, measured.unit)
+    if whole is None:
+        return "the scale of the mesh is zero"
+    mass, center, tensor = whole
+    frame = body.origin
+    properties = MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
+    return _Enclosed(properties, is_hull, 0.0 if is_hull else measured.overlap)
+
+
+def stretched(uniform: Uniform, shape: Shape, unit: float) -> MassProperties | None:
+    """A solid after the scale of its shape, which may differ along x, y and z.
+
+    The moments of the matter are ``C = tr(I) / 2 - I``; stretched by ``D = diag(x, y, z)`` they
+    become ``|det D| D C D``, and the tensor is again ``tr(C) - C``.
+    """
+    x, y, z = (factor * unit for factor in shape.scale)
+    det = abs(x * y * z)
+    if det == 0:
+        return None
+    ixx, ixy, ixz, iyy, iyz, izz = uniform.tensor
+    half = (ixx + iyy + izz) / 2
+    xx, yy, zz = (half - ixx) * x * x, (half - iyy) * y * y, (half - izz) * z * z
+    tensor = Tensor(yy + zz, ixy * x * y, ixz * x * z, xx + zz, iyz * y * z, xx + yy)
+    center: Vector = (uniform.center[0] * x, uniform.center[1] * y, uniform.center[2] * z)
+    return MassProperties(uniform.volume * det, center, scaled(tensor, det))

@@ -1,0 +1,315 @@
+"""The inertia of links as declared, beside that of their shapes; and the edits that replace it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterable
+from math import dist
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import IDENTITY, Frame, Vector
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UrdfkitError
+from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments, rotated
+from urdfkit.robot.inertials.diagnosis import CLEAR
+from urdfkit.robot.inertials.shape_mass import Matter, matter
+from urdfkit.robot.model import Inertial, Link, Tensor, numbers
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.text.diagnostic import Edit
+from urdfkit.text.editing.apply import apply_edits, encoded
+from urdfkit.text.editing.edits import (
+    all_or_none,
+    from_macro,
+    insert_first,
+    insert_last,
+    replace_value,
+)
+from urdfkit.text.editing.rewriting import Rewrite, on_disk
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
+    from urdfkit.text.source import Source
+
+#: Moments that differ by no more than this factor were computed from the same shape.
+SAME = 1.03
+#: Matter is not spread evenly in real parts, so moments within this factor may be right.
+NEAR = 3.0
+#: Tensors of the same moments that are farther apart, as a part of the greatest, have other axes.
+_TURNED = 0.1
+#: Offsets and moments below this part of the whole are rounding.
+_NOISE = 1e-6
+
+
+class Proposal(Record):
+    """The inertia of a link, or of the rigid body that it is the topmost link of.
+
+    Attributes:
+        link: the link.
+        links: names of all links of the body; one unless they were lumped together.
+        declared: in the frame of the link, along its axes; None where it says nothing usable.
+        matter: what its shapes enclose; None where that is not known.
+        computed: with uniform density; None where shapes or mass are not known.
+        reason: why nothing is computed; empty if it is.
+    """
+
+    link: Link
+    links: tuple[str, ...]
+    declared: MassProperties | None
+    matter: Matter | None
+    computed: MassProperties | None
+    reason: str
+
+    @property
+    def factor(self) -> float:
+        """By how much the principal moments differ at most; 0 where one side is not known."""
+        if self.declared is None or self.computed is None:
+            return 0.0
+        pairs = zip(
+            principal_moments(self.declared.tensor),
+            principal_moments(self.computed.tensor),
+            strict=True,
+        )
+        return max(max(a / b, b / a) if a > 0 and b > 0 else float("inf") for a, b in pairs)
+
+    @property
+    def verdict(self) -> str:
+        """How the two compare, in a word.
+
+        ``agrees``, ``near``, ``turned``, ``differs``, ``impossible``, ``missing`` or ``unknown``.
+        """
+        if self.computed is None:
+            return "unknown"
+        if self.declared is None:
+            return "missing"
+        low, middle, high = principal_moments(self.declared.tensor)
+        if low <= 0 or high > (low + middle) * 1.01:
+            return "impossible"
+        mass = self.declared.mass / self.computed.mass if self.computed.mass else 0.0
+        if not 1 / NEAR <= mass <= NEAR or self.factor > NEAR:
+            return "differs"
+        if self.factor > SAME:
+            return "near"
+        apart = dist(self.declared.tensor, self.computed.tensor)
+        return "agrees" if apart <= _TURNED * high else "turned"
+
+    @property
+    def is_doubtful(self) -> bool:
+        """True if the declared inertia had better be replaced."""
+        return self.verdict in ("turned", "differs", "impossible", "missing")
+
+    def lines(self) -> list[str]:
+        """The computed inertia as an ``<inertial>``.
+
+        Raises:
+            ValueError: nothing is computed.
+        """
+        if self.computed is None:
+            raise ValueError(self.reason)
+        mass, center, tensor = _rounded(self.computed)
+        return [
+            "<inertial>",
+            f'  <origin xyz="{_words(center)}" rpy="0 0 0"/>',
+            f'  <mass value="{mass:.6g}"/>',
+            f"  {_inertia_tag(tensor)}",
+            "</inertial>",
+        ]
+
+
+class UnknownLink(UrdfkitError):
+    """No link of the robot has that name."""
+
+
+def propose(
+    subject: Subject,
+    *,
+    source: str = "auto",
+    mass: float | None = None,
+    density: float | None = None,
+    links: Collection[str] = (),
+    lump: bool = False,
+) -> tuple[Proposal, ...]:
+    """Declared against computed, for every link that has a shape or an inertia.
+
+    Args:
+        subject: the robot.
+        source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
+        mass: of each link in kg, instead of the declared one.
+        density: in kg/m^3, that gives the mass instead.
+        links: only these.
+        lump: take links that fixed joints hold together as one body.
+
+    Raises:
+        UnknownLink: one of the links is not in the robot.
+    """
+    known = subject.model.links_by_name
+    for name in links:
+        if name not in known:
+            raise UnknownLink(f"there is no link '{name}'{did_you_mean(name, known)}")
+    if lump:
+        groups = [body.links for body in rigid_bodies(subject.tree)]
+    else:
+        groups = [((link, Frame()),) for link in known.values()]
+    proposals = []
+    for group in groups:
+        if links and group[0][0].name not in links:
+            continue
+        each = [_proposal(subject, link, source, mass, density) for link, _ in group]
+        proposal = _lumped(each, [frame for _, frame in group])
+        if proposal.declared or proposal.matter:
+            proposals.append(proposal)
+    return tuple(proposals)
+
+
+def _proposal(
+    subject: Subject, link: Link, source: str, mass: float | None, density: float | None
+) -> Proposal:
+    declared = _declared(link.inertial)
+    found = matter(link, source, subject.measures)
+    if isinstance(found, str):
+        return Proposal(link, (link.name,), declared, None, None, found)
+    if mass is None:
+        mass = density * found.properties.mass if density else link.mass
+    if not mass > 0:
+        reason = "it has no mass; give --mass, --density or --material"
+        return Proposal(link, (link.name,), declared, found, None, reason)
+    return Proposal(link, (link.name,), declared, found, found.weighing(mass), "")
+
+
+def _declared(inertial: Inertial | None) -> MassProperties | None:
+    if inertial is None or inertial.mass is None or inertial.tensor is None:
+        return None
+    tensor = rotated(inertial.tensor.value, inertial.origin.rotation)
+    return MassProperties(inertial.mass.value, inertial.origin.position, tensor)
+
+
+def _lumped(each: list[Proposal], frames: list[Frame]) -> Proposal:
+    """Links as one body in the frame of the first; a link that weighs nothing adds nothing."""
+    first = each[0]
+    if len(each) == 1:
+        return first
+    links = tuple(name for one in each for name in one.links)
+    unknown = [one for one in each if one.computed is None and (one.matter or one.declared)]
+    declared = [_seen(one.declared, frame) for one, frame in zip(each, frames, strict=True)]
+    computed = [_seen(one.computed, frame) for one, frame in zip(each, frames, strict=True)]
+    reason = "".join(f"link '{one.link.name}': {one.reason}" for one in unknown[:1])
+    return Proposal(
+        first.link,
+        links,
+        combined(filter(None, declared)) if any(declared) else None,
+        next((one.matter for one in each if one.matter), None),
+        None if unknown or not any(computed) else combined(filter(None, computed)),
+        reason,
+    )
+
+
+def _seen(properties: MassProperties | None, frame: Frame) -> MassProperties | None:
+    """Mass properties of a child frame in its parent."""
+    if properties is None:
+        return None
+    mass, center, tensor = properties
+    return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
+
+
+def rewrites(proposals: Iterable[Proposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:
+    """The files with the computed inertias written in, and why some cannot be.
+
+    Only what a file holds as numbers is edited. Nothing is written:
+    see `urdfkit.text.editing.rewriting.write`.
+
+    Returns:
+        The new files, and by name of a link the reason why it stays as it is.
+    """
+    changes: dict[Source, list[Edit]] = {}
+    left: dict[str, str] = {}
+    for proposal in proposals:
+        edits = _edits(proposal)
+        if isinstance(edits, str):
+            left[proposal.link.name] = edits
+            continue
+        for edit in edits:
+            changes.setdefault(edit.span.source, []).append(edit)
+    files = []
+    for source, changed in changes.items():
+        before = on_disk(source.path) or b""
+        after = encoded(apply_edits(source.data, changed), source.encoding, before)
+        files.append(Rewrite(os.path.normpath(source.path), before, after))
+    return tuple(files), left
+
+
+def _edits(proposal: Proposal) -> tuple[Edit, ...] | str:
+    """The edits that write what is computed, or why there are none."""
+    if proposal.computed is None:
+        return proposal.reason
+    if len(proposal.links) > 1:
+        return "it is several links; write each of them without --lump"
+    inertial = proposal.link.inertial
+    at = inertial.at if inertial else proposal.link.at
+    if from_macro(at):
+        return "a macro wrote it; compute it in the macro"
+    if inertial is None:
+        return insert_first(at, proposal.lines())
+    mass, center, tensor = _rounded(proposal.computed)
+    moments = zip(Tensor._fields, (f"{value:.6g}" for value in tensor), strict=True)
+    pieces = (
+        _origin(inertial, center),
+        _attributes(inertial.at, "mass", {"value": f"{mass:.6g}"}),
+        _attributes(inertial.at, "inertia", dict(moments)),
+    )
+    edits = all_or_none(pieces)
+    return "its numbers come out of expressions; write them there" if edits is None else edits
+
+
+def _origin(inertial: Inertial, center: Vector) -> tuple[Edit, ...] | None:
+    if inertial.at.child("origin") is None and not any(center):
+        return ()
+    if inertial.origin.rotation == IDENTITY and inertial.origin.position == center:
+        return ()
+    return _attributes(inertial.at, "origin", {"xyz": _words(center), "rpy": "0 0 0"})
+
+
+def _attributes(parent: Element, tag: str, values: dict[str, str]) -> tuple[Edit, ...] | None:
+    """Edits that give a child these attributes; None where one comes out of an expression."""
+    child = parent.child(tag)
+    text = "".join(f' {key}="{value}"' for key, value in values.items())
+    if child is None:
+        line = f"<{tag}{text}/>"
+        return insert_first(parent, [line]) if tag == "origin" else insert_last(parent, [line])
+    edits: list[Edit] = []
+    for key, value in values.items():
+        attribute = child.attributes.get(key)
+        if attribute is None:
+            if value not in ("0", "0 0 0"):
+                return None
+            continue
+        if [f"{one:.6g}" for one in numbers(attribute.value) or ()] == value.split():
+            continue
+        piece = replace_value(attribute, value)
+        if piece is None:
+            return None
+        edits += piece
+    return tuple(edits)
+
+
+def _rounded(properties: MassProperties) -> MassProperties:
+    """Without the noise of sums."""
+    mass, center, tensor = properties
+    largest = max(map(abs, tensor), default=0.0)
+    reach = (largest / mass) ** 0.5 if mass > 0 else 0.0
+    x, y, z = (0.0 if abs(value) < _NOISE * reach else value for value in center)
+    products = CLEAR * largest
+    moments = (
+        value if abs(value) > (products if key[1] != key[2] else _NOISE * largest) else 0.0
+        for key, value in zip(Tensor._fields, tensor, strict=True)
+    )
+    return MassProperties(mass, (x, y, z), Tensor(*moments) if largest else ZERO)
+
+
+def _words(vector: Vector) -> str:
+    return " ".join(f"{value:.6g}" for value in vector)
+
+
+def _inertia_tag(tensor: Tensor) -> str:
+    pairs = zip(Tensor._fields, tensor, strict=True)
+    return "<inertia " + " ".join(f'{key}="{value:.6g}"' for key, value in pairs) + "/>"

@@ -1,0 +1,156 @@
+"""What the readers of URDF make of joints, shared by the rules JNT."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import pi
+
+from urdfkit.robot.model import Joint, Placed, RobotModel, number
+from urdfkit.text.diagnostic import Related
+from urdfkit.text.source import Span
+
+#: Joints that one number describes: an angle or a distance.
+MOVING = ("revolute", "continuous", "prismatic")
+
+#: Joints with an end to either side.
+BOUNDED = ("revolute", "prismatic")
+
+#: The soft limits of a ``<safety_controller>``, the lower one first.
+SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
+
+#: In m: a slide is looked at within so much of its zero, whatever its limits say.
+FAR = 1000.0
+
+#: Places that a finding about many joints lists beside the first.
+_MAX_RELATED = 20
+
+
+def can_move(joint: Joint) -> bool:
+    """True for a joint with one degree of freedom, unless its limits take that from it."""
+    ends = bounds(joint)
+    return joint.kind in MOVING and (ends is None or ends[0] != ends[1])
+
+
+def bounds(joint: Joint) -> tuple[float, float] | None:
+    """The lower and the upper limit of a revolute or prismatic joint, in rad or m.
+
+    A limit that is not written is 0, as urdfdom has it. None for joints of another type or
+    without ``<limit>``, and where a limit cannot be read.
+    """
+    limit = joint.limit
+    if limit is None or joint.kind not in BOUNDED:
+        return None
+    for key, placed in (("lower", limit.lower), ("upper", limit.upper)):
+        if placed is None and key in limit.at.attributes:
+            return None
+    return _value(limit.lower), _value(limit.upper)
+
+
+def span(joint: Joint) -> tuple[float, float]:
+    """From where to where a joint moves, in rad or m: where limits mean nothing, all there is.
+
+    An angle without limits, or with the lower one above the upper one, turns once around; so does
+    one with more room than a turn, as near to zero as its limits let it. A slide stays within
+    `FAR` of its zero, and at it without limits. A joint that not one number moves stays at 0.
+    """
+    if joint.kind not in MOVING:
+        return 0.0, 0.0
+    lower, upper = bounds(joint) or (0.0, -1.0)
+    if joint.kind == "prismatic":
+        lower, upper = (min(max(end, -FAR), FAR) for end in (lower, upper))
+        return (lower, upper) if lower <= upper else (0.0, 0.0)
+    if lower > upper:
+        return -pi, pi
+    if upper - lower < 2 * pi:
+        return lower, upper
+    start = min(max(-pi, lower), upper - 2 * pi)
+    return start, start + 2 * pi
+
+
+def start_of(joint: Joint) -> float:
+    """Where a joint begins, as MoveIt has it, in rad or m: at 0, or amid limits without it."""
+    lower, upper = span(joint)
+    return 0.0 if lower <= 0 <= upper else lower + (upper - lower) / 2
+
+
+def soft_bounds(joint: Joint) -> tuple[float, float] | None:
+    """The soft limits of a joint's ``<safety_controller>``, in rad or m.
+
+    One that is not written is 0, as urdfdom has it. None without the element, and where one
+    cannot be read.
+    """
+    safety = joint.at.child("safety_controller")
+    if safety is None:
+        return None
+    values = [number(safety.get(key)) if key in safety.attributes else 0.0 for key in SOFT_LIMITS]
+    lower, upper = values
+    return None if lower is None or upper is None else (lower, upper)
+
+
+def _value(placed: Placed[float] | None) -> float:
+    return placed.value if placed else 0.0
+
+
+def unit(joint: Joint) -> str:
+    """Of its position."""
+    return "m" if joint.kind == "prismatic" else "rad"
+
+
+def effort_unit(joint: Joint) -> str:
+    """Of what moves it."""
+    return "N" if joint.kind == "prismatic" else "N m"
+
+
+def driven(model: RobotModel) -> frozenset[str]:
+    """The joints that a transmission or ros2_control drives; empty if the model has neither."""
+    names = {
+        joint.get("name") or ""
+        for transmission in model.transmissions
+        for joint in transmission.all("joint")
+    }
+    names |= {
+        joint.get("name") or ""
+        for control in model.ros2_controls
+        for joint in control.all("joint")
+        if joint.child("command_interface")
+    }
+    return frozenset(names)
+
+
+def limited_to_zero(model: RobotModel, of: str) -> list[tuple[Joint, Placed[float]]]:
+    """The joints whose limit of ``effort`` or ``velocity`` is 0, each with that limit.
+
+    Not those that cannot move or that follow another joint. Where some joints have a transmission
+    or ros2_control, those that have none are taken for passive and left out, too.
+    """
+    active = driven(model)
+    limits = [
+        (joint, getattr(joint.limit, of))
+        for joint in model.joints
+        if can_move(joint)
+        and joint.mimic is None
+        and joint.limit
+        and (not active or joint.name in active)
+    ]
+    return [(joint, limit) for joint, limit in limits if limit and limit.value == 0]
+
+
+def several(joints: Sequence[Joint]) -> str:
+    """``joint 'a'``, ``joints 'a' and 'b'`` or ``joints 'a', 'b' and 7 more``."""
+    first, *others = [f"'{joint.name}'" for joint in joints]
+    if not others:
+        return f"joint {first}"
+    if len(others) == 1:
+        return f"joints {first} and {others[0]}"
+    return f"joints {first}, {others[0]} and {len(others) - 1} more"
+
+
+def related(places: Iterable[tuple[Joint, Span]]) -> tuple[Related, ...]:
+    """The places of joints with the same defect, without those that a macro repeats."""
+    spans: dict[Span, Joint] = {}
+    for joint, span in places:
+        spans.setdefault(span, joint)
+    return tuple(
+        Related(span, f"joint '{joint.name}'")
+        for span, joint in list(spans.items())[1 : _MAX_RELATED + 1]
+    )

@@ -1,0 +1,169 @@
+"""Where the links are at a configuration, without numpy: a robot has a thousand of them.
+
+Positions are in rad or m, by the name of the joint.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import cos, isfinite, sin
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UrdfkitError
+from urdfkit.robot.model import Joint, Mimic, length
+from urdfkit.robot.tree import KinematicTree
+
+
+class UnknownLink(UrdfkitError):
+    """A link that is not there, or not where it is looked for."""
+
+
+#: The joints that one number moves.
+TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
+
+
+class Law(Record):
+    """What a joint follows: ``position = factor * position of the leader + shift``.
+
+    Attributes:
+        leader: a joint that follows none; the joint itself where it follows none; empty for one
+            that stands still, since it follows a joint that is not there, a ring, or by numbers
+            that no linkage has.
+        factor, shift: of all multipliers and offsets on the way to the leader.
+    """
+
+    leader: str
+    factor: float
+    shift: float
+
+
+#: In rad or m, and as a factor: no linkage moves a joint by so much.
+_LARGEST = 1e9
+
+#: Of a leader that is not there, and of joints that follow one another in a ring.
+_ABSENT, _STILL = Law("", 0.0, 0.0), Law("", 0.0, 0.0)
+
+
+def laws(joints: Mapping[str, Joint]) -> dict[str, Law]:
+    """What each joint follows in the end, through any number of joints between.
+
+    Args:
+        joints: of a model, by name.
+    """
+    found: dict[str, Law] = {}
+    for start in joints:
+        name, way = start, list[tuple[str, Mimic]]()
+        while name in joints and name not in found:
+            mimic = joints[name].mimic
+            if mimic is None or mimic.joint is None:
+                found[name] = Law(name, 1.0, 0.0)
+                break
+            found[name] = _STILL  # unless the way leads out, and not back here
+            way.append((name, mimic))
+            name = mimic.joint.value
+        law = found.get(name, _ABSENT)
+        for follower, mimic in reversed(way):
+            law = _followed(law, mimic)
+            found[follower] = law
+    return found
+
+
+def _followed(law: Law, mimic: Mimic) -> Law:
+    """What a joint follows, from what its leader follows."""
+    factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
+    is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
+    return Law(law.leader, factor, shift) if is_linkage and law is not _STILL else _STILL
+
+
+def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:
+    """The position of every joint that one number moves.
+
+    Args:
+        tree: of the model.
+        given: positions of joints; the others are at 0. A joint that mimics another one follows
+            it, whatever is given for it; in a ring of such joints all stay at 0.
+    """
+    joints = tree.model.joints_by_name
+    followed = laws(joints)
+    found: dict[str, float] = {}
+    for name, joint in joints.items():
+        if joint.kind in TURNING or joint.kind in SLIDING:
+            leader, factor, shift = followed[name]
+            position = factor * given.get(leader, 0.0) + shift
+            found[name] = position if isfinite(position) else 0.0
+    return found
+
+
+def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
+    """Where each link is, in the frame of its root link.
+
+    Floating and planar joints stay at their origin; a link in a closed loop that no root leads
+    to is nowhere.
+
+    Args:
+        tree: of the model.
+        given: positions of joints, as for `positions`.
+    """
+    moved = positions(tree, given)
+    found = {root.name: Frame() for root in tree.roots}
+    for joint in tree.spanning:
+        assert joint.parent is not None
+        assert joint.child is not None
+        parent, position = found[joint.parent.value], moved.get(joint.name, 0.0)
+        found[joint.child.value] = parent @ joint.origin @ motion(joint, position)
+    return found
+
+
+def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Frame:
+    """Where a link is in the frame of another one.
+
+    Args:
+        tree: of the model.
+        given: positions of joints, as for `positions`.
+        link: name of the link.
+        seen: name of the link that it is seen from.
+
+    Raises:
+        UnknownLink: there is no such link, or no way between the two.
+    """
+    for name in (link, seen):
+        if name not in tree.model.links_by_name:
+            hint = did_you_mean(name, tree.model.links_by_name)
+            raise UnknownLink(f"there is no link '{name}'{hint}")
+    found = frames(tree, given)
+    if link not in found or tree.root_of[link] != tree.root_of.get(seen):
+        raise UnknownLink(f"there is no way from link '{seen}' to link '{link}'")
+    return found[seen].inverse @ found[link]
+
+
+def motion(joint: Joint, position: float) -> Frame:
+    """The frame of the child of a joint, in that of the joint at zero."""
+    if position == 0:
+        return Frame()
+    axis = direction(joint)
+    if joint.kind in SLIDING:
+        return Frame(position=(axis[0] * position, axis[1] * position, axis[2] * position))
+    if joint.kind in TURNING:
+        return Frame(about(axis, position))
+    return Frame()
+
+
+def direction(joint: Joint) -> Vector:
+    """The unit vector of the axis; x where none is written or it has no direction."""
+    x, y, z = joint.axis.value if joint.axis else (1.0, 0.0, 0.0)
+    norm = length((x, y, z))
+    return (x / norm, y / norm, z / norm) if norm > 0 else (1.0, 0.0, 0.0)
+
+
+def about(axis: Vector, angle: float) -> Rotation:
+    """Rotation about a unit vector (Rodrigues' formula)."""
+    x, y, z = axis
+    c, s = cos(angle), sin(angle)
+    t = 1 - c
+    return (
+        (t * x * x + c, t * x * y - s * z, t * x * z + s * y),
+        (t * x * y + s * z, t * y * y + c, t * y * z - s * x),
+        (t * x * z - s * y, t * y * z + s * x, t * z * z + c),
+    )

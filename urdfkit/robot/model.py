@@ -1,0 +1,389 @@
+"""The robot in a document: links, joints and what they hold, each value with its place.
+
+Reading is tolerant: a value that cannot be read is None here and a finding elsewhere (the
+grammar rules read the same elements), so one bad number never hides the rest.
+Units are those of URDF: metres, radians, kilograms, newtons and newton metres.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+from math import hypot, isfinite
+from typing import Generic, TypeVar
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import IDENTITY, Frame, Vector, from_rpy
+from urdfkit.text.document import Attribute, Document, Element, Step
+from urdfkit.text.source import Span
+
+T = TypeVar("T", covariant=True)
+
+#: Of each type of joint; a planar one moves in a plane and turns in it.
+DEGREES_OF_FREEDOM = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 6}
+
+
+class Placed(Generic[T]):
+    """A value and the element or attribute it was read from."""
+
+    __slots__ = ("at", "value")
+
+    def __init__(self, value: T, at: Element | Attribute) -> None:
+        self.value = value
+        self.at = at
+
+    @property
+    def span(self) -> Span:
+        return self.at.span
+
+    @property
+    def via(self) -> tuple[Step, ...]:
+        return self.at.via
+
+    def __repr__(self) -> str:
+        return f"Placed({self.value!r} at {self.at.span})"
+
+
+class Tensor(Record):
+    """The inertia tensor about the centre of mass, in kg m^2."""
+
+    ixx: float
+    ixy: float
+    ixz: float
+    iyy: float
+    iyz: float
+    izz: float
+
+
+class Inertial(Record):
+    """``<inertial>``; ``origin`` is the frame of the tensor, with the centre of mass."""
+
+    at: Element
+    mass: Placed[float] | None
+    tensor: Placed[Tensor] | None
+    origin: Frame
+
+
+class Shape(Record):
+    """What stands in a ``<geometry>``.
+
+    Attributes:
+        at: the shape's element.
+        kind: its tag: ``box``, ``cylinder``, ``sphere``, ``capsule``, ``mesh`` or another.
+        size: of a box, in m; None elsewhere or where unreadable.
+        radius: of a cylinder, capsule or sphere, in m.
+        length: of a cylinder or capsule, in m.
+        filename: of a mesh, as written.
+        scale: of a mesh.
+    """
+
+    at: Element
+    kind: str
+    size: Vector | None
+    radius: float | None
+    length: float | None
+    filename: Placed[str] | None
+    scale: Vector
+
+    @property
+    def half_extents(self) -> Vector | None:
+        """Half the bounding box of a primitive about its origin; None for the rest."""
+        radius, length = self.radius, self.length
+        if self.kind == "box" and self.size:
+            return (self.size[0] / 2, self.size[1] / 2, self.size[2] / 2)
+        if self.kind == "sphere" and radius is not None:
+            return (radius, radius, radius)
+        if self.kind == "cylinder" and radius is not None and length is not None:
+            return (radius, radius, length / 2)
+        if self.kind == "capsule" and radius is not None and length is not None:
+            return (radius, radius, length / 2 + radius)
+        return None
+
+
+class Material(Record):
+    """``<material>``, at the top or in a visual."""
+
+    at: Element
+    name: Placed[str] | None
+    rgba: Placed[tuple[float, ...]] | None
+    texture: Placed[str] | None
+
+
+class Body(Record):
+    """A ``<visual>`` or a ``<collision>``; ``shape`` is the first one in its geometry."""
+
+    at: Element
+    origin: Frame
+    shape: Shape | None
+    material: Material | None
+
+
+class Link(Record):
+    """``<link>``; a link without a name is called ``""``."""
+
+    at: Element
+    name: str
+    inertial: Inertial | None
+    visuals: tuple[Body, ...]
+    collisions: tuple[Body, ...]
+
+    @property
+    def mass(self) -> float:
+        """In kg; 0 where none is written or it cannot be read."""
+        return self.inertial.mass.value if self.inertial and self.inertial.mass else 0.0
+
+
+class Limit(Record):
+    """``<limit>``: position in rad or m, effort in N m or N, velocity in rad/s or m/s."""
+
+    at: Element
+    lower: Placed[float] | None
+    upper: Placed[float] | None
+    effort: Placed[float] | None
+    velocity: Placed[float] | None
+
+
+class Mimic(Record):
+    """``<mimic>``: position = multiplier * position of the leader + offset."""
+
+    at: Element
+    joint: Placed[str] | None
+    multiplier: float
+    offset: float
+
+
+class Joint(Record):
+    """``<joint>``; ``axis`` is None where none is written (URDF then takes x)."""
+
+    at: Element
+    name: str
+    type: Placed[str] | None
+    parent: Placed[str] | None
+    child: Placed[str] | None
+    origin: Frame
+    axis: Placed[Vector] | None
+    limit: Limit | None
+    mimic: Mimic | None
+
+    @property
+    def kind(self) -> str:
+        """The type as written; empty where there is none."""
+        return self.type.value if self.type else ""
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """How many numbers say where it is; none for a joint that follows another one."""
+        return 0 if self.mimic else DEGREES_OF_FREEDOM.get(self.kind, 0)
+
+
+class RobotModel:
+    """A robot.
+
+    Attributes:
+        document: that it was read from.
+        root: the ``<robot>`` element.
+        name: of the robot; empty where there is none.
+        links, joints, materials: in the order of the document, duplicates included.
+        gazebo, transmissions, ros2_controls: their elements.
+    """
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.root = root = document.root
+        self.name = root.get("name") or ""
+        self.links = tuple(_link(element) for element in root.all("link"))
+        self.joints = tuple(_joint(element) for element in root.all("joint"))
+        self.materials = tuple(_material(element) for element in root.all("material"))
+        self.gazebo = tuple(root.all("gazebo"))
+        self.transmissions = tuple(root.all("transmission"))
+        self.ros2_controls = tuple(root.all("ros2_control"))
+
+    @cached_property
+    def links_by_name(self) -> dict[str, Link]:
+        """The first link of each name."""
+        return _first_by_name(self.links)
+
+    @cached_property
+    def joints_by_name(self) -> dict[str, Joint]:
+        """The first joint of each name."""
+        return _first_by_name(self.joints)
+
+    def collision(self, link: str, number: int) -> Element:
+        """The element of a collision of a link, by its number from 0."""
+        return self.links_by_name[link].collisions[number].at
+
+    @property
+    def names(self) -> list[Attribute]:
+        """The names of all links and joints, where they have one."""
+        things = [*(link.at for link in self.links), *(joint.at for joint in self.joints)]
+        return [thing.attributes["name"] for thing in things if "name" in thing.attributes]
+
+    @property
+    def mass(self) -> float:
+        """Of all links together, in kg."""
+        return sum(link.mass for link in self.links)
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Of all joints together."""
+        return sum(joint.degrees_of_freedom for joint in self.joints)
+
+    @property
+    def shapes(self) -> list[Shape]:
+        """Every shape of every visual and collision."""
+        return [
+            body.shape
+            for link in self.links
+            for body in (*link.visuals, *link.collisions)
+            if body.shape
+        ]
+
+
+Thing = TypeVar("Thing", Link, Joint)
+
+
+def _first_by_name(things: tuple[Thing, ...]) -> dict[str, Thing]:
+    found: dict[str, Thing] = {}
+    for thing in things:
+        if thing.name:
+            found.setdefault(thing.name, thing)
+    return found
+
+
+def number(text: str | None) -> float | None:
+    """A finite number as URDF's readers take it, or None."""
+    if text is None or "_" in text:  # Python alone reads 1_000
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if isfinite(value) else None
+
+
+def numbers(text: str | None) -> tuple[float, ...] | None:
+    """Finite numbers with white space between them, or None."""
+    if text is None or "_" in text:  # Python alone reads 1_000
+        return None
+    try:
+        values = tuple(map(float, text.split()))
+    except ValueError:
+        return None
+    return values if all(map(isfinite, values)) else None
+
+
+def _vector(text: str | None) -> Vector | None:
+    values = numbers(text)
+    return (values[0], values[1], values[2]) if values and len(values) == 3 else None
+
+
+def _placed_number(element: Element | None, name: str) -> Placed[float] | None:
+    attribute = element.attributes.get(name) if element else None
+    value = number(attribute.value) if attribute else None
+    return None if attribute is None or value is None else Placed(value, attribute)
+
+
+def _placed_text(element: Element | None, name: str) -> Placed[str] | None:
+    attribute = element.attributes.get(name) if element else None
+    return None if attribute is None else Placed(attribute.value, attribute)
+
+
+def _origin(element: Element) -> Frame:
+    origin = element.child("origin")
+    if origin is None:
+        return Frame()
+    xyz = _vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
+    rpy = _vector(origin.get("rpy"))
+    return Frame(from_rpy(*rpy) if rpy else IDENTITY, xyz)
+
+
+def _link(element: Element) -> Link:
+    inertial = element.child("inertial")
+    return Link(
+        element,
+        element.get("name") or "",
+        _inertial(inertial) if inertial else None,
+        tuple(_body(body) for body in element.all("visual")),
+        tuple(_body(body) for body in element.all("collision")),
+    )
+
+
+def _inertial(element: Element) -> Inertial:
+    tensor = element.child("inertia")
+    moments = [number(tensor.get(key)) for key in Tensor._fields] if tensor else []
+    placed = None
+    if tensor and None not in moments:
+        placed = Placed(Tensor(*(m for m in moments if m is not None)), tensor)
+    mass = _placed_number(element.child("mass"), "value")
+    return Inertial(element, mass, placed, _origin(element))
+
+
+def _body(element: Element) -> Body:
+    geometry = element.child("geometry")
+    material = element.child("material")
+    return Body(
+        element,
+        _origin(element),
+        _shape(geometry.children[0]) if geometry and geometry.children else None,
+        _material(material) if material else None,
+    )
+
+
+def _shape(element: Element) -> Shape:
+    return Shape(
+        element,
+        element.tag,
+        _vector(element.get("size")),
+        number(element.get("radius")),
+        number(element.get("length")),
+        _placed_text(element, "filename") if element.tag == "mesh" else None,
+        _vector(element.get("scale")) or (1.0, 1.0, 1.0),
+    )
+
+
+def _material(element: Element) -> Material:
+    color, texture = element.child("color"), element.child("texture")
+    rgba = color.attributes.get("rgba") if color else None
+    values = numbers(rgba.value) if rgba else None
+    return Material(
+        element,
+        _placed_text(element, "name"),
+        Placed(values, rgba) if rgba and values else None,
+        _placed_text(texture, "filename"),
+    )
+
+
+def _joint(element: Element) -> Joint:
+    axis, limit, mimic = (element.child(tag) for tag in ("axis", "limit", "mimic"))
+    xyz = axis.attributes.get("xyz") if axis else None
+    direction = _vector(xyz.value) if xyz else None
+    return Joint(
+        element,
+        element.get("name") or "",
+        _placed_text(element, "type"),
+        _placed_text(element.child("parent"), "link"),
+        _placed_text(element.child("child"), "link"),
+        _origin(element),
+        Placed(direction, xyz) if xyz and direction else None,
+        _limit(limit) if limit else None,
+        _mimic(mimic) if mimic else None,
+    )
+
+
+def _limit(element: Element) -> Limit:
+    keys = ("lower", "upper", "effort", "velocity")
+    return Limit(element, *(_placed_number(element, key) for key in keys))
+
+
+def _mimic(element: Element) -> Mimic:
+    multiplier = number(element.get("multiplier"))
+    return Mimic(
+        element,
+        _placed_text(element, "joint"),
+        1.0 if multiplier is None else multiplier,
+        number(element.get("offset")) or 0.0,
+    )
+
+
+def length(vector: Vector) -> float:
+    """The Euclidean norm."""
+    return hypot(*vector)  # which does not overflow

@@ -1,0 +1,302 @@
+"""Primitive shapes of a link as solids in its frame: extent, volume, mass properties.
+
+Lengths in m. A mesh counts as far as somebody has measured it: as a `Lump`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import cached_property
+from math import dist, hypot, pi, sqrt
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector, dot, rotate, transposed
+from urdfkit.robot import inertia
+from urdfkit.robot.inertia import MassProperties
+from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor, numbers
+from urdfkit.text.document import Attribute
+
+#: Half edges outside this range, in m, are no parts of robots, and their cubes leave the numbers.
+SMALLEST, LARGEST = 1e-7, 1e5
+
+#: The attributes of each primitive that hold lengths.
+SIZES = {
+    "box": ("size",),
+    "cylinder": ("radius", "length"),
+    "capsule": ("radius", "length"),
+    "sphere": ("radius",),
+}
+
+AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+class Box(Record):
+    """A box along the axes of a frame."""
+
+    low: Vector
+    high: Vector
+
+    @property
+    def edges(self) -> Vector:
+        """In m."""
+        x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
+        return (x, y, z)
+
+    @property
+    def center(self) -> Vector:
+        """In m."""
+        x, y, z = ((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
+        return (x, y, z)
+
+    @property
+    def volume(self) -> float:
+        """In m^3."""
+        x, y, z = self.edges
+        return x * y * z
+
+    def common_volume(self, other: Box) -> float:
+        """Of the intersection, in m^3."""
+        volume = 1.0
+        for low, high, low2, high2 in zip(*self, *other, strict=True):
+            volume *= max(0.0, min(high, high2) - max(low, low2))
+        return volume
+
+
+class Primitive(Record):
+    """A box, cylinder, sphere or capsule with positive sizes.
+
+    Attributes:
+        kind: one of these.
+        size: edges of the box along x, y, z; zeros for the others.
+        radius: 0 for the box.
+        length: along z, of the cylinder or between the centres of the capsule's ends; else 0.
+        origin: in the frame of the link.
+    """
+
+    kind: str
+    size: Vector
+    radius: float
+    length: float
+    origin: Frame
+
+    @property
+    def volume(self) -> float:
+        """In m^3."""
+        if self.kind == "box":
+            return self.size[0] * self.size[1] * self.size[2]
+        ball = (
+            0.0 if self.kind == "cylinder" else 4 * pi * self.radius * self.radius * self.radius / 3
+        )
+        return ball + pi * self.radius * self.radius * self.length
+
+    @property
+    def longest(self) -> float:
+        """Its longest extent along its own axes, in m."""
+        if self.kind == "box":
+            return max(self.size)
+        ends = 2 * self.radius if self.kind == "capsule" else 0.0
+        return max(2 * self.radius, self.length + ends)
+
+    def properties(self, mass: float) -> MassProperties:
+        """Of the solid with uniform density, in the frame of the link."""
+        tensor = inertia.rotated(self._tensor(mass), self.origin.rotation)
+        return MassProperties(mass, self.origin.position, tensor)
+
+    def _tensor(self, mass: float) -> Tensor:
+        if self.kind == "box":
+            return inertia.box(mass, self.size)
+        if self.kind == "sphere":
+            return inertia.sphere(mass, self.radius)
+        if self.kind == "capsule":
+            return inertia.capsule(mass, self.radius, self.length)
+        return inertia.cylinder(mass, self.radius, self.length)
+
+    def farthest(self, point: Vector) -> float:
+        """Distance from a point to the farthest point of the solid."""
+        x, y, z = self.origin.position
+        offset = (point[0] - x, point[1] - y, point[2] - z)
+        x, y, z = map(abs, rotate(transposed(self.origin.rotation), offset))
+        if self.kind == "box":
+            a, b, c = self.size
+            return hypot(x + a / 2, y + b / 2, z + c / 2)
+        if self.kind == "cylinder":
+            return hypot(hypot(x, y) + self.radius, z + self.length / 2)
+        return hypot(x, y, z + self.length / 2) + self.radius
+
+    def reach(self, direction: Vector) -> float:
+        """How far the solid reaches from the origin of the link along a unit vector.
+
+        This is the support function of the solid, which is convex.
+        """
+        x, y, z = self.origin.position
+        center = x * direction[0] + y * direction[1] + z * direction[2]
+        u, v, w = map(abs, rotate(transposed(self.origin.rotation), direction))
+        if self.kind == "box":
+            a, b, c = self.size
+            return center + (a * u + b * v + c * w) / 2
+        across = sqrt(max(0.0, 1 - w * w)) if self.kind == "cylinder" else 1.0
+        return center + w * self.length / 2 + self.radius * across
+
+    def __str__(self) -> str:
+        """Such as ``cylinder of radius 0.06 m and length 0.05 m``."""
+        if self.kind == "box":
+            return "box of {:g} x {:g} x {:g} m".format(*self.size)
+        length = f" and length {self.length:g} m" if self.length else ""
+        return f"{self.kind} of radius {self.radius:g} m{length}"
+
+
+class Lump(Record):
+    """A mesh as a solid in the frame of a link.
+
+    Attributes:
+        name: of the file.
+        matter: what it encloses at a density of 1 kg/m^3, or its convex hull.
+        hull: volume of the convex hull in m^3.
+        is_closed: True if it encloses a solid; it is taken for its hull otherwise.
+        points: extreme vertices; the mesh reaches hardly farther in any direction than they.
+    """
+
+    name: str
+    matter: MassProperties
+    hull: float
+    is_closed: bool
+    points: tuple[Vector, ...]
+
+    @property
+    def volume(self) -> float:
+        """In m^3."""
+        return self.matter.mass
+
+    @property
+    def origin(self) -> Frame:
+        """The centre of its matter, with the axes of the link."""
+        return Frame(position=self.matter.center)
+
+    @property
+    def longest(self) -> float:
+        """The longest edge of its bounding box, in m."""
+        edges: list[float] = [max(x) - min(x) for x in zip(*self.points, strict=True)]
+        return max(edges)
+
+    def properties(self, mass: float) -> MassProperties:
+        """Of the solid with uniform density, in the frame of the link."""
+        tensor = inertia.scaled(self.matter.tensor, mass / self.volume)
+        return self.matter._replace(mass=mass, tensor=tensor)
+
+    def farthest(self, point: Vector) -> float:
+        """Distance from a point to the farthest point of the mesh."""
+        return max(dist(point, one) for one in self.points)
+
+    def reach(self, direction: Vector) -> float:
+        """How far the mesh reaches from the origin of the link along a unit vector."""
+        return max(dot(direction, point) for point in self.points)
+
+    def __str__(self) -> str:
+        """Such as ``mesh 'arm.stl' of 0.0012 m^3``."""
+        what = "mesh" if self.is_closed else "convex hull of the mesh"
+        return f"{what} '{self.name}' of {self.volume:.3g} m^3"
+
+
+class Solid:
+    """The shapes of a link that are taken for its matter."""
+
+    def __init__(self, parts: tuple[Primitive | Lump, ...]) -> None:
+        self.parts = parts
+
+    @cached_property
+    def volume(self) -> float:
+        """In m^3; where parts overlap, twice."""
+        return sum(part.volume for part in self.parts)
+
+    def properties(self, mass: float) -> MassProperties:
+        """Of the solid with uniform density; where parts overlap, it is twice as dense."""
+        density = mass / self.volume
+        return inertia.combined(part.properties(density * part.volume) for part in self.parts)
+
+    @property
+    def least_volume(self) -> float:
+        """In m^3, of what is surely enclosed: nothing of a mesh that is not closed."""
+        return sum(
+            0.0 if isinstance(part, Lump) and not part.is_closed else part.volume
+            for part in self.parts
+        )
+
+    @property
+    def most_volume(self) -> float:
+        """In m^3, if every mesh is filled to its convex hull."""
+        return sum(part.hull if isinstance(part, Lump) else part.volume for part in self.parts)
+
+    def farthest(self, point: Vector) -> float:
+        """Distance from a point to the farthest point of the solid."""
+        return max(part.farthest(point) for part in self.parts)
+
+    def reach(self, direction: Vector) -> float:
+        """How far it reaches from the origin of the link along a unit vector."""
+        return max(part.reach(direction) for part in self.parts)
+
+    @cached_property
+    def bounds(self) -> Box:
+        """Its bounding box along the axes of the link."""
+        low = [-self.reach((-x, -y, -z)) for x, y, z in AXES]
+        high = [self.reach(axis) for axis in AXES]
+        return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+    def __str__(self) -> str:
+        if len(self.parts) == 1:
+            return str(self.parts[0])
+        kind = "shapes" if any(isinstance(part, Lump) for part in self.parts) else "primitives"
+        return f"union of {len(self.parts)} {kind}"
+
+
+def solid(
+    bodies: Iterable[Body], lump: Callable[[Body], Lump | None] | None = None
+) -> Solid | None:
+    """The solid that some visuals or collisions make.
+
+    None if there are none, or one has a size that is not positive or beyond all robots, or one is
+    no primitive.
+
+    Args:
+        bodies: the visuals or collisions.
+        lump: measures those that are meshes.
+    """
+    parts: list[Primitive | Lump] = []
+    for body in bodies:
+        part = primitive(body) or (lump(body) if lump else None)
+        if part is None:
+            return None
+        parts.append(part)
+    return Solid(tuple(parts)) if parts else None
+
+
+def primitive(body: Body) -> Primitive | None:
+    """The primitive of a visual or collision; None if it is none, or of no size of robots."""
+    shape = body.shape
+    extents = shape.half_extents if shape else None
+    if shape is None or extents is None:
+        return None
+    if not SMALLEST <= min(extents) <= max(extents) <= LARGEST:
+        return None
+    size = shape.size if shape.kind == "box" and shape.size else (0.0, 0.0, 0.0)
+    radius = 0.0 if shape.kind == "box" else shape.radius or 0.0
+    length = shape.length or 0.0 if shape.kind in ("cylinder", "capsule") else 0.0
+    if length < 0 or radius < 0:  # a capsule's extents may hide it
+        return None
+    return Primitive(shape.kind, size, radius, length, body.origin)
+
+
+def shaped(model: RobotModel) -> Iterator[tuple[Link, Body, Shape]]:
+    """Every shape with the visual or collision and the link that it belongs to."""
+    for link in model.links:
+        for body in (*link.visuals, *link.collisions):
+            if body.shape:
+                yield link, body, body.shape
+
+
+def sizes(shape: Shape) -> Iterator[tuple[Attribute, tuple[float, ...]]]:
+    """The attributes of a primitive that hold lengths, as far as they can be read, in m."""
+    for key in SIZES.get(shape.kind, ()):
+        attribute = shape.at.attributes.get(key)
+        values = numbers(attribute.value) if attribute else None
+        if attribute and values and len(values) == (3 if key == "size" else 1):
+            yield attribute, values

@@ -1,0 +1,359 @@
+"""Whether a robot that stands on the ground tips over: its centre of mass above what it stands on.
+
+The ground is a plane across z of the root, through the lowest point of the robot. Lengths in m.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from math import atan2, cos, hypot, pi, sin
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector
+from urdfkit.robot.joints import BOUNDED
+from urdfkit.robot.kinematics import frames
+from urdfkit.robot.model import Body
+from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.shapes import Primitive, primitive
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.robot.tree import KinematicTree
+
+Point = tuple[float, float]
+
+#: What is this near to the lowest point stands on the ground: wheels and casters of real models
+#: differ by millimetres. A part of the robot's height, and at least so many m.
+TOLERANCE, LEAST = 0.02, 0.003
+
+#: Corners that stand for a circle.
+_CORNERS = 32
+
+#: What can be said of a robot on the ground, by the word for programs.
+VERDICTS = {
+    "fixed": "fixed to the world: it cannot tip over",
+    "stands": "stands",
+    "tips": "tips over",
+    "tips-unless-bolted": "tips over unless it is bolted down",
+    "no-area": "the contacts with the ground span no area: it balances or falls",
+    "no-contact": "no collision geometry to stand on",
+    "no-mass": "no mass that could tip over",
+}
+
+
+class Stability(Record):
+    """How a robot stands.
+
+    Attributes:
+        links: that touch the ground, in the order of the model.
+        polygon: corners of the convex hull of all contacts seen from above, counter-clockwise.
+        center: of mass, in the frame of the root.
+        ground: height of the ground in that frame.
+        margin: distance of the centre of mass from the nearest edge, seen from above; negative
+            outside.
+        angle: how far the ground may slope before it tips over that edge which gives way first,
+            in rad; negative where it falls on level ground.
+        direction: horizontal unit vector, outwards across that edge.
+    """
+
+    links: tuple[str, ...]
+    polygon: tuple[Point, ...]
+    center: Vector
+    ground: float
+    margin: float
+    angle: float
+    direction: Point
+
+    @property
+    def tips(self) -> bool:
+        """True if it falls on level ground."""
+        return self.margin < 0
+
+    @property
+    def way(self) -> str:
+        """Where it tips: ``forwards (+x)``, ``to its left (+y)`` and so on."""
+        x, y = self.direction
+        if abs(x) >= abs(y):
+            return "forwards (+x)" if x > 0 else "backwards (-x)"
+        return "to its left (+y)" if y > 0 else "to its right (-y)"
+
+
+class Standing(Record):
+    """Whether a robot stands on the ground: what ``urdfkit statics`` and the report print.
+
+    Attributes:
+        verdict: one of ``VERDICTS``.
+        links: that touch the ground, in the order of the model.
+        stability: how safely; None unless it stands or tips over.
+        visual_only: links that reach the ground with a visual, and have no collision.
+        visuals: True if these count as contacts.
+    """
+
+    verdict: str
+    links: tuple[str, ...] = ()
+    stability: Stability | None = None
+    visual_only: tuple[str, ...] = ()
+    visuals: bool = False
+
+    def facts(self) -> dict[str, object]:
+        """For JSON; lengths in m, angles in rad, None for what the verdict leaves open."""
+        numbers = dict.fromkeys(Stability._fields) if self.stability is None else {}
+        return {
+            "verdict": self.verdict,
+            "tips": self.verdict.startswith("tips"),
+            **numbers,
+            **(self.stability._asdict() if self.stability else {}),
+            "links": self.links,
+            "visual_only": self.visual_only,
+            "visuals": self.visuals,
+        }
+
+
+def standing(
+    subject: Subject,
+    pose: Mapping[str, float] | None = None,
+    contacts: Collection[str] | None = None,
+    *,
+    payload: Mapping[str, float] | None = None,
+    visuals: bool = False,
+) -> Standing:
+    """The verdict on a robot at a pose; without the readers of meshes, by its primitives alone.
+
+    Args:
+        subject: the robot.
+        pose: positions of joints in rad or m; the others are at 0.
+        contacts: names of the links it stands on; those that reach the lowest point if None.
+        payload: masses in kg that links carry at their origin.
+        visuals: a link without collision stands on its visual.
+    """
+    tree = subject.tree
+    root = rigid_bodies(tree)[0]
+    if root.is_ground:
+        return Standing("fixed")
+    placed = frames(tree, pose or {})
+    meshes = True
+    try:
+        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=True))
+    except ImportError:
+        meshes = False
+        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=False))
+    by_name = tree.model.links_by_name
+    links = tuple(_touching(_reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)))
+    visual_only = tuple(name for name in seen if not by_name[name].collisions)
+    found = stand(subject, pose, contacts, payload=payload, meshes=meshes, visuals=visuals)
+    if found is not None:
+        bolted = "-unless-bolted" if {link.name for link, _ in root.links} >= set(links) else ""
+        verdict = f"tips{bolted}" if found.tips else "stands"
+    elif not links:
+        verdict = "no-contact"
+    else:
+        has_mass = sum(link.mass for link in tree.model.links) + sum((payload or {}).values()) > 0
+        verdict = "no-area" if has_mass else "no-mass"
+    return Standing(verdict, links, found, visual_only, visuals)
+
+
+def stand(
+    subject: Subject,
+    pose: Mapping[str, float] | None = None,
+    contacts: Collection[str] | None = None,
+    *,
+    payload: Mapping[str, float] | None = None,
+    meshes: bool = True,
+    visuals: bool = False,
+) -> Stability | None:
+    """How a robot stands at a pose.
+
+    Args:
+        subject: the robot.
+        pose: positions of joints in rad or m; the others are at 0.
+        contacts: names of the links it stands on; those that reach the lowest point if None.
+        payload: masses in kg that links carry at their origin.
+        meshes: take meshes into account, which needs numpy and the readers of meshes.
+        visuals: a link without collision stands on its visual.
+
+    Returns:
+        None without a mass, and where the contacts make no area: a robot that balances.
+
+    Raises:
+        ImportError: meshes are to be read, and the libraries are not installed.
+    """
+    placed = frames(subject.tree, pose or {})
+    links = subject.model.links_by_name
+    loads = [(mass, placed[name].position) for name, mass in (payload or {}).items()]
+    for name, frame in placed.items():
+        if inertial := links[name].inertial:
+            loads.append((links[name].mass, frame.apply(inertial.origin.position)))
+    mass = sum(load for load, _ in loads)
+    reaching = _reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)
+    if mass <= 0 or not reaching:
+        return None
+    touching = _touching(reaching)
+    polygon = hull((x, y) for found in touching.values() for x, y, _ in found)
+    if len(polygon) < 3:
+        return None
+    ground = min(z for found in touching.values() for _, _, z in found)
+    x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
+    margin, angle, direction = _edges(polygon, (x, y), z - ground)
+    return Stability(tuple(touching), polygon, (x, y, z), ground, margin, angle, direction)
+
+
+def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
+    """True for what stands by itself: not on its base alone, which is bolted down, nor on legs.
+
+    Args:
+        tree: of the robot.
+        links: that touch the ground.
+    """
+    root = rigid_bodies(tree)[0]
+    fixed = {link.name for link, _ in root.links}
+    return (
+        not root.is_ground
+        and not fixed.issuperset(links)
+        and not any(_is_leg(tree, name) for name in links)
+    )
+
+
+def _is_leg(tree: KinematicTree, link: str) -> bool:
+    """True for the end of a leg; a wheel may be steered and sprung, and then turn."""
+    bends = 0
+    above = tree.parents[link]
+    while above:
+        bends += above[0].kind in BOUNDED
+        assert above[0].parent is not None
+        above = tree.parents[above[0].parent.value]
+    return bends > 2
+
+
+def _edges(polygon: tuple[Point, ...], over: Point, height: float) -> tuple[float, float, Point]:
+    """The margin, the smallest angle at which it tips, and the way there."""
+    found: list[tuple[float, Point]] = []
+    for (ax, ay), (bx, by) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        size = hypot(bx - ax, by - ay)
+        outwards = ((by - ay) / size, (ax - bx) / size)
+        inside = (ax - over[0]) * outwards[0] + (ay - over[1]) * outwards[1]
+        found.append((inside, outwards))
+    margin, direction = min(found)
+    # All edges are under the same height, so that the nearest one gives way first.
+    return margin, atan2(margin, max(height, 0.0)), direction
+
+
+def hull(points: Iterable[Point]) -> tuple[Point, ...]:
+    """The corners of the convex hull, counter-clockwise; fewer than three make no area.
+
+    Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979).
+    """
+    every = sorted(set(points))
+    if len(every) < 3:
+        return tuple(every)
+    size = max(every[-1][0] - every[0][0], max(y for _, y in every) - min(y for _, y in every))
+    least = 1e-9 * size * size  # a corner that turns by rounding only is none
+    lower, upper = _chain(every, least), _chain(every[::-1], least)
+    return (*lower[:-1], *upper[:-1])
+
+
+def _chain(points: list[Point], least: float) -> list[Point]:
+    chain: list[Point] = []
+    for point in points:
+        while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= least:
+            chain.pop()
+        chain.append(point)
+    return chain
+
+
+def _turn(a: Point, b: Point, c: Point) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def _reaching(
+    subject: Subject,
+    placed: Mapping[str, Frame],
+    contacts: Collection[str] | None,
+    *,
+    visuals: bool,
+    meshes: bool,
+) -> dict[str, list[Vector]]:
+    """Points of each link that may touch the ground, in the frame of the root."""
+    found: dict[str, list[Vector]] = {}
+    for name, link in subject.model.links_by_name.items():
+        bodies = link.collisions or (link.visuals if visuals else ())
+        if name in placed and (contacts is None or name in contacts):
+            points = [
+                point for body in bodies for point in _points(subject, body, placed[name], meshes)
+            ]
+            if points:
+                found[name] = points
+    return found
+
+
+def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
+    """Those of them that touch it, in the order of the model."""
+    heights = [z for found in reaching.values() for _, _, z in found]
+    if not heights:
+        return {}
+    near = min(heights) + max(LEAST, TOLERANCE * (max(heights) - min(heights)))
+    touching = {name: [p for p in found if p[2] <= near] for name, found in reaching.items()}
+    return {name: found for name, found in touching.items() if found}
+
+
+def _points(subject: Subject, body: Body, frame: Frame, meshes: bool) -> list[Vector]:
+    """What of a shape may touch the ground.
+
+    Args:
+        subject: the robot.
+        body: a collision or visual.
+        frame: of its link.
+        meshes: take meshes into account.
+    """
+    if body.shape is None:
+        return []
+    if body.shape.filename is not None:
+        return _of_mesh(subject, body, frame) if meshes else []
+    part = primitive(body)
+    return [*map(frame.apply, _of(part)), *_lowest(part, frame)] if part else []
+
+
+def _of(part: Primitive) -> list[Vector]:
+    """Corners of a primitive in its link, as far as it has some."""
+    if part.kind == "box":
+        x, y, z = (edge / 2 for edge in part.size)
+        corners = [(a * x, b * y, c * z) for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
+    elif part.kind == "cylinder":
+        angles = [2 * pi * number / _CORNERS for number in range(_CORNERS)]
+        corners = [
+            (part.radius * cos(angle), part.radius * sin(angle), end * part.length / 2)
+            for angle in angles
+            for end in (-1, 1)
+        ]
+    else:
+        corners = []
+    return [part.origin.apply(corner) for corner in corners]
+
+
+def _lowest(part: Primitive, frame: Frame) -> list[Vector]:
+    """The lowest points of what is round: of each end of a cylinder or capsule, and of a ball."""
+    if part.kind == "box":
+        return []
+    at = frame @ part.origin
+    ends = [(0.0, 0.0, end * part.length / 2) for end in ((-1, 1) if part.length else (0,))]
+    if part.kind != "cylinder":
+        return [(x, y, z - part.radius) for x, y, z in map(at.apply, ends)]
+    _, _, (gx, gy, _) = at.rotation  # how x and y of the cylinder rise
+    steep = hypot(gx, gy)
+    if steep < 1e-9:
+        return []  # it stands on its end, whose corners are there
+    down = (-gx / steep * part.radius, -gy / steep * part.radius)
+    return [at.apply((down[0], down[1], z)) for _, _, z in ends]
+
+
+def _of_mesh(subject: Subject, body: Body, frame: Frame) -> list[Vector]:
+    """The lowest vertices of a mesh."""
+    assert body.shape is not None
+    vertices = subject.meshes.vertices(body.shape)
+    if vertices is None or not len(vertices):
+        return []
+    at = frame @ body.origin
+    heights = vertices @ at.rotation[2]
+    low, high = float(heights.min()), float(heights.max())
+    chosen = vertices[heights <= low + max(LEAST, TOLERANCE * (high - low))]
+    return [at.apply((float(x), float(y), float(z))) for x, y, z in chosen]

@@ -1,0 +1,185 @@
+"""The left and right of a robot: links and joints that are made to be mirror images.
+
+Builders write one side and copy it. What then differs between the two is a slip more often than
+an intention, and the twin that is right tells the value that was meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from urdfkit.core.spatial import Vector
+from urdfkit.robot.joints import MOVING
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint
+    from urdfkit.robot.tree import KinematicTree
+
+#: The words of a name: ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
+_WORD = r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+"
+
+#: Words for the left, and for the right in their place. Beside the plain ones, the corners of a
+#: vehicle or a quadruped, the side first or last: front, rear, back, hind, middle.
+_RIGHT_OF = {"left": "right", "l": "r"} | {
+    left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
+}
+
+_NUMBER = r"\d+"
+
+#: Longer names are nobody's, and taking them apart costs their length squared.
+_LONGEST = 200
+
+
+def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
+    """Names that differ in their side only, each as (left, right), in the order of the lefts.
+
+    A name is in one pair at most. Where it has several sides, such as the left finger of the
+    left hand, the last one that has a counterpart counts: the right finger of the left hand.
+    """
+    known = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
+    taken: set[str] = set()
+    found: list[tuple[str, str]] = []
+    for name in known:
+        for twin in _right_twins(name):
+            if twin in known and name not in taken and twin not in taken:
+                taken.update((name, twin))
+                found.append((name, twin))
+    return found
+
+
+@lru_cache(maxsize=4096)
+def _right_twins(name: str) -> tuple[str, ...]:
+    """A name with one of its words for left turned into right, the last word first."""
+    twins: list[str] = []
+    for match in reversed(list(re.finditer(_WORD, name))):
+        word = match.group()
+        right = _RIGHT_OF.get(word.lower())
+        if right is None and "left" in word.lower():  # leftwheel
+            right = word.lower().replace("left", "right")
+        if right is None:
+            continue
+        if word.isupper():
+            right = right.upper()
+        elif word[0].isupper():
+            right = right.capitalize()
+        twins.append(name[: match.start()] + right + name[match.end() :])
+    return tuple(twins)
+
+
+def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
+    """Names that differ in one number only and lie as mirror images: ``wheel_1``, ``wheel_2``.
+
+    Two places are mirror images if their y (the lateral axis in ROS) differs in its sign only,
+    and x and z are equal; if no two of a row of names are, then the same for x. A name is in
+    one pair at most.
+
+    Args:
+        places: where each of them is, in m, in a frame with the plane of symmetry as one of its
+            coordinate planes: the parent link for joints, the root link for links. Compared to
+            the micrometre.
+    """
+    rows: dict[tuple[str, str], list[str]] = {}
+    for name in places:
+        if len(name) > _LONGEST:
+            continue
+        for match in re.finditer(_NUMBER, name):
+            rows.setdefault((name[: match.start()], name[match.end() :]), []).append(name)
+    taken: set[str] = set()
+    found: list[tuple[str, str]] = []
+    for row in rows.values():
+        free = {name: places[name] for name in row if name not in taken}
+        mirrored = _mirrored(free, 1) or _mirrored(free, 0)
+        found += mirrored
+        taken.update(name for pair in mirrored for name in pair)
+    return found
+
+
+def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
+    """The moving joints that are made to be mirror images, the left one first.
+
+    By their names, or, numbered, by mirrored places on one link; the links of two hang on
+    different branches.
+    """
+    joints: dict[str, Joint] = {}
+    parents: dict[str, str] = {}
+    beside: dict[str, dict[str, Vector]] = {}
+    for child, above in tree.parents.items():
+        joint = above[0] if above else None
+        if joint is None or joint.parent is None or joint.child is None:
+            continue
+        parents[child] = joint.parent.value
+        if joint.kind in MOVING and joint.name:
+            joints[joint.name] = joint
+            beside.setdefault(joint.parent.value, {})[joint.name] = joint.origin.position
+    found = pairs(joints)
+    taken = {name for pair in found for name in pair}
+    for places in beside.values():
+        free = {name: place for name, place in places.items() if name not in taken}
+        found += numbered_pairs(free) if len(free) > 1 else []
+    children = {joint.child.value: joint for joint in joints.values() if joint.child}
+    links = [(joints[a].child, joints[b].child) for a, b in found]
+    both = apart([(a.value, b.value) for a, b in links if a and b], parents)
+    return [(children[a], children[b]) for a, b in both]
+
+
+def apart(found: Iterable[tuple[str, str]], parents: Mapping[str, str]) -> list[tuple[str, str]]:
+    """The pairs of links of which neither hangs on the other.
+
+    What hangs on one another are not twins, whatever it is called: the axes ``l`` and ``r`` of
+    some industrial arms.
+
+    Args:
+        found: pairs of names of links.
+        parents: the parent of each link that has one.
+    """
+    spans = _spans(parents)
+    kept: list[tuple[str, str]] = []
+    for pair in found:
+        first, second = (spans.get(name) for name in pair)
+        if first and second and not (_holds(first, second) or _holds(second, first)):
+            kept.append(pair)
+    return kept
+
+
+def _holds(outer: tuple[int, int], inner: tuple[int, int]) -> bool:
+    return outer[0] <= inner[0] and inner[1] <= outer[1]
+
+
+def _spans(parents: Mapping[str, str]) -> dict[str, tuple[int, int]]:
+    """For each link of a tree the numbers of the links below it, as from and to.
+
+    Links are numbered in the order of a walk, so a link is below another one if its span lies
+    in the other's. Links in a cycle have none.
+    """
+    children: dict[str, list[str]] = {}
+    for child, parent in parents.items():
+        children.setdefault(parent, []).append(child)
+    entered: dict[str, int] = {}
+    spans: dict[str, tuple[int, int]] = {}
+    stack = [name for name in children if name not in parents]
+    while stack:
+        name = stack[-1]
+        if name not in entered:
+            entered[name] = len(entered)
+            stack += children.get(name, ())
+        else:
+            stack.pop()
+            spans[name] = (entered[name], len(entered))
+    return spans
+
+
+def _mirrored(places: Mapping[str, Vector], axis: int) -> list[tuple[str, str]]:
+    """Pairs of places that differ in the sign of one coordinate only."""
+    waiting: dict[tuple[float, ...], str] = {}
+    found: list[tuple[str, str]] = []
+    for name, place in places.items():
+        key = tuple(round(value, 6) for value in place)
+        image = (*key[:axis], -key[axis], *key[axis + 1 :])
+        if key[axis] and image in waiting:
+            found.append((waiting.pop(image), name))
+        else:
+            waiting.setdefault(key, name)
+    return found

@@ -1,0 +1,146 @@
+"""The kinematic tree of a model, for every graph that links and joints can form.
+
+Cycles, two parents, islands, unknown links and 100 000 links in a row are all normal input:
+nothing here recurses, and every walk visits a link once.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from urdfkit.core.spatial import Frame
+from urdfkit.robot.model import Joint, Link, RobotModel
+
+#: Loops that are listed; a hostile graph has as many as joints, each as long as the robot.
+MAX_LOOPS = 20
+
+_DONE = -1
+
+
+class KinematicTree:
+    """Who hangs on whom.
+
+    Attributes:
+        children: the joints that have a link as parent, by its name.
+        parents: the joints that have a link as child, by its name; more than one is a defect.
+
+    Only joints between two known, different links take part.
+    """
+
+    def __init__(self, model: RobotModel) -> None:
+        self.model = model
+        self.children: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
+        self.parents: dict[str, list[Joint]] = {name: [] for name in model.links_by_name}
+        for joint in model.joints:
+            ends = self.ends(joint)
+            if ends and ends[0] != ends[1]:
+                self.children[ends[0]].append(joint)
+                self.parents[ends[1]].append(joint)
+
+    def ends(self, joint: Joint) -> tuple[str, str] | None:
+        """Parent and child of a joint if the model has both links."""
+        if joint.parent is None or joint.child is None:
+            return None
+        parent, child = joint.parent.value, joint.child.value
+        known = self.model.links_by_name
+        return (parent, child) if parent in known and child in known else None
+
+    @cached_property
+    def is_sound(self) -> bool:
+        """True if every link and joint has a name of its own and they form one tree."""
+        model, links = self.model, len(self.parents)
+        return (
+            len(model.links) == links == len(model.joints) + 1
+            and len(model.joints_by_name) == len(model.joints)
+            and len(self.roots) == 1
+            and len(self.below(self.roots[0].name)) == links
+        )
+
+    @cached_property
+    def roots(self) -> tuple[Link, ...]:
+        """The links that are nobody's child, in the order of the document."""
+        links = self.model.links_by_name
+        return tuple(links[name] for name, joints in self.parents.items() if not joints)
+
+    def below(self, name: str) -> list[str]:
+        """A link and everything below it, depth first: every subtree is one run of the list."""
+        found: dict[str, None] = {}
+        stack = [name]
+        while stack:
+            link = stack.pop()
+            if link not in found:
+                found[link] = None
+                below = [joint.child.value for joint in self.children[link] if joint.child]
+                stack.extend(reversed(below))
+        return list(found)
+
+    @cached_property
+    def cycles(self) -> tuple[tuple[Joint, ...], ...]:
+        """The first ``MAX_LOOPS`` closed loops, each as its joints in order; every loop once."""
+        state: dict[str, int] = {}  # the place on the present way; DONE when it is left
+        loops: list[tuple[Joint, ...]] = []
+        for start in self.children:
+            if start in state:
+                continue
+            way: list[Joint] = []
+            stack = [(start, iter(self.children[start]))]
+            state[start] = 0
+            while stack and len(loops) < MAX_LOOPS:
+                name, joints = stack[-1]
+                joint = next(joints, None)
+                if joint is None:
+                    state[name] = _DONE
+                    stack.pop()
+                    if way:
+                        way.pop()
+                    continue
+                assert joint.child is not None
+                child = joint.child.value
+                if state.get(child, _DONE) != _DONE:
+                    loops.append((*way[state[child] :], joint))
+                elif child not in state:
+                    state[child] = len(stack)
+                    way.append(joint)
+                    stack.append((child, iter(self.children[child])))
+        return tuple(loops)
+
+    @cached_property
+    def spanning(self) -> tuple[Joint, ...]:
+        """The joints that lead from the roots to every other link, parents first.
+
+        Of several joints with one child the first that is met counts; links in a closed loop that
+        no root leads to have none.
+        """
+        found: list[Joint] = []
+        seen = {root.name for root in self.roots}
+        for root in self.roots:
+            queue = [root.name]
+            while queue:
+                for joint in self.children[queue.pop()]:
+                    assert joint.child is not None
+                    child = joint.child.value
+                    if child not in seen:
+                        seen.add(child)
+                        queue.append(child)
+                        found.append(joint)
+        return tuple(found)
+
+    @cached_property
+    def root_of(self) -> dict[str, str]:
+        """The root that leads to each link; links in a closed loop that none leads to have none."""
+        found = {root.name: root.name for root in self.roots}
+        for joint in self.spanning:
+            assert joint.parent is not None
+            assert joint.child is not None
+            found[joint.child.value] = found[joint.parent.value]
+        return found
+
+    @cached_property
+    def frames(self) -> dict[str, Frame]:
+        """Where each link is with every joint at its origin, in the frame of its root."""
+        frames = {root.name: Frame() for root in self.roots}
+        for joint in self.spanning:
+            assert joint.parent is not None
+            assert joint.child is not None
+            frames[joint.child.value] = frames[joint.parent.value] @ joint.origin
+        return frames

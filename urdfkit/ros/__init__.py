@@ -1,0 +1,1 @@
+"""What ROS, Gazebo and MoveIt make of a robot, and the files that they read."""

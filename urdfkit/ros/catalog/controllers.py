@@ -1,0 +1,74 @@
+"""What the controllers of ros_control and ros2_control want of their parameters."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+
+
+class Parameters(Record):
+    """The parameters of one class of controller.
+
+    Attributes:
+        required: names of those without which it does not start.
+        positive: of the numbers that must be above 0.
+        types: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, where all
+            versions agree; ``*`` stands for the name of a joint. None is known in ROS 1, which is
+            lenient.
+    """
+
+    required: tuple[str, ...]
+    positive: tuple[str, ...]
+    types: dict[str, str]
+
+    def type_of(self, name: str) -> str | None:
+        """The type of a parameter, with dots between levels; None if it is not known."""
+        if name in self.types:
+            return self.types[name]
+        parts = name.split(".")
+        for pattern in (one.split(".") for one in self.types if "*" in one):
+            if len(pattern) == len(parts) and all(
+                p in ("*", q) for p, q in zip(pattern, parts, strict=True)
+            ):
+                return self.types[".".join(pattern)]
+        return None
+
+
+@cache
+def _content() -> dict[str, Any]:
+    return data("controllers")
+
+
+@cache
+def parameters_of(controller: str, ros: int) -> Parameters | None:
+    """What a class of controller wants in ROS 1 or 2; None for one that is not known."""
+    entry = _content()[f"ros{ros}"].get(controller)
+    return None if entry is None else _parameters(entry)
+
+
+@cache
+def of_manager() -> Parameters:
+    """What the controller manager of ROS 2 wants of its own parameters."""
+    return _parameters(_content()["manager"])
+
+
+def successor(controller: str) -> str | None:
+    """What took the place of a class of ROS 1 in ROS 2."""
+    found: str | None = _content()["moved"].get(controller)
+    return found
+
+
+def classes(ros: int) -> list[str]:
+    """The classes of ros_controllers or ros2_controllers."""
+    return list(_content()[f"ros{ros}"])
+
+
+def _parameters(entry: dict[str, list[str]]) -> Parameters:
+    types = {name: kind for kind, names in entry.items() for name in names if kind not in _ROLES}
+    return Parameters(tuple(entry.get("required", ())), tuple(entry.get("positive", ())), types)
+
+
+_ROLES = ("required", "positive")

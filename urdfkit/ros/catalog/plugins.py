@@ -1,0 +1,246 @@
+"""Plugins of Gazebo: which library each is, where it belongs and which tags it reads."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from itertools import chain
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import is_slip
+from urdfkit.ros.catalog import loads, text
+
+#: The generations whose plugins a target loads.
+GENERATIONS = {
+    "classic-ros1": ("classic-ros1", "classic"),
+    "classic-ros2": ("classic-ros2", "classic"),
+    "gz-fortress": ("gz",),
+    "gz-harmonic": ("gz",),
+    "gz-jetty": ("gz",),
+}
+
+#: What each generation, and each target, is called in messages.
+TITLES = {
+    "classic-ros1": "Gazebo Classic with ROS 1",
+    "classic-ros2": "Gazebo Classic with ROS 2",
+    "classic": "Gazebo Classic",
+    "gz": "gz-sim",
+    "gz-fortress": "Gazebo Fortress",
+    "gz-harmonic": "Gazebo Harmonic",
+    "gz-jetty": "Gazebo Jetty",
+}
+
+#: Types of parameters that the plugin looks up in the simulated model. ``joints`` is a list.
+REFERENCES = ("link", "joint", "joints")
+
+# Compiled when needed: gz-sim forgives what few models need forgiven.
+_GZ_NAME = r"(?:.*/)?(?:lib)?(gz-sim|ignition-gazebo)\d*(-.+?)(?:\.so)?$"
+_ROS2_CONTROL = r"(?:.*/)?(?:lib)?((?:gz|ign)_ros2_control-system)(?:\.so)?$"
+
+
+class Parameter(Record):
+    """A tag that a plugin reads.
+
+    Attributes:
+        name: its path in the plugin, such as ``leftJoint``, ``ros/namespace`` or ``wheel/@name``.
+        type: ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on.
+        required: True if the plugin does nothing, or fails, without it.
+        default: as text; None if there is none, or it is found at run time.
+        words: the values that it may have, or of a link, that are not looked up; empty if any.
+    """
+
+    name: str
+    type: str
+    required: bool
+    default: str | None
+    words: tuple[str, ...] = ()
+
+
+class Plugin(Record):
+    """A plugin of one generation.
+
+    Attributes:
+        id: the library and the generation.
+        files: the names that it is loaded by.
+        fortress_files: those in Gazebo Fortress; empty if it is not there.
+        generation: ``classic-ros1``, ``classic-ros2``, ``classic`` (without ROS) or ``gz``.
+        kinds: what it belongs in: ``model``, ``sensor``, ``visual``, ``world``, ``system``...
+        sensors: the types of sensor that it serves; empty if it says nothing about them.
+        package: that has it.
+        class_name: of gz; the ``name`` that the model must give. Empty elsewhere.
+        fortress_class: the same in Fortress.
+        removed: True if the generation has no such library any more.
+        successor: file name of what replaces it in the next generation, or None.
+        advice: what else to do then.
+        missing: what happens if a link or joint that it names is not there.
+        open: children of which it reads anything; ``*`` for all.
+        patterns: regular expressions of more names that it reads.
+        node: True if its name becomes that of a ROS node.
+        any_of: parameters of which one is required.
+        parameters: the tags that it reads, by path.
+    """
+
+    id: str
+    files: tuple[str, ...]
+    fortress_files: tuple[str, ...]
+    generation: str
+    kinds: tuple[str, ...]
+    sensors: tuple[str, ...]
+    package: str
+    class_name: str
+    fortress_class: str
+    removed: bool
+    successor: str | None
+    advice: str
+    missing: str
+    open: tuple[str, ...]
+    patterns: tuple[str, ...]
+    node: bool
+    any_of: tuple[str, ...]
+    parameters: dict[str, Parameter]
+
+    def reads(self, path: str) -> bool:
+        """True if it reads a tag or an attribute at a path in it, or something inside that tag."""
+        top = path.partition("/")[0]
+        if path in self.parameters or "*" in self.open or top in self.open:
+            return True
+        if any(name.startswith(f"{path}/") for name in self.parameters):
+            return True
+        return any(re.fullmatch(pattern, path) for pattern in self.patterns)
+
+
+@cache
+def _content() -> tuple[dict[str, Any], list[str]]:
+    """What holds for all plugins, and the plugins, each in a line that is read when it is needed.
+
+    To read them all takes 1 ms, and a robot has a few.
+    """
+    head, _, lines = text("plugins").partition(' "plugins": [\n')
+    return loads(head.rstrip(",\n") + "}"), lines.rpartition("\n ]")[0].splitlines()
+
+
+@cache
+def _entries(file: str) -> list[dict[str, Any]]:
+    """The plugins that have a file of this name."""
+    return [
+        entry
+        for line in _content()[1]
+        if f'"{file}"' in line and file in _files(entry := loads(line.rstrip(",")))
+    ]
+
+
+@cache
+def _all() -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = loads(f"[{' '.join(_content()[1])}]")
+    return found
+
+
+def _files(entry: dict[str, Any]) -> list[str]:
+    return [*entry["files"], *entry.get("fortress_files", ())]
+
+
+@cache
+def _by_id() -> dict[str, Plugin]:
+    return {}
+
+
+@cache
+def files() -> tuple[str, ...]:
+    """Every file name of every plugin, cut out of their lines: nothing else of them is read."""
+    lists = [
+        line.partition(f'"{key}": [')[2].partition("]")[0].replace('"', "").split(", ")
+        for line in _content()[1]
+        for key in ("files", "fortress_files")
+    ]
+    return tuple(file for file in dict.fromkeys(chain.from_iterable(lists)) if file)
+
+
+@cache
+def misspelt(filename: str) -> str:
+    """The file name that an unknown one was meant to be; empty if it may be a vendor's own.
+
+    They differ in one letter, in two that changed places, or in ``lib`` and ``.so``.
+    """
+    stem = _stem(filename)
+    return next((file for file in files() if is_slip(stem, _stem(file))), "")
+
+
+def _stem(filename: str) -> str:
+    return filename.removeprefix("lib").removesuffix(".so")
+
+
+def find(filename: str) -> tuple[Plugin, ...]:
+    """The plugins that a ``filename`` means: of each generation one, or one for each class.
+
+    Gazebo Classic wants the name of the library as it is; gz-sim forgives a missing ``lib`` and
+    ``.so``, and the version number in ``gz-sim8-``.
+    """
+    entries = _entries(filename)
+    if not entries and "-" in filename and (match := re.match(_GZ_NAME, filename)):
+        entries = _entries("".join(match.groups()))
+    if not entries and "-" in filename and (match := re.match(_ROS2_CONTROL, filename)):
+        entries = _entries(match.group(1))
+    return tuple(_plugin(entry) for entry in entries)
+
+
+def all_plugins() -> tuple[Plugin, ...]:
+    """Every plugin of every generation."""
+    return tuple(_plugin(entry) for entry in _all())
+
+
+def renames() -> dict[str, str]:
+    """What the tags of ROS 1 plugins are called in ROS 2, where the plugin has that tag."""
+    found: dict[str, str] = _content()[0]["renames"]
+    return found
+
+
+def often_unread() -> dict[str, list[str]]:
+    """Tags that shipped examples give to plugins which do not read them, by generation."""
+    found: dict[str, list[str]] = _content()[0]["unread"]
+    return found
+
+
+def _plugin(entry: dict[str, Any]) -> Plugin:
+    plugin = _by_id().get(entry["id"])
+    if plugin is None:
+        plugin = _by_id()[entry["id"]] = _read(entry)
+    return plugin
+
+
+def _read(entry: dict[str, Any]) -> Plugin:
+    written: dict[str, str] = dict(_content()[0]["ros_block"]) if entry.get("ros") else {}
+    written.update(entry["parameters"])
+    words = entry.get("words", {})
+    return Plugin(
+        entry["id"],
+        tuple(entry["files"]),
+        tuple(entry.get("fortress_files", ())),
+        entry["generation"],
+        tuple(entry["kinds"]),
+        tuple(entry.get("sensors", ())),
+        entry["package"],
+        entry.get("class", ""),
+        entry.get("fortress_class", ""),
+        entry.get("removed", False),
+        entry.get("successor"),
+        entry.get("advice", ""),
+        entry.get("missing", ""),
+        tuple(entry.get("open", ())),
+        tuple(entry.get("patterns", ())),
+        entry.get("node", False),
+        tuple(entry.get("any_of", ())),
+        {name: _parameter(name, text, words.get(name, ())) for name, text in written.items()},
+    )
+
+
+def _parameter(name: str, text: str, words: list[str]) -> Parameter:
+    """Read ``TYPE``, ``!`` if required, ``*`` if it may be repeated, ``= DEFAULT``."""
+    kind, has_default, default = text.partition(" = ")
+    return Parameter(
+        name,
+        kind.rstrip("!*"),
+        "!" in kind,
+        default if has_default else None,
+        tuple(words),
+    )

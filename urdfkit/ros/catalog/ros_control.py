@@ -1,0 +1,162 @@
+"""ros_control and ros2_control: what their blocks hold, and the joints that controllers name."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+
+
+class Tag(Record):
+    """A tag in ``<ros2_control>``.
+
+    Attributes:
+        attributes, children: that it may have.
+        required: those of both without which the parser stops.
+    """
+
+    attributes: tuple[str, ...]
+    children: tuple[str, ...]
+    required: frozenset[str]
+
+
+class Hardware(Record):
+    """A hardware plugin of a simulator.
+
+    Attributes:
+        name: the class, as ``<plugin>`` writes it.
+        simulator: for people.
+        control: the control plugin that loads it, by the name that ``control_plugins`` has.
+        commands: the only command interfaces that its joints have.
+    """
+
+    name: str
+    simulator: str
+    control: str
+    commands: tuple[str, ...]
+
+
+class Measure(Record):
+    """A parameter of a controller that repeats what the model says.
+
+    Attributes:
+        parameter: its name.
+        kind: ``radius``, ``separation`` (of two sides, along the axle), ``track`` (of the joints in
+            one list, along the axle) or ``wheelbase`` (of two axles). In metres.
+        sides: for each side or axle, the parameters that name its joints.
+    """
+
+    parameter: str
+    kind: str
+    sides: tuple[tuple[str, ...], ...]
+
+
+class Controller(Record):
+    """A type of controller.
+
+    Attributes:
+        joints: the parameters that name joints.
+        measures: those that are lengths.
+        interface: the command interface that it needs of each joint; empty if it differs.
+        interfaces: the parameter that names the command interfaces; empty without one.
+    """
+
+    joints: tuple[str, ...]
+    measures: tuple[Measure, ...]
+    interface: str
+    interfaces: str
+
+
+@cache
+def _content() -> dict[str, Any]:
+    return data("ros_control")
+
+
+def words(subject: str, kind: str) -> list[str]:
+    """Names with a meaning.
+
+    Args:
+        subject: ``transmission`` (of ROS 1) or ``interfaces`` (of ROS 2).
+        kind: ``types``, ``interfaces``, ``gazebo``, ``unprefixed`` of the one; ``joint``, ``imu``,
+            ``force_torque`` of the other.
+    """
+    found: list[str] = _content()[subject][kind]
+    return found
+
+
+def component_types() -> list[str]:
+    """What ``<ros2_control type>`` may be."""
+    found: list[str] = _content()["types"]
+    return found
+
+
+@cache
+def grammar() -> dict[str, Tag]:
+    """The tags in ``<ros2_control>``, by name."""
+    return {name: _tag(entry) for name, entry in _content()["grammar"].items()}
+
+
+def since(tag: str, part: str) -> str:
+    """The distribution that first reads a child (``/group``) or attribute (``@mimic``) of a tag.
+
+    Empty if all read it.
+    """
+    found: str = _content()["since"].get(tag + part, "")
+    return found
+
+
+def _tag(entry: dict[str, list[str]]) -> Tag:
+    attributes, children = entry["attributes"], entry["children"]
+    return Tag(
+        tuple(name.rstrip("!") for name in attributes),
+        tuple(name.rstrip("!") for name in children),
+        frozenset(name[:-1] for name in (*attributes, *children) if name.endswith("!")),
+    )
+
+
+@cache
+def hardware() -> dict[str, Hardware]:
+    """The hardware plugins of simulators, by class."""
+    return {
+        name: Hardware(name, entry["simulator"], entry["control"], tuple(entry["commands"]))
+        for name, entry in _content()["hardware"].items()
+    }
+
+
+def control_plugins() -> dict[str, str]:
+    """What Gazebo loads, by the name of the control plugin."""
+    return {name: entry["load"] for name, entry in _content()["control"].items()}
+
+
+def control_plugin(filename: str) -> str | None:
+    """The control plugin that a ``filename`` means, with or without ``lib`` and ``.so``."""
+    stem = filename.rpartition("/")[2].removesuffix(".so").removeprefix("lib")
+    for name, entry in _content()["control"].items():
+        if stem in entry["files"]:
+            return str(name)
+    return None
+
+
+@cache
+def controllers() -> dict[str, Controller]:
+    """The types of controller whose parameters name joints."""
+    return {
+        name: Controller(
+            tuple(entry["joints"]),
+            tuple(
+                Measure(parameter, kind, tuple(map(tuple, sides)))
+                for parameter, kind, *sides in entry.get("geometry", ())
+            ),
+            entry.get("interface", ""),
+            entry.get("interfaces", ""),
+        )
+        for name, entry in _content()["controllers"].items()
+    }
+
+
+def parameters(controller: str) -> list[str]:
+    """The names of parameters that a type of controller reads; empty if not all are known."""
+    found: list[str] = _content()["controllers"].get(controller, {}).get("parameters", [])
+    return found

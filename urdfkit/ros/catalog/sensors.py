@@ -1,0 +1,81 @@
+"""Sensors of SDF: which types there are, and who makes them."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+
+
+class SensorType(Record):
+    """A type of sensor.
+
+    Attributes:
+        blocks: the children that may hold its settings; empty if it has none.
+        classic, gz: True if Gazebo Classic, or gz-sim, makes it.
+        gz_name, classic_name: what it is called there, if otherwise.
+    """
+
+    blocks: tuple[str, ...]
+    classic: bool
+    gz: bool
+    gz_name: str | None
+    classic_name: str | None
+
+
+@cache
+def types() -> dict[str, SensorType]:
+    """Every type, by name."""
+    return {
+        name: SensorType(
+            tuple(entry["block"]),
+            entry["classic"],
+            entry["gz"],
+            entry["gz_name"],
+            entry["classic_name"],
+        )
+        for name, entry in data("sensors")["types"].items()
+    }
+
+
+@cache
+def children() -> frozenset[str]:
+    """The children that a sensor may have, those of every type included."""
+    content = data("sensors")
+    return frozenset((*content["children"], *content["blocks"]))
+
+
+class Setting(Record):
+    """An element, or with ``@`` an attribute, in the block that holds a sensor's settings.
+
+    Attributes:
+        type: ``container``, ``float``, ``int``, ``uint``, ``bool``, ``string``, ``vector3``...
+        words: the values that it may have; empty if any.
+        least, greatest: bounds of a number; None without one.
+    """
+
+    type: str
+    words: tuple[str, ...] = ()
+    least: float | None = None
+    greatest: float | None = None
+
+
+@cache
+def settings(block: str) -> dict[str, Setting]:
+    """What a block may hold, by path, such as ``image/width``; empty for an unknown block."""
+    written = data("sensors")["settings"].get(block, {})
+    return {path: _setting(text) for path, text in written.items()}
+
+
+def _setting(text: str) -> Setting:
+    """Read ``TYPE``, ``in WORDS``, ``>= LEAST``, ``<= GREATEST``."""
+    kind, _, words = text.partition(" in ")
+    kind, _, greatest = kind.partition(" <= ")
+    kind, _, least = kind.partition(" >= ")
+    return Setting(
+        kind,
+        tuple(words.split()),
+        float(least) if least else None,
+        float(greatest) if greatest else None,
+    )

@@ -1,0 +1,343 @@
+"""The controllers of ros2_control in a YAML file, each value with its place.
+
+The file is one that a control plugin names in ``<parameters>``, or one that the launch file loads
+which starts the robot. ROS 2 keeps the parameters of each node below ``ros__parameters``; in ROS 1
+the controllers stand in any namespace, and are known by their ``type``.
+Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_control.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UrdfkitError
+from urdfkit.ros.catalog.ros_control import hardware as simulators
+from urdfkit.ros.ros_control import components, control_plugins
+from urdfkit.text.diagnostic import Related
+from urdfkit.text.grammar import is_expression
+from urdfkit.text.located_yaml import Key, Node, Value, load, slip
+from urdfkit.text.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.text.document import Element
+
+_MANAGER = "controller_manager"
+_PARAMETERS = "ros__parameters"
+
+
+class Section(Record):
+    """The parameters of a node.
+
+    Attributes:
+        given: by name, with dots between levels, lists and single values apart.
+        places: of the names.
+        at: where it begins; None if the file has no parameters for the node.
+    """
+
+    given: dict[str, Value | list[Node]]
+    places: dict[str, Span]
+    at: Span | None
+
+
+class Controller(Record):
+    """A controller with a type.
+
+    Attributes:
+        name: of its node.
+        type: its class, as the controller manager loads it.
+        parameters: by name, with dots between levels; a single value is a list of one.
+        type_at: where the type is written.
+        places: of the names of parameters.
+        ros: 1 or 2.
+        section: its parameters as they are written.
+    """
+
+    name: str
+    type: str
+    parameters: dict[str, list[Value]]
+    type_at: Span
+    places: dict[str, Span]
+    ros: int
+    section: Section
+
+    def values(self, names: Iterable[str]) -> list[Value]:
+        """What some parameters hold, one after the other."""
+        return [value for name in names for value in self.parameters.get(name, ())]
+
+
+class ParameterFile(Record):
+    """A file of parameters.
+
+    Attributes:
+        span: where it is named: in a control plugin or in the launch file.
+        path: as it is after expansion; absolute.
+        found: the file, or None if there is none.
+        element: the ``<parameters>`` of the plugin; None if the launch file names it.
+    """
+
+    span: Span
+    path: str
+    found: str | None
+    element: Element | None = None
+
+    @property
+    def note(self) -> Related:
+        """For a finding in the file."""
+        return Related(self.span, "the file is named here")
+
+
+def parameter_files(subject: Subject) -> list[ParameterFile]:
+    """The files of the launch file, and those that control plugins name by an absolute path."""
+    files = {
+        use.path: ParameterFile(use.span, use.path, use.path)
+        for use in subject.parameters
+        if os.path.isfile(use.path)
+    }
+    for plugin in () if _runs_on_hardware(subject) else control_plugins(subject.model):
+        for element in plugin.at.all("parameters"):
+            path = element.text.strip()
+            if not path.startswith("/") or is_expression(path) or "\0" in path:
+                continue
+            found = path if os.path.isfile(path) else subject.resolver.installed(path)
+            files.setdefault(path, ParameterFile(element.span, path, found, element))
+    return list(files.values())
+
+
+def _runs_on_hardware(subject: Subject) -> bool:
+    """True if a launch file starts the robot on hardware that is no simulator's.
+
+    The control plugin is in the description then, but no Gazebo runs it, and its controllers may
+    be those of another variant of the robot.
+    """
+    hardware = [component.hardware for component in components(subject.model)]
+    is_real = bool(hardware) and simulators().keys().isdisjoint(hardware)
+    return bool(subject.parameters) and is_real
+
+
+def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controller]]]:
+    """The controllers of each file of parameters that can be read."""
+    for file, source in _sources(subject):
+        yield file, read(source)
+
+
+def _sources(subject: Subject) -> Iterator[tuple[ParameterFile, Source]]:
+    for file in parameter_files(subject):
+        if file.found and subject.resolver.allows(file.found, subject.source.path):
+            try:
+                source = subject.resolver.read(file.found)
+            except UrdfkitError:
+                continue
+            yield file, source
+
+
+def read(source: Source) -> list[Controller]:
+    """The controllers of a file; none if it is not YAML, or no file of parameters."""
+    root = load(source)
+    sections = _sections(root)
+    if not sections:
+        return list(_of_ros1(root))
+    types: dict[tuple[str, ...], Value] = {}
+    for path, section in sections.items():
+        given = dict(_values(section.given))
+        prefixes = [("", path)]
+        if path[-1] == _MANAGER:
+            names = {name.rpartition(".")[0] for name in given if name.endswith(".type")}
+            prefixes = [(f"{name}.", (*path[:-1], name)) for name in names]
+        for prefix, owner in prefixes:
+            if value := given.get(f"{prefix}type"):
+                types[owner] = value[0]
+    return [
+        _controller(path[-1], kind, sections.get(path, Section({}, {}, None)), 2)
+        for path, kind in types.items()
+    ]
+
+
+def managers(subject: Subject) -> Iterator[tuple[ParameterFile, Section]]:
+    """The parameters of the controller managers themselves, in ROS 2."""
+    for file, source in _sources(subject):
+        for path, section in _sections(load(source)).items():
+            if path[-1] == _MANAGER:
+                yield file, section
+
+
+def named_sections(subject: Subject) -> dict[str, Section]:
+    """The parameters of each node in ROS 2, in all files together."""
+    found: dict[str, Section] = {}
+    for _, source in _sources(subject):
+        for path, section in _sections(load(source)).items():
+            whole = found.setdefault(path[-1], Section({}, {}, section.at))
+            whole.given.update(section.given)
+            whole.places.update(section.places)
+    return found
+
+
+def _sections(root: Node) -> dict[tuple[str, ...], Section]:
+    """The parameters of each ROS node, by namespace and name; none in a file of ROS 1."""
+    sections: dict[tuple[str, ...], Section] = {}
+    for path, node, key in _nodes(root):
+        section = sections.setdefault(path, Section({}, {}, getattr(key, "span", None)))
+        section.given.update(_leaves(node))
+        section.places.update(_places(node))
+    return sections
+
+
+def _controller(name: str, kind: Value, section: Section, ros: int) -> Controller:
+    parameters = dict(_values(section.given))
+    return Controller(name, kind.text, parameters, kind.span, section.places, ros, section)
+
+
+def _nodes(root: Node) -> Iterator[tuple[tuple[str, ...], dict[str, Node], str]]:
+    """The parameters of each ROS node, by namespace and name, and the key that they stand under.
+
+    ``**`` stands for any namespace.
+    """
+    stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
+    while stack:
+        path, node, above = stack.pop()
+        if not isinstance(node, dict):
+            continue
+        for key, inner in node.items():
+            if key == _PARAMETERS and path and isinstance(inner, dict):
+                yield path, inner, above
+            elif key != _PARAMETERS:
+                parts = [part for part in key.split("/") if part not in ("", "*", "**")]
+                stack.append(((*path, *parts), inner, key))
+
+
+def _of_ros1(root: Node) -> Iterator[Controller]:
+    """What has a type with a slash in it, in any namespace."""
+    stack: list[tuple[str, Node]] = [("", root)]
+    while stack:
+        name, node = stack.pop()
+        if not isinstance(node, dict):
+            continue
+        kind = node.get("type")
+        if isinstance(kind, Value) and "/" in kind.text:
+            at = name.span if isinstance(name, Key) else kind.span
+            section = Section(dict(_leaves(node)), _places(node), at)
+            yield _controller(name, kind, section, 1)
+        else:
+            stack += node.items()
+
+
+def unparsed(subject: Subject) -> Iterator[tuple[ParameterFile, Span, str]]:
+    """The files of parameters that are no YAML, with the place and the reason."""
+    for file, source in _sources(subject):
+        if found := slip(source):
+            yield file, *found
+
+
+def lost(subject: Subject) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
+    """Of each file the keys under which nobody looks: place, message and remedy."""
+    for file, source in _sources(subject):
+        yield file, list(_lost(load(source)))
+
+
+def _lost(root: Node) -> Iterator[tuple[Span, str, str]]:
+    if not isinstance(root, dict):
+        return
+    sections = [(k, node) for k, node in root.items() if isinstance(node, dict)]
+    for key, node in sections:
+        for inner in node:
+            if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
+                message = f"what '{key}' holds is not read: '{inner}' is not '{_PARAMETERS}'"
+                yield inner.span, message, f"write {_PARAMETERS}"
+    managers = [
+        inside
+        for key, node in sections
+        if _node_of(key) == _MANAGER and isinstance(inside := node.get(_PARAMETERS), dict)
+    ]
+    for inside in managers:
+        yield from _without_type(inside)
+    declared = {
+        name.rpartition(".")[0]
+        for inside in managers
+        for name, _ in _flat(inside)
+        if name.endswith(".type")
+    }
+    yield from _unread_sections(sections, declared)
+
+
+def _unread_sections(
+    sections: list[tuple[str, dict[str, Node]]], declared: set[str]
+) -> Iterator[tuple[Span, str, str]]:
+    """Sections of no controller, and those of controllers that hold no ``ros__parameters``."""
+    without = declared.difference(_node_of(key) for key, _ in sections)
+    for key, node in sections:
+        name = _node_of(key)
+        if not isinstance(key, Key):
+            continue
+        if name in declared and not any(map(_is_parameters, node)):
+            message = f"what '{key}' holds is not read: it does not stand in {_PARAMETERS}"
+            yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
+        elif name not in declared and (meant := _slip_of(name, without)):
+            message = f"'{key}' is no controller of the controller manager, and not read"
+            yield key.span, message, f"did you mean '{meant}'?"
+
+
+def _is_parameters(key: str) -> bool:
+    return key == _PARAMETERS or _slip_of(key, [_PARAMETERS]) is not None
+
+
+def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
+    """A ``type`` of no controller: it is not indented below the name, or misspelt."""
+    kind = manager.get("type")
+    if isinstance(kind, Value) and "/" in kind.text:
+        message = "this type belongs to no controller: it is not indented below a name"
+        yield kind.span, message, "indent it below the name of its controller"
+    for name, node in manager.items():
+        for key, value in node.items() if isinstance(node, dict) and "type" not in node else ():
+            is_class = isinstance(value, Value) and "/" in value.text
+            if isinstance(key, Key) and is_class and nearest(key, ["type"], 0.7):
+                yield key.span, f"controller '{name}' has no type, but '{key}'", "write type"
+
+
+def _node_of(key: str) -> str:
+    """The name of a node in a key such as ``/**/drive``."""
+    return key.strip("/").rpartition("/")[2]
+
+
+def _slip_of(word: str, known: Iterable[str]) -> str | None:
+    return nearest(word, known, 0.8)
+
+
+def _places(node: dict[str, Node]) -> dict[str, Span]:
+    """Where the names of parameters are written, with dots between levels."""
+    found: dict[str, Span] = {}
+    stack: list[tuple[str, Node]] = [("", node)]
+    while stack:
+        name, inner = stack.pop()
+        if isinstance(inner, dict):
+            for key, value in inner.items():
+                path = f"{name}.{key}" if name else key
+                stack.append((path, value))
+                if isinstance(key, Key):
+                    found[path] = key.span
+    return found
+
+
+def _flat(node: dict[str, Node]) -> Iterator[tuple[str, list[Value]]]:
+    return _values(dict(_leaves(node)))
+
+
+def _values(written: dict[str, Value | list[Node]]) -> Iterator[tuple[str, list[Value]]]:
+    """Parameters, each as a list of its values."""
+    for name, node in written.items():
+        several = node if isinstance(node, list) else [node]
+        yield name, [value for value in several if isinstance(value, Value)]
+
+
+def _leaves(node: dict[str, Node]) -> Iterator[tuple[str, Value | list[Node]]]:
+    """The single values and lists in a mapping, with dots between the levels of their names."""
+    stack: list[tuple[str, Node]] = [("", node)]
+    while stack:
+        name, inner = stack.pop()
+        if isinstance(inner, dict):
+            stack += [(f"{name}.{key}" if name else key, value) for key, value in inner.items()]
+        elif isinstance(inner, (Value, list)):
+            yield name, inner

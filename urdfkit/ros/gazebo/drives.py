@@ -1,0 +1,235 @@
+"""Drive plugins of Gazebo: which wheels they turn, and what they take the wheels for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import hypot
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.spatial import Frame, Vector, dot, minus, rotate
+from urdfkit.robot.model import number
+from urdfkit.ros.gazebo.plugins import Reference, Use
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint, Link
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.text.document import Attribute, Element
+
+
+class Kind(Record):
+    """How a library drives.
+
+    Attributes:
+        separation: its parameter with the distance of left and right wheels; empty if it has none.
+        size: its parameter with the size of the wheels.
+        diameter: True if that is the diameter, False if it is the radius.
+        steered: True if wheels are steered, so that left and right say nothing about turning.
+        slips: True if turning makes the wheels slip, so that a larger separation is often given.
+    """
+
+    separation: str
+    size: str
+    diameter: bool
+    steered: bool = False
+    slips: bool = False
+
+
+#: By the id in the catalogue of plugins.
+KINDS = {
+    "gazebo_ros_diff_drive@classic-ros1": Kind("wheelSeparation", "wheelDiameter", True),
+    "gazebo_ros_diff_drive@classic-ros2": Kind("wheel_separation", "wheel_diameter", True),
+    "gazebo_ros_skid_steer_drive@classic-ros1": Kind(
+        "wheelSeparation", "wheelDiameter", True, slips=True
+    ),
+    "diffdrive_plugin_6w@classic-ros1": Kind("wheelSeparation", "wheelDiameter", True, slips=True),
+    "diffdrive_plugin_multi_wheel@classic-ros1": Kind(
+        "wheelSeparation", "wheelDiameter", True, slips=True
+    ),
+    "gz-sim-diff-drive-system@gz": Kind("wheel_separation", "wheel_radius", False),
+    "gz-sim-mecanum-drive-system@gz": Kind("wheel_separation", "wheel_radius", False),
+    "gz-sim-ackermann-steering-system@gz": Kind("", "wheel_radius", False, steered=True),
+    "gazebo_ros_tricycle_drive@classic-ros1": Kind(
+        "encoderWheelSeparation", "encoderWheelDiameter", True, steered=True
+    ),
+    "gazebo_ros_tricycle_drive@classic-ros2": Kind(
+        "wheel_separation", "encoder_wheel_diameter", True, steered=True
+    ),
+    "gazebo_ros_ackermann_drive@classic-ros2": Kind("", "", False, steered=True),
+    "DiffDrivePlugin@classic (no ROS)": Kind("", "", False),
+}
+
+#: Libraries that move single joints; the joint that each moves.
+_MOVERS = {
+    "gz-sim-joint-controller-system": "joint_name",
+    "gz-sim-joint-position-controller-system": "joint_name",
+    "gz-sim-joint-trajectory-controller-system": "joint_name",
+    "gz-sim-apply-joint-force-system": "joint_name",
+    "gz-sim-thruster-system": "joint_name",
+    "gz-sim-multicopter-motor-model-system": "jointName",
+    "rotors_gazebo_motor_model": "jointName",
+    "gazebo_motor_model": "jointName",
+    "hector_servo_plugin": "",
+    "roboticsgroup_upatras_gazebo_mimic_joint_plugin": "mimicJoint",
+}
+
+
+#: Cosine of the angle between axles up to which they count as parallel.
+_PARALLEL = 0.999
+
+#: In m: wheels nearer to each other than this are not left and right.
+_APART = 0.01
+
+
+class Rolling(Record):
+    """A wheel in the frame of the root, when all joints are at zero.
+
+    Attributes:
+        joint: that turns it.
+        axis: of the joint, of length 1.
+        hub: the centre of its tyre if the shape tells, else None.
+        radius: in m, if the shape tells.
+        origin: of the joint.
+    """
+
+    joint: Joint
+    axis: Vector
+    hub: Vector | None
+    radius: float | None
+    origin: Vector
+
+    @property
+    def center(self) -> Vector:
+        """Of the tyre, as far as the shape tells."""
+        return self.hub or self.origin
+
+    def is_parallel(self, other: Rolling) -> bool:
+        """True if two wheels turn about the same direction, in either sense."""
+        return abs(dot(self.axis, other.axis)) >= _PARALLEL
+
+
+class Wheel(Record):
+    """A wheel that a drive plugin turns.
+
+    Attributes:
+        reference: the parameter that names its joint.
+        side: ``left`` or ``right``; empty if the parameter does not say.
+        rolling: where it is, and how it turns.
+    """
+
+    reference: Reference
+    side: str
+    rolling: Rolling
+
+
+def drive_of(use: Use) -> Kind | None:
+    """How a plugin drives; None if it is no drive."""
+    return KINDS.get(use.plugin.id) if use.plugin else None
+
+
+def driven(use: Use) -> list[Reference]:
+    """The joints that a plugin moves."""
+    if use.plugin is None:
+        return []
+    references = [reference for reference in use.references() if reference.kind == "joint"]
+    if use.plugin.id in KINDS:
+        return references
+    only = _MOVERS.get(use.plugin.id.partition("@")[0])
+    if only is None:
+        return []
+    return [r for r in references if not only or r.parameter.name == only]
+
+
+def wheels(use: Use, tree: KinematicTree) -> Iterator[Wheel]:
+    """The wheels of a drive that turn in the model."""
+    for reference in driven(use):
+        joint = tree.model.joints_by_name.get(reference.name)
+        name = reference.parameter.name.lower()
+        if joint is None or joint.kind not in ("continuous", "revolute") or "steer" in name:
+            continue
+        side = "left" if "left" in name else "right" if "right" in name else ""
+        if found := rolling(joint, tree):
+            yield Wheel(reference, side, found)
+
+
+def rolling(joint: Joint, tree: KinematicTree) -> Rolling | None:
+    """What the model tells of the wheel that turns about a joint; None if it is nowhere."""
+    frame = tree.frames.get(joint.child.value) if joint.child else None
+    axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
+    if frame is None or axis is None or joint.child is None:
+        return None
+    hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
+    return Rolling(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
+
+
+def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
+    """Left and right wheels in the order of their parameters."""
+    left = [wheel for wheel in found if wheel.side == "left"]
+    right = [wheel for wheel in found if wheel.side == "right"]
+    yield from zip(left, right, strict=False)
+
+
+def wrong_sides(left: Rolling, right: Rolling) -> tuple[str, str] | None:
+    """Why a drive does not take a robot where it is told to, and the remedy; None if it does.
+
+    A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
+    of a wheel points that rolls so.
+
+    Args:
+        left: what the drive takes for the left wheel.
+        right: what it takes for the right one.
+    """
+    to_left = dot(minus(left.center, right.center), left.axis)
+    if not left.is_parallel(right) or abs(to_left) < _APART:
+        return None
+    first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
+    if dot(left.axis, right.axis) < 0:
+        message = f"the axes of {first} and {second} point in opposite directions, so that going "
+        return f"{message}straight turns the robot", "turn the axis of one of the joints"
+    if to_left > 0:
+        return None
+    message = f"the left joint {first} is {-to_left:.3g} m to the right of {second} as the robot "
+    remedy = "interchange the joints, or turn both axes"
+    return f"{message}rolls, so that it turns the wrong way", remedy
+
+
+def given(use: Use, name: str) -> tuple[Element | Attribute, float] | None:
+    """A parameter in m and where it is written: the plugin for a default. None if unreadable.
+
+    Several values, one for each pair of wheels, count as unreadable unless they are equal.
+    """
+    assert use.plugin is not None
+    values = use.values(name)
+    numbers = {number(item.text) for item in values}
+    if values:
+        value = numbers.pop()
+        return None if value is None or numbers else (values[0].at, value)
+    parameter = use.plugin.parameters.get(name)
+    default = number(parameter.default) if parameter else None
+    return None if default is None else (use.at, default)
+
+
+def _unit(vector: Vector) -> Vector | None:
+    length = hypot(*vector)
+    return (vector[0] / length, vector[1] / length, vector[2] / length) if length > 1e-9 else None
+
+
+def _tyre(link: Link, frame: Frame, axis: Vector) -> tuple[Vector | None, float | None]:
+    """Centre and radius of a wheel whose one collision is a sphere, or a cylinder on the axle."""
+    if len(link.collisions) != 1:
+        return None, None
+    body = link.collisions[0]
+    shape = body.shape
+    if shape is None or shape.kind not in ("cylinder", "sphere") or not shape.radius:
+        return None, None
+    along = rotate(body.origin.rotation, (0.0, 0.0, 1.0))
+    if shape.kind == "cylinder" and abs(dot(along, axis)) < _PARALLEL:
+        return None, None
+    off_axle = minus(body.origin.position, _scaled(axis, dot(body.origin.position, axis)))
+    if hypot(*off_axle) > 1e-4:
+        return None, None
+    return frame.apply(body.origin.position), shape.radius
+
+
+def _scaled(vector: Vector, factor: float) -> Vector:
+    return (vector[0] * factor, vector[1] * factor, vector[2] * factor)

@@ -1,0 +1,58 @@
+"""The tags that a plugin is given and does not read, and why."""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import Speller
+from urdfkit.ros.catalog.plugins import Plugin, often_unread, renames
+from urdfkit.ros.gazebo.plugins import Item, Use
+
+
+class Unread(Record):
+    """A tag that a plugin does not read.
+
+    Attributes:
+        item: the tag.
+        other: the plugin of another generation that reads it, or None.
+        meant: the tag that it is a slip of, or None.
+    """
+
+    item: Item
+    other: Plugin | None
+    meant: str | None
+
+
+def unread(use: Use) -> list[Unread]:
+    """What a plugin does not read; nothing for one that is not known.
+
+    Tags that shipped examples give without need are left out.
+    """
+    plugin = use.plugin
+    if plugin is None or not plugin.parameters:
+        return []
+    missed = use.unread(plugin)
+    if not missed:
+        return []
+    common = {name for names in often_unread().values() for name in names}
+    given = {item.path for item in use.items}
+    speller = Speller([name for name in plugin.parameters if name not in given])
+    found: list[Unread] = []
+    for item in missed:
+        other = _other(use, plugin, item)
+        meant = None if "/" in item.path else speller.meant(item.path) or None
+        is_cut_short = meant is not None and meant.startswith(item.path)  # updateRate(HZ) of an IMU
+        if other is None and item.path in common and not is_cut_short:
+            continue
+        found.append(Unread(item, other, meant if meant and "/" not in meant else None))
+    return found
+
+
+def _other(use: Use, plugin: Plugin, item: Item) -> Plugin | None:
+    """The plugin of another generation that reads a tag."""
+    for one in use.known:
+        if one.generation != plugin.generation and not one.removed and one.reads(item.path):
+            return one
+    new = renames().get(item.path)
+    if plugin.generation == "classic-ros2" and new and plugin.reads(new):
+        return next((one for one in use.known if one.generation == "classic-ros1"), None)
+    return None

@@ -1,0 +1,79 @@
+"""What a workspace tells Gazebo about where its meshes lie.
+
+Gazebo takes ``package://arm/...`` for ``model://arm/...`` and searches its resource path, which
+knows nothing of ROS packages. Somebody must tell it: a package.xml that exports
+``gazebo_model_path``, a launch file or an environment hook that sets the variable, or the shell.
+Source: sdformat's parser_urdf.cc, gazebo_ros_paths.py of gazebo_ros and of ros_gz_sim.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.folders import Folders
+
+#: Bounds of the search.
+MAX_FOLDERS, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
+
+_STARTERS = (b"ros_gz_sim", b"ros_ign_gazebo", b"gazebo_ros", b"gz_sim.launch", b"spawn_entity")
+_TELLERS = (
+    b"gazebo_model_path",
+    b"GAZEBO_MODEL_PATH",
+    b"GZ_SIM_RESOURCE_PATH",
+    b"IGN_GAZEBO_RESOURCE_PATH",
+    b"SDF_PATH",
+)
+#: How the names of files end that can tell it: shells and build files, hooks, instructions.
+_TEXTS = (
+    ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
+    ".md", ".rst", ".txt", "Dockerfile", "Makefile",
+)  # fmt: skip
+
+
+class Survey(Record):
+    """What the files of a workspace say.
+
+    Attributes:
+        starter: a launch file that starts Gazebo; None if there is none.
+        is_told: True if a file mentions Gazebo's resource path, or not all could be read.
+    """
+
+    starter: str | None
+    is_told: bool
+
+
+def survey(root: str, folders: Folders) -> Survey:
+    """Look through the text files of a workspace, within bounds.
+
+    Args:
+        root: the folder.
+        folders: the listings to use.
+    """
+    files = [path for path in folders.files_below(root, MAX_FOLDERS) if path.endswith(_TEXTS)]
+    starter = None
+    for path in files[:MAX_FILES]:
+        data = _begin(path)
+        if any(word in data for word in _TELLERS):
+            return Survey(starter, True)
+        if starter is None and _is_launch(path) and any(word in data for word in _STARTERS):
+            starter = path
+    return Survey(starter, len(files) > MAX_FILES)
+
+
+def _is_launch(path: str) -> bool:
+    name = os.path.basename(path)
+    return name.endswith((".launch", ".launch.xml", ".launch.py")) or "_launch." in name
+
+
+def _begin(path: str) -> bytes:
+    try:
+        if not os.path.isfile(path):
+            return b""
+        with open(path, "rb") as file:
+            return file.read(MAX_BYTES)
+    except OSError:
+        return b""

@@ -1,0 +1,217 @@
+"""The plugins that a model gives to Gazebo, each with what is known about its library."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog.plugins import GENERATIONS, REFERENCES, Parameter, Plugin, find
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.ros.gazebo.conversion import Conversion
+    from urdfkit.ros.targets import Targets
+    from urdfkit.text.document import Attribute, Element
+
+#: Blocks of ROS 2 in which not every tag is catalogued.
+_FREE = ("ros/qos", "ros/parameter")
+
+_CLASSIC = ("classic-ros1", "classic-ros2")
+#: The packages of which every library is catalogued for both.
+_GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros2_control")
+
+
+class Item(Record):
+    """A tag or an attribute in a plugin.
+
+    Attributes:
+        path: from the plugin, such as ``leftJoint`` or ``wheel/@link_name``.
+        at: the element or attribute.
+        text: its value, without the white space around it.
+    """
+
+    path: str
+    at: Element | Attribute
+    text: str
+
+
+class Reference(Record):
+    """A name of a link or joint that a plugin looks up in the simulated model."""
+
+    parameter: Parameter
+    item: Item
+    name: str
+
+    @property
+    def kind(self) -> str:
+        """``link`` or ``joint``."""
+        return "link" if self.parameter.type == "link" else "joint"
+
+
+class Use:
+    """A ``<plugin>`` of a model.
+
+    Attributes:
+        at: its element.
+        block: the ``<gazebo>`` that it is in.
+        known: what its file name means, one plugin of each generation; empty if unknown.
+        plugin: the one of them that the Gazebo which the robot is for loads, or None.
+    """
+
+    def __init__(self, at: Element, block: Element, wanted: Collection[str]) -> None:
+        self.at = at
+        self.block = block
+        self.known = find((at.get("filename") or "").strip())
+        self.plugin = self._loaded(wanted)
+
+    def _loaded(self, wanted: Collection[str]) -> Plugin | None:
+        """The plugin of a wanted generation that reads most of the tags."""
+        candidates = [
+            plugin
+            for plugin in self.known
+            if not plugin.removed and (plugin.generation in wanted or not wanted)
+        ]
+        if len(candidates) < 2:
+            return candidates[0] if candidates else None
+        return min(candidates, key=lambda plugin: len(self.unread(plugin)))
+
+    @property
+    def filename(self) -> str:
+        return (self.at.get("filename") or "").strip()
+
+    @property
+    def name(self) -> str:
+        return self.at.get("name") or ""
+
+    @property
+    def title(self) -> str:
+        """For messages."""
+        return f"plugin '{self.name}' ({self.filename})"
+
+    @property
+    def outcome(self) -> str:
+        """What comes of a link or joint that it does not find: the end of a message, or empty."""
+        return f": {self.plugin.missing}" if self.plugin and self.plugin.missing else ""
+
+    @property
+    def place(self) -> str:
+        """``model``, ``link`` (a block with a reference), or the tag that it is in."""
+        assert self.at.parent is not None
+        if self.at.parent is not self.block:
+            return self.at.parent.tag
+        return "link" if self.block.get("reference") else "model"
+
+    @cached_property
+    def items(self) -> tuple[Item, ...]:
+        """Everything in it, outer tags before inner ones."""
+        return tuple(self._items())
+
+    def _items(self) -> Iterator[Item]:
+        stack = [("", child) for child in reversed(self.at.children)]
+        while stack:
+            path, element = stack.pop()
+            path += element.tag
+            yield Item(path, element, element.text.strip())
+            for attribute in element.attributes.values():
+                yield Item(f"{path}/@{attribute.name}", attribute, attribute.value.strip())
+            stack += [(f"{path}/", child) for child in reversed(element.children)]
+
+    def values(self, path: str) -> list[Item]:
+        """The tags or attributes at a path."""
+        return [item for item in self.items if item.path == path]
+
+    def value(self, path: str) -> str:
+        """The first of them, else the default of its plugin; empty without either."""
+        written = self.values(path)
+        if written:
+            return written[0].text
+        parameter = self.plugin.parameters.get(path) if self.plugin else None
+        return (parameter.default or "") if parameter else ""
+
+    def unread(self, plugin: Plugin) -> list[Item]:
+        """The tags that a plugin does not read; of a block that it does not know only the first."""
+        found: list[Item] = []
+        closed = ""  # what is in a tag follows right behind it
+        for item in self.items:
+            if "@" in item.path or (closed and item.path.startswith(closed)):
+                continue
+            known = plugin.reads(item.path)
+            if not known:
+                found.append(item)
+            closed = f"{item.path}/" if not known or item.path in _FREE else ""
+        return found
+
+    def references(self) -> Iterator[Reference]:
+        """The links and joints that its plugin looks up, where they are given."""
+        parameters = self.plugin.parameters if self.plugin else {}
+        for item in self.items:
+            parameter = parameters.get(item.path)
+            if parameter is None or parameter.type not in REFERENCES:
+                continue
+            names = [item.text]
+            if parameter.type == "joints":
+                names = item.text.replace(",", " ").split()
+            for name in names:
+                if name and name not in parameter.words and "::" not in name:
+                    yield Reference(parameter, item, name)
+
+
+def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
+    """Every plugin in the ``<gazebo>`` blocks of a model."""
+    wanted = {name for target in targets.names for name in GENERATIONS.get(target, ())}
+    return tuple(
+        Use(element, block, wanted)
+        for block in model.gazebo
+        for element in block.walk()
+        if element.tag == "plugin" and _is_for_gazebo(element)
+    )
+
+
+def _is_for_gazebo(plugin: Element) -> bool:
+    """False for the hardware of a ``<ros2_control>`` that has strayed into a ``<gazebo>``."""
+    return plugin.parent is not None and plugin.parent.tag not in ("hardware", "transmission")
+
+
+def generations(use: Use) -> set[str]:
+    """The generations that may have a plugin's library; empty if it is not known.
+
+    A library without ROS runs with both of them, and of a vendor's library for one of them there
+    may be a port to the other.
+    """
+    present = [plugin for plugin in use.known if not plugin.removed]
+    found = {plugin.generation for plugin in present}
+    ported = not any(plugin.package in _GAZEBO_ROS for plugin in use.known)
+    if "classic" in found or (ported and not found.isdisjoint(_CLASSIC)):
+        found.update(_CLASSIC)
+    return found
+
+
+def fate(conversion: Conversion, kind: str, name: str) -> str:
+    """What becomes of a link or joint in Gazebo.
+
+    Returns:
+        ``kept``, ``merged``, ``dropped``, ``unknown``, or ``other``: it depends on more than the
+        catalogue knows.
+    """
+    model = conversion.model
+    if name in conversion.added:
+        return "kept"
+    if kind == "link":
+        if name not in model.links_by_name:
+            return "unknown"
+        if name in conversion.dropped:
+            return "dropped"
+        survivor = conversion.survivor.get(name)
+        return "other" if survivor is None else "kept" if survivor == name else "merged"
+    joint = model.joints_by_name.get(name)
+    if joint is None:
+        return "unknown"
+    if name in conversion.joint_names:
+        return "kept"
+    if joint.child is not None and joint.child.value in conversion.dropped:
+        return "dropped"
+    if joint.kind == "fixed" and joint.child and joint.child.value in conversion.survivor:
+        return "merged"
+    return "other"

@@ -1,0 +1,35 @@
+"""Which findings mean that libsdformat rejects a robot as a whole, and Gazebo has none of it.
+
+Source: libsdformat 12.3 on robots with one defect each. It reads URDF by urdfdom: a defect in a
+joint rejects the robot, one in a link loses but that part of the link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfkit.text.diagnostic import Diagnostic
+
+#: Rules whose findings reject the robot.
+ALWAYS = frozenset(
+    "GAZ010 GAZ056 GAZ060 GAZ065 JNT001 JNT002 NAM001 NAM002 NAM006 REF001 "
+    "TRE001 TRE002 TRE003 TRE006 URD010 URD011 URD015".split()
+)
+#: Likewise, where they are about a joint.
+IN_JOINTS = frozenset("URD003 URD004 URD005 URD006".split())
+#: What the reader of SDF rejects after the conversion: that of gz, not that of Gazebo Classic.
+BY_GZ = frozenset("GAZ040 GAZ057 GAZ061 JNT005".split())
+
+CODES = ALWAYS | IN_JOINTS | BY_GZ
+
+
+def rejecting(diagnostics: Iterable[Diagnostic]) -> list[tuple[str, Diagnostic]]:
+    """The findings for which a robot is rejected, each with who rejects it."""
+    found = []
+    for one in diagnostics:
+        in_joint = any(call.element.startswith("joint/") for call in one.calls)
+        if one.code in ALWAYS or (one.code in IN_JOINTS and in_joint):
+            found.append(("libsdformat", one))
+        elif one.code in BY_GZ:
+            found.append(("gz", one))
+    return found

@@ -1,0 +1,130 @@
+"""The sensors in the ``<gazebo>`` tags of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.robot.model import Placed, number
+from urdfkit.ros.catalog.sensors import Setting, settings
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Attribute, Element
+
+
+class Sensor(Record):
+    """A ``<sensor>``.
+
+    Attributes:
+        at: its element.
+        name, type: as written; empty where there is none.
+        reference: the link or joint of the ``<gazebo>`` around it; empty without one.
+    """
+
+    at: Element
+    name: str
+    type: str
+    reference: str
+
+    @property
+    def who(self) -> str:
+        return f"sensor '{self.name}'"
+
+    def find(self, path: str) -> Element | None:
+        """The first element at a path below the sensor."""
+        element: Element | None = self.at
+        for tag in path.split("/"):
+            element = element.child(tag) if element else None
+        return element
+
+    def number(self, path: str) -> Placed[float] | None:
+        """The number in the element at a path, if there is one."""
+        element = self.find(path)
+        value = number(element.text.strip()) if element else None
+        return None if element is None or value is None else Placed(value, element)
+
+    @property
+    def lidar(self) -> str:
+        """``ray`` or ``lidar``, whichever holds the settings; empty for other sensors."""
+        return next((tag for tag in ("lidar", "ray") if self.at.child(tag)), "")
+
+    @property
+    def plugins(self) -> list[Element]:
+        return self.at.all("plugin")
+
+
+class Written(Record):
+    """An element in the block that holds a sensor's settings.
+
+    Attributes:
+        at: the element.
+        parent: the tag around it.
+        path: that leads to it from the block.
+        known: what may stand in the block, by path.
+    """
+
+    at: Element
+    parent: str
+    path: str
+    known: Mapping[str, Setting]
+
+    @property
+    def setting(self) -> Setting | None:
+        """What SDF knows of it; None if SDF does not know it."""
+        return self.known.get(self.path)
+
+    @property
+    def siblings(self) -> tuple[str, ...]:
+        """The tags that may stand in its place."""
+        above = self.path.rpartition("/")[0]
+        rests = (name.removeprefix(f"{above}/") for name in self.known if name.startswith(above))
+        return tuple(rest for rest in rests if rest and "/" not in rest and "@" not in rest)
+
+    @property
+    def holds_type_as_attribute(self) -> bool:
+        """True for the noise of a single quantity; that of pictures and scans has a ``<type>``."""
+        return self.at.tag == "noise" and "/" in self.path
+
+    def attributes(self) -> Iterator[tuple[Attribute, Setting]]:
+        """Its attributes, with what SDF knows of them; the others are left out."""
+        known, path = self.known, f"{self.path}/"
+        if self.holds_type_as_attribute:
+            known, path = settings("noise"), ""
+        for name, attribute in self.at.attributes.items():
+            if setting := known.get(f"{path}@{name}"):
+                yield attribute, setting
+
+
+def written(sensor: Sensor) -> Iterator[Written]:
+    """The elements below the blocks of a sensor; what is in an unknown one is passed over."""
+    for block in sensor.at.children:
+        known = settings(block.tag)
+        if not known:
+            continue
+        stack = [("", child, known) for child in reversed(block.children)]
+        while stack:
+            path, element, known = stack.pop()
+            path += element.tag
+            around = element.parent.tag if element.parent else block.tag
+            yield Written(element, around, path, known)
+            if path not in known:
+                continue
+            if element.tag == "noise":
+                path, known = "", settings("noise")
+            else:
+                path += "/"
+            stack += [(path, child, known) for child in reversed(element.children)]
+
+
+def sensors(model: RobotModel) -> Iterator[Sensor]:
+    """The sensors of a model, in the order of the document."""
+    for gazebo in model.gazebo:
+        for element in gazebo.all("sensor"):
+            yield Sensor(
+                element,
+                element.get("name") or "",
+                element.get("type") or "",
+                gazebo.get("reference") or "",
+            )

@@ -1,0 +1,60 @@
+"""Values of tags as Gazebo reads them."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.text.document import Element
+
+#: Decimal or hexadecimal, as C's ``strtod`` has it.
+_FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"
+_INTEGER = r"\s*([-+]?(?:0x[\da-f]+|\d+))"
+
+#: Units that SDF means anyway: passing over them does no harm.
+_UNITS = ("hz", "m", "s", "rad", "kg", "n", "nm", "n/m", "m/s", "rad/s", "px", "pixel", "pixels")
+
+
+_TRUE = ("true", "yes", "1")
+
+
+def text_of(tag: Element) -> str:
+    """The value of a child of ``<gazebo>``; ``value=""`` is an old form."""
+    return tag.get("value") or tag.text.strip()
+
+
+def is_true(tag: Element) -> bool:
+    """True if Gazebo's converter takes the value of a tag for true."""
+    return text_of(tag).lower() in _TRUE
+
+
+def leading(text: str, *, whole: bool = False) -> tuple[str, str]:
+    """The number at the beginning of a text, which is read, and what behind it is lost.
+
+    Args:
+        text: the value of a tag.
+        whole: True where Gazebo reads an integer, which a point or an exponent ends.
+
+    Returns:
+        both empty if the text begins with no number.
+
+    >>> leading("0,5"), leading("50 cm"), leading("10 Hz"), leading("fast")
+    (('0', ',5'), ('50', 'cm'), ('10', ''), ('', ''))
+    >>> leading("640.0", whole=True), leading("1e2", whole=True)
+    (('640', ''), ('1', 'e2'))
+    """
+    plain = text if whole else text.removeprefix("-").replace(".", "", 1)
+    if plain.isascii() and plain.isdecimal():  # as most are: no pattern need be compiled
+        return text, ""
+    found = re.match(_INTEGER if whole else _FLOAT, text, re.IGNORECASE)
+    if found is None:
+        return "", ""
+    rest = text[found.end() :].strip()
+    is_harmless = rest.lower() in _UNITS or (whole and rest[:1] == "." and not rest.strip(".0"))
+    return found.group(1), "" if is_harmless else rest
+
+
+def value(text: str) -> float:
+    """The value of a number that ``leading`` has found."""
+    return float(int(text, 16)) if "x" in text.lower() else float(text)

@@ -1,0 +1,47 @@
+"""Launch files: which robot they describe, and which files and packages they need.
+
+XML of ROS 1 and ROS 2, and YAML and Python of ROS 2 are read, as far as constants reach; nothing of
+a launch file is run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.ros.launch.collect import Collector
+    from urdfkit.ros.launch.contents import Launch
+    from urdfkit.text.document import Frame
+    from urdfkit.text.source import Source
+    from urdfkit.workspace.resolve import Resolver
+
+
+def read_launch(
+    source: Source, resolver: Resolver, arguments: Mapping[str, str] | None = None
+) -> Launch:
+    """Read a launch file, and those that it includes.
+
+    Args:
+        source: the file.
+        resolver: finds packages.
+        arguments: of the launch file, ``name:=value``.
+    """
+    from urdfkit.ros.launch.collect import Collector
+
+    collector = Collector(resolver, _read)
+    _read(collector, source, arguments or {}, None)
+    return collector.launch()
+
+
+def _read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
+    if source.path.endswith(".py"):
+        from urdfkit.ros.launch.python import read
+    else:
+        from urdfkit.ros.launch.xml import read
+    read(collector, source, arguments, frame)

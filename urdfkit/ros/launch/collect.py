@@ -1,0 +1,149 @@
+"""What both kinds of launch file share: packages, files, and the xacro command line."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from urdfkit.errors import PackageNotFound, UnreadableFile
+from urdfkit.ros.launch.contents import (
+    MAX_DEPTH,
+    MAX_INCLUDED,
+    PARAMETERS,
+    Description,
+    FileUse,
+    Launch,
+    PackageUse,
+    Started,
+)
+from urdfkit.text.document import Frame, Tag
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import Problem
+from urdfkit.workspace.resolve import Resolver
+
+#: Stands for the folder of a package that was not found; files in it are not judged.
+UNKNOWN = "/package-not-found"
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+_XACRO = ("xacro", "xacro.py")
+#: Reads a launch file with the values of its arguments, included at a place.
+Reader: TypeAlias = "Callable[[Collector, Source, Mapping[str, str | None], Frame | None], None]"
+
+
+class Collector:
+    """Gathers what launch files need while they are read.
+
+    Args:
+        resolver: finds packages, and reads files.
+        reader: reads launch files of any kind.
+        outer: the launch files that include the one that is read.
+        included: how many have been included so far.
+    """
+
+    def __init__(
+        self, resolver: Resolver, reader: Reader, outer: tuple[str, ...] = (), included: int = 0
+    ) -> None:
+        self.resolver = resolver
+        self._reader = reader
+        self.outer = outer
+        self.descriptions: list[Description] = []
+        self.files: list[FileUse] = []
+        self.packages: dict[str, PackageUse] = {}
+        self.problems: list[Problem] = []
+        self.started: list[Started] = []
+        self.is_whole = True
+        self.names_parameters = False
+        self.included = included
+
+    def package(self, name: str, source: Source, span: Span) -> str | None:
+        """The folder of a package; notes that it is needed."""
+        try:
+            folder: str | None = self.resolver.package(name, source.path)
+            searched = None
+        except PackageNotFound as error:
+            folder, searched = None, error.searched
+        self.packages.setdefault(name, PackageUse(name, span, searched))
+        return folder
+
+    def file(self, path: str, span: Span, purpose: str) -> bool:
+        """Note that a file is needed; True if it is there."""
+        if path.startswith(f"{UNKNOWN}/"):
+            return False  # its package is told already
+        exists = os.path.exists(path) or self.resolver.installed(path) is not None
+        self.files.append(FileUse(span.text, path, exists, span, purpose))
+        return exists
+
+    def command(self, text: str, span: Span, frame: Frame) -> None:
+        """A shell command whose output is the robot description."""
+        try:
+            words = shlex.split(text)
+        except ValueError:
+            return  # an unfinished quote: the shell will say so
+        while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
+            words = words[1:]
+        if len(words) > 1 and words[0] == words[1] == "xacro":
+            words = words[1:]  # rosrun xacro xacro
+        if not words or os.path.basename(words[0]) not in (*_XACRO, "cat"):
+            return
+        files = [word for word in words[1:] if ":=" not in word and not word.startswith("-")]
+        arguments = dict(word.split(":=", 1) for word in words[1:] if ":=" in word)
+        if len(files) == 1:
+            self.description(files[0], arguments, span, frame)
+
+    def description(
+        self, path: str, arguments: Mapping[str, str | None], span: Span, frame: Frame
+    ) -> None:
+        """A file that is the robot description, expanded with arguments; None is not known."""
+        if not os.path.exists(path):
+            path = self.resolver.installed(path) or path
+        if self.file(path, span, "the robot description"):
+            known = {name: value for name, value in arguments.items() if value is not None}
+            is_whole = len(known) == len(arguments)
+            self.descriptions.append(Description(path, known, frame, is_whole))
+
+    def follow(
+        self, path: str, source: Source, arguments: Mapping[str, str | None], frame: Frame
+    ) -> None:
+        """Take over the robots and the parameters of an included launch file.
+
+        What else is in it is told when it is read by itself.
+
+        Args:
+            path: of the included file.
+            source: the file that includes it.
+            arguments: that it is given; None for those that only running it would tell.
+            frame: the place of the include.
+        """
+        outer = (*self.outer, source.path)
+        if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
+            return
+        try:
+            included = self.resolver.read(path)
+        except UnreadableFile:
+            return
+        inner = Collector(self.resolver, self._reader, outer, self.included + 1)
+        self._reader(inner, included, arguments, frame)
+        self.included = inner.included
+        self.descriptions += inner.descriptions
+        self.files += (one for one in inner.files if one.purpose == PARAMETERS and one.exists)
+        self.names_parameters = self.names_parameters or inner.names_parameters
+
+    def launch(self) -> Launch:
+        return Launch(
+            tuple(self.descriptions),
+            tuple(self.files),
+            tuple(self.packages.values()),
+            tuple(self.problems),
+            tuple(self.started),
+            self.is_whole,
+            self.names_parameters,
+        )
+
+
+def frame_at(source: Source, tag: Tag, outer: Frame | None) -> Frame:
+    """The step from a launch file to what it starts."""
+    return Frame("launch", os.path.basename(source.path), tag, None, outer)

@@ -1,0 +1,120 @@
+"""The arguments that a Python launch file uses and passes on."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterator
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch.argument_checks import (
+    declares_others,
+    is_included,
+    is_slip,
+    not_given,
+    not_taken,
+    undeclared,
+)
+from urdfkit.ros.launch.signature import Signature, declares, signature
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.source import Span
+from urdfkit.text.xml_reader import Problem
+
+
+class Configurations:
+    """The launch configurations of one file.
+
+    Args:
+        values: what its expressions give.
+        own: the arguments that it declares by plain names.
+        calls: of its program.
+        idle: those of them whose value nothing reads.
+    """
+
+    def __init__(
+        self, values: Values, own: Signature, calls: list[ast.Call], idle: Collection[ast.expr]
+    ) -> None:
+        self._values = values
+        self._calls = calls
+        self._idle = idle
+        declared = (argument(call, 0, "name") for call in calls if declares(call))
+        names = {values.text(name) for name in declared}
+        self._known = {name for name in names if name}
+        #: False if other modules or included files may declare what is used here.
+        self._is_whole = own.imports_plainly and None not in names
+
+    def include(self, call: ast.Call, path: str) -> Iterator[Problem]:
+        """What is wrong with the arguments that an included launch file is given."""
+        passed = self._passed(call)
+        try:
+            source = self._values.collector.resolver.read(path)
+        except UnreadableFile:
+            self._is_whole = self._is_whole and not declares_others(path)
+            return
+        taken = signature(source)
+        self._is_whole = self._is_whole and taken.is_whole
+        yield from not_taken(passed or (), taken, source, None, ros=2)
+        known = {*self._known, *(name for name, _ in passed or ())}
+        if passed is not None and not taken.required <= known and not self._may_be_lent():
+            yield from not_given(known, taken, source, self._values.span(call), None)
+        self._known |= taken.names  # which an include leaves behind
+
+    def given(self, call: ast.Call) -> dict[str, str | None] | None:
+        """The arguments of an include, with their values as far as those are known.
+
+        None if not even the names are. In ROS 2 an included file sees those of this one, too.
+        """
+        pairs = self._pairs(call)
+        if pairs is None:
+            return None
+        text = self._values.text
+        own = {name: self._values.configuration(name) for name in self._values.arguments}
+        return {**own, **{name: text(value) for key, value in pairs if (name := text(key))}}
+
+    def _passed(self, call: ast.Call) -> list[tuple[str, Span]] | None:
+        """The names of the arguments that an include passes; None if not all are known."""
+        pairs = self._pairs(call)
+        if pairs is None:
+            return None
+        names = [(self._values.text(key), key) for key, _ in pairs]
+        known = [(name, self._values.span(key)) for name, key in names if name and key]
+        return known if len(known) == len(names) else None
+
+    def _pairs(self, call: ast.Call) -> list[tuple[ast.expr | None, ast.expr]] | None:
+        """The names and values that an include passes; None if they are not written out."""
+        written = argument(call, 1, "launch_arguments")
+        if written is None:
+            return []
+        node = self._values.meant(written)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            node = self._values.meant(node.func.value) if node.func.attr == "items" else None
+        if isinstance(node, ast.Dict):
+            return list(zip(node.keys, node.values, strict=True))
+        if not isinstance(node, (ast.List, ast.Tuple)):
+            return None
+        pairs = [i.elts for i in node.elts if isinstance(i, ast.Tuple) and len(i.elts) == 2]
+        return [(k, v) for k, v in pairs] if len(pairs) == len(node.elts) else None
+
+    def undeclared(self) -> Iterator[Problem]:
+        """The uses of arguments that neither this file nor one that it includes declares."""
+        used: dict[str, ast.Call] = {}
+        for call in self._calls:
+            if (
+                called(call) == "LaunchConfiguration"
+                and argument(call, 1, "default") is None
+                and call not in self._idle
+            ):
+                name = self._values.text(argument(call, 0, "variable_name"))
+                if name:
+                    used.setdefault(name, call)
+        missing = {name: call for name, call in used.items() if name not in self._known}
+        if not missing or b".launch_configurations" in self._values.source.data:
+            return
+        is_sure = self._is_whole and not self._may_be_lent()
+        for name, call in missing.items():
+            if is_sure or is_slip(name, self._known):
+                span = self._values.span(call)
+                yield undeclared(name, self._known, span, None, is_lost=False)
+
+    def _may_be_lent(self) -> bool:
+        """True if files that include this one may give it more arguments than are known."""
+        return is_included(self._values.source.path, self._values.collector.resolver)

@@ -1,0 +1,112 @@
+"""What is found in a launch file."""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.text.document import Frame
+from urdfkit.text.source import Span
+from urdfkit.text.xml_reader import Problem
+
+#: What a file of parameters is called in messages.
+PARAMETERS = "the parameter file"
+
+#: Launch files that include one another.
+MAX_DEPTH = 8
+#: Includes that are followed from one launch file.
+MAX_INCLUDED = 200
+
+
+class Description(Record):
+    """A robot description that a launch file makes.
+
+    Attributes:
+        path: of the URDF or xacro.
+        arguments: for xacro.
+        frame: the launch file's place, for the chain of calls.
+        is_whole: False if it is given arguments that only running the launch file would tell.
+    """
+
+    path: str
+    arguments: dict[str, str]
+    frame: Frame
+    is_whole: bool = True
+
+
+class FileUse(Record):
+    """A file that a launch file names.
+
+    Attributes:
+        text: as written.
+        path: with its expressions resolved; absolute.
+        exists: False if nothing is there.
+        span: where it is named.
+        purpose: such as ``the RViz configuration``.
+    """
+
+    text: str
+    path: str
+    exists: bool
+    span: Span
+    purpose: str
+
+
+class PackageUse(Record):
+    """A package that a launch file names, and the folders searched if it was not found."""
+
+    name: str
+    span: Span
+    searched: tuple[str, ...] | None
+
+
+class Word(Record):
+    """A word of a command line; its text is None where only running the launch file would tell."""
+
+    text: str | None
+    span: Span
+
+
+class Started(Record):
+    """A program that a launch file starts.
+
+    Attributes:
+        package: empty for a program that is no node.
+        executable: in the package; empty if it is not known, or for a program.
+        words: of its command line; those of a program begin with its name.
+        parameters: names of the parameters that it is given; None if not all are known.
+        span: where it is started.
+        frame: the launch files that led there.
+    """
+
+    package: str
+    executable: str
+    words: tuple[Word, ...]
+    parameters: frozenset[str] | None
+    span: Span
+    frame: Frame | None
+
+
+class Launch(Record):
+    """What a launch file needs.
+
+    Attributes:
+        descriptions: the robots it describes.
+        files, packages: that it names, found or not.
+        problems: what is wrong with its text, under the codes of the rules that explain it.
+        started: the programs that it starts.
+        is_whole: False if it includes what was not read.
+        names_parameters: True if it gives parameters names that no file tells, by a namespace for
+            what is in a file, or in its own text.
+    """
+
+    descriptions: tuple[Description, ...]
+    files: tuple[FileUse, ...]
+    packages: tuple[PackageUse, ...]
+    problems: tuple[Problem, ...]
+    started: tuple[Started, ...]
+    is_whole: bool
+    names_parameters: bool
+
+    @property
+    def parameters(self) -> tuple[FileUse, ...]:
+        """The files of parameters that it loads."""
+        return tuple(file for file in self.files if file.purpose == PARAMETERS)

@@ -1,0 +1,88 @@
+"""Launch files in XML and in YAML as one kind of document.
+
+ROS 2 reads both with the same parsers of actions: a mapping in YAML is an element, a single value
+in it an attribute, and each item of a list one of several elements.
+Source: ``launch_yaml/entity.py`` of ros2/launch.
+"""
+
+from __future__ import annotations
+
+from urdfkit.text.document import Attribute, Document, Element, Tag
+from urdfkit.text.located_yaml import Key, Node, Value, load, slip
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import Problem, read_xml
+
+YAML = (".yaml", ".yml")
+#: What holds the actions of a group beside its attributes.
+_CHILDREN = "children"
+
+
+class _Placed(Attribute):
+    """An attribute that is a value in YAML."""
+
+    __slots__ = ("_value",)
+
+    def __init__(self, name: str, value: Value, element: Element) -> None:
+        super().__init__(name, value.text, element)
+        self._value = value
+
+    @property
+    def span(self) -> Span:
+        return self._value.span
+
+
+class _Action(Element):
+    """An element that is a mapping in YAML; its place is that of its key."""
+
+    __slots__ = ("_span",)
+
+    def __init__(self, tag: str, span: Span, parent: Element | None) -> None:
+        super().__init__(tag, Tag(span.source, span.start, span.start), parent)
+        self._span = span
+
+    @property
+    def span(self) -> Span:
+        return self._span
+
+
+def parsed(source: Source) -> tuple[Document | None, list[Problem]]:
+    """The document of a launch file, None if there is none, and what is wrong with its text."""
+    if not source.path.endswith(YAML):
+        return read_xml(source)
+    if found := slip(source):
+        span, reason = found
+        return None, [Problem("XML001", span, f"it is no YAML: {reason}")]
+    top = load(source)
+    key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None
+    if not isinstance(top, dict) or not isinstance(key, Key):
+        return None, []
+    root = _Action("launch", key.span, None)
+    _fill(root, top[key])
+    return Document(root, (source,)), []
+
+
+def _fill(element: Element, node: Node) -> None:
+    """Put what a node holds into an element; YAML is read to a bounded depth."""
+    for item in node if isinstance(node, list) else (node,):
+        for key, value in item.items() if isinstance(item, dict) else ():
+            if not isinstance(key, Key):
+                continue
+            if isinstance(value, Value):
+                element.attributes[key] = _Placed(key, value, element)
+            elif key == _CHILDREN:
+                _fill(element, value)
+            else:
+                _add(element, key, value)
+
+
+def _add(parent: Element, key: Key, node: Node) -> None:
+    """Add an action, or each of several that stand under one key."""
+    is_several = isinstance(node, list) and key in _SEVERAL
+    for item in node if isinstance(node, list) and is_several else (node,):
+        child = _Action(key, key.span, parent)
+        parent.children.append(child)
+        _fill(child, item)
+
+
+#: Keys whose list holds one element for each item; any other holds the children of one.
+_SEVERAL = frozenset(("arg", "env", "let", "param", "remap", "composable_node", "extra_arg"))

@@ -1,0 +1,200 @@
+"""Launch files in Python, of ROS 2: read as a syntax tree, never run."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping
+from itertools import pairwise
+
+from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.commands import run_together
+from urdfkit.ros.launch.configurations import Configurations
+from urdfkit.ros.launch.contents import PARAMETERS, Started
+from urdfkit.ros.launch.scopes import unread
+from urdfkit.ros.launch.signature import of_python
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text import python_source
+from urdfkit.text.document import Frame, Tag
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import Problem
+
+_PARAMETER_FILES = (".yaml", ".yml")
+_ROBOT_FILES = (".urdf", ".xacro")
+
+
+def read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
+    """What a launch file in Python needs, as far as constants reach."""
+    try:
+        tree = python_source.parse(source.data, source.path)
+    except SyntaxError as error:
+        start = source.offset(error.lineno or 1, error.offset or 1)
+        at = Span(source, start, start)
+        collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
+        return
+    _Reader(collector, source, tree, arguments, frame).read()
+
+
+class _Reader:
+    """Reads the calls of one launch file that make actions."""
+
+    def __init__(
+        self,
+        collector: Collector,
+        source: Source,
+        tree: ast.Module,
+        arguments: Mapping[str, str | None],
+        frame: Frame | None,
+    ) -> None:
+        self.collector = collector
+        self.source = source
+        self.frame = frame
+        self.values = Values(collector, source, tree, arguments)
+        self.calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        self.configurations = Configurations(self.values, of_python(tree), self.calls, unread(tree))
+
+    def read(self) -> None:
+        for call in self.calls:
+            if called(call) == "DeclareLaunchArgument":
+                self._declare(call)
+        handles = {
+            "Command": self._command,
+            "ExecuteProcess": self._process,
+            "IncludeLaunchDescription": self._include,
+            "Node": self._node,
+            "open": self._open,
+            "parse": self._parse,
+            "process_file": self._process_file,
+        }
+        for call in self.calls:
+            if handle := handles.get(called(call)):
+                handle(call)
+        self.collector.problems += self.configurations.undeclared()
+
+    def _declare(self, call: ast.Call) -> None:
+        name = self.values.text(argument(call, 0, "name"))
+        default = argument(call, 1, "default_value")
+        if name and default is not None:
+            self.values.arguments.setdefault(name, default)
+
+    # ---------------------------------------------------------------- calls
+
+    def _node(self, call: ast.Call) -> None:
+        package = argument(call, None, "package")
+        name = self.values.text(package)
+        if name and package is not None:
+            self.collector.package(name, self.source, self.values.span(package))
+        words = argument(call, None, "arguments")
+        listed = self.values.items(words) if words else []
+        for flag, value in pairwise(listed):
+            if value and self.values.text(flag) in ("-d", "--display-config"):
+                self._file(value, "the RViz configuration")
+        parameters = argument(call, None, "parameters")
+        for value in self.values.items(parameters) if parameters else ():
+            if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
+                self._file(value, PARAMETERS)
+        executable = argument(call, None, "executable") or argument(call, None, "node_executable")
+        started = Started(
+            name or "",
+            self.values.text(executable) or "",
+            self.values.words(words),
+            None if argument(call, None, "ros_arguments") else self._parameters(parameters),
+            self.values.span(call),
+            None,
+        )
+        self.collector.started.append(started)
+
+    def _parameters(self, node: ast.expr | None) -> frozenset[str] | None:
+        """The names of the parameters in a list of dictionaries; None if it holds others."""
+        names: set[str] = set()
+        for item in self.values.items(node) if node else ():
+            given = self.values.meant(item)
+            if not isinstance(given, ast.Dict):
+                return None
+            for key in given.keys:
+                name = self.values.text(key)
+                if name is None:
+                    return None
+                names.add(name)
+        return frozenset(names)
+
+    def _process(self, call: ast.Call) -> None:
+        words = self.values.words(argument(call, 0, "cmd"))
+        span = self.values.span(call)
+        self.collector.started.append(Started("", "", words, frozenset(), span, None))
+
+    def _include(self, call: ast.Call) -> None:
+        node = argument(call, 0, "launch_description_source")
+        path = self.values.text(node)
+        path = "" if path is None else self.values.path(path)
+        is_there = False
+        if node is not None and path:
+            is_there = self.collector.file(path, self.values.span(node), "the included launch file")
+        self.collector.is_whole = self.collector.is_whole and is_there
+        self.collector.problems += self.configurations.include(call, path)
+        passed = self.configurations.given(call)
+        if is_there and passed is not None and not self._is_off(call):
+            self.collector.follow(path, self.source, passed, self._frame(call))
+
+    def _is_off(self, action: ast.Call) -> bool:
+        """True if its condition does not hold; what cannot be known counts as on."""
+        condition = self.values.meant(argument(action, None, "condition"))
+        if not isinstance(condition, ast.Call):
+            return False
+        value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
+        off = {"IfCondition": ("false", "0"), "UnlessCondition": ("true", "1")}
+        return value in off.get(called(condition), ())
+
+    def _command(self, call: ast.Call) -> None:
+        command = argument(call, 0, "command")
+        if slip := run_together(self.values, command):
+            self.collector.problems.append(slip)
+            return
+        text = self.values.text(command)
+        if text is not None:
+            self.collector.command(text, self.values.span(call), self._frame(call))
+
+    def _process_file(self, call: ast.Call) -> None:
+        """Of the module xacro."""
+        self._describe(call, argument(call, 0, "input_file_name"))
+
+    def _parse(self, call: ast.Call) -> None:
+        """``xacro.parse(open(path))``, which ``xacro.process_doc`` expands."""
+        file = argument(call, 0, "inp")
+        if isinstance(call.func, ast.Attribute) and isinstance(file, ast.Call):
+            module = call.func.value
+            if isinstance(module, ast.Name) and module.id == "xacro" and called(file) == "open":
+                self._describe(call, argument(file, 0, "file"))
+
+    def _open(self, call: ast.Call) -> None:
+        """A plain URDF, whose text becomes a parameter."""
+        file = argument(call, 0, "file")
+        if (self.values.text(file) or "").endswith(".urdf"):
+            self._describe(call, file)
+
+    def _describe(self, call: ast.Call, file: ast.expr | None) -> None:
+        path = self.values.text(file)
+        if path is None:
+            return
+        mappings = self.values.meant(argument(call, None, "mappings"))
+        arguments: dict[str, str | None] = {}
+        if isinstance(mappings, ast.Dict):
+            for key, value in zip(mappings.keys, mappings.values, strict=True):
+                arguments[self.values.text(key) or ""] = self.values.text(value)
+        elif argument(call, None, "mappings") is not None:
+            arguments[""] = None
+        span = self.values.span(call)
+        self.collector.description(self.values.path(path), arguments, span, self._frame(call))
+
+    def _frame(self, call: ast.Call) -> Frame:
+        start = self.values.span(call).start
+        return frame_at(self.source, Tag(self.source, start, start), self.frame)
+
+    def _file(self, node: ast.expr, purpose: str) -> None:
+        path = self.values.text(node)
+        if path is not None:
+            self.collector.file(self.values.path(path), self.values.span(node), purpose)

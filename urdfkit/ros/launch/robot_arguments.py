@@ -1,0 +1,212 @@
+"""The arguments that the launch files of a package give to one of its robots."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Collection, Iterator
+from functools import lru_cache
+from itertools import islice
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch import read_launch
+from urdfkit.ros.launch.contents import Description
+from urdfkit.ros.launch.markup import parsed
+from urdfkit.ros.launch.signature import arguments_in
+from urdfkit.ros.launch.values import argument, called
+from urdfkit.text import python_source
+from urdfkit.text.document import Element, Frame
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.resolve import Resolver
+
+#: Launch files of a package that are read, and folders in which they are looked for.
+MAX_FILES, MAX_FOLDERS = 200, 2000
+#: Sets of arguments that are taken of one robot; the UR arms have nine.
+MAX_GIVEN = 16
+
+
+class Given(Record):
+    """Arguments of a robot.
+
+    Attributes:
+        arguments: for xacro.
+        launch: path of the launch file that gives them.
+        frame: its place; None if it gives them to another robot.
+    """
+
+    arguments: dict[str, str]
+    launch: str
+    frame: Frame | None
+
+
+def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given]:
+    """What launch files give to a robot that lacks arguments, each set of them once.
+
+    That is what the launch files of its package start it with, else those of other packages of
+    the workspace. If none of them does, it is those of the needed arguments that they give to the
+    other robots of the package: a launch file may be told which one to start.
+
+    Args:
+        robot: path of the URDF or xacro.
+        needed: names of the arguments that it lacks.
+        resolver: finds packages, and reads files.
+    """
+    real = os.path.realpath(robot)
+    own: dict[tuple[tuple[str, str], ...], Given] = {}
+    others: dict[tuple[str, ...], Given] = {}
+    package = resolver.packages.enclosing(robot)
+    for folder, name in _searched(robot, resolver):
+        for launch, description in _descriptions(folder, name, resolver):
+            arguments = description.arguments
+            if not arguments.keys() >= set(needed):
+                continue
+            if os.path.realpath(description.path) == real:
+                key = tuple(sorted(arguments.items()))
+                own.setdefault(key, Given(arguments, launch, description.frame))
+            elif resolver.packages.enclosing(description.path) == package:
+                chosen = {name: arguments[name] for name in needed}
+                others.setdefault(tuple(chosen.values()), Given(chosen, launch, None))
+        if own:
+            break
+    return list(islice((own or others).values(), MAX_GIVEN))
+
+
+def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
+    """The values that launch files about the package of a robot declare for their own arguments.
+
+    Args:
+        robot: path of the URDF or xacro.
+        resolver: finds packages, and reads files.
+
+    Yields:
+        The path of a launch file, and the choices or the default of each of its arguments.
+    """
+    for folder, name in _searched(robot, resolver):
+        yield from _declarations(folder, name, resolver)
+
+
+def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
+    """Folders in which launch files may start a robot, with the package that they then mention."""
+    if package := resolver.packages.enclosing(robot):
+        yield package[1], ""
+        workspace = resolver.packages.workspace(robot)
+        if workspace != package[1]:
+            yield workspace, package[0]
+
+
+@lru_cache(maxsize=2)  # the robots of a package are asked for one after the other
+def _descriptions(
+    folder: str, mentioned: str, resolver: Resolver
+) -> tuple[tuple[str, Description], ...]:
+    """The robots that launch files of a folder start, with the path of the launch file."""
+    return tuple(
+        (source.path, description)
+        for source in _launch_files(folder, mentioned, resolver)
+        for choice in _choices(source)
+        for description in read_launch(source, resolver, choice).descriptions
+    )
+
+
+@lru_cache(maxsize=2)
+def _declarations(
+    folder: str, mentioned: str, resolver: Resolver
+) -> tuple[tuple[str, dict[str, list[str]]], ...]:
+    return tuple(
+        (source.path, _declared(source, with_defaults=True))
+        for source in _launch_files(folder, mentioned, resolver)
+    )
+
+
+def _launch_files(folder: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
+    """The launch files of a folder in whose text a package is mentioned."""
+    files = filter(is_launch, resolver.folders.files_below(folder, MAX_FOLDERS))
+    for path in islice(files, MAX_FILES):
+        try:
+            source = resolver.read(path)
+        except UnreadableFile:
+            continue  # a dangling link, or no permission
+        if mentioned.encode() in source.data:
+            yield source
+
+
+def _choices(source: Source) -> Iterator[dict[str, str]]:
+    """Ways to start a launch file.
+
+    An argument without a default takes each of its choices; the others then their first one.
+    """
+    choices = _declared(source, with_defaults=False)
+    first = {name: values[0] for name, values in choices.items()}
+    yield first
+    for name, values in choices.items():
+        for value in values[1:]:
+            yield first | {name: value}
+
+
+class _Argument(Record):
+    """An argument that a launch file declares.
+
+    Attributes:
+        name: empty if only running the launch file would tell.
+        choices: each is empty if only running it would tell.
+        default: None if there is none, or only running it would tell.
+        is_open: True if there is none.
+    """
+
+    name: str
+    choices: tuple[str, ...]
+    default: str | None
+    is_open: bool
+
+
+def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
+    """The choices of the arguments of a launch file.
+
+    Args:
+        source: of the launch file.
+        with_defaults: also those of arguments with a default, and defaults without choices.
+    """
+    found: dict[str, list[str]] = {}
+    for one in _of_python(source) if source.path.endswith(".py") else _of_xml(source):
+        values = [choice for choice in one.choices if choice]
+        if with_defaults and not values and one.default is not None:
+            values = [one.default]
+        if one.name and values and (with_defaults or one.is_open):
+            found[one.name] = values
+    return found
+
+
+def _of_python(source: Source) -> Iterator[_Argument]:
+    try:
+        tree = python_source.parse(source.data)
+    except SyntaxError:
+        return  # which its own check tells
+    for call in ast.walk(tree):
+        if isinstance(call, ast.Call) and called(call) == "DeclareLaunchArgument":
+            choices, default = argument(call, None, "choices"), argument(call, 1, "default_value")
+            listed = choices.elts if isinstance(choices, (ast.List, ast.Tuple)) else ()
+            yield _Argument(
+                _constant(argument(call, 0, "name")) or "",
+                tuple(_constant(choice) or "" for choice in listed),
+                _constant(default),
+                default is None,
+            )
+
+
+def _constant(node: ast.expr | None) -> str | None:
+    value = node.value if isinstance(node, ast.Constant) else None
+    return value if isinstance(value, str) else None
+
+
+def _of_xml(source: Source) -> Iterator[_Argument]:
+    document, _ = parsed(source)
+    declared: Iterator[Element] = arguments_in(document.root) if document else iter(())
+    for element in declared:
+        default = element.get("default") or element.get("value")
+        yield _Argument(
+            element.get("name") or "",
+            tuple(child.get("value") or "" for child in element.children if child.tag == "choice"),
+            None if default is None or "$" in default else default,
+            default is None,
+        )

@@ -1,0 +1,100 @@
+"""Which expression a name in a Python program stands for, where only one can be meant."""
+
+from __future__ import annotations
+
+import ast
+
+from urdfkit.core.record import Record
+
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+
+
+class _Scope(Record):
+    """The values that names get in one function or module; None is what only running tells."""
+
+    values: dict[str, list[ast.expr | None]]
+    outer: _Scope | None
+
+    def bind(self, name: str, value: ast.expr | None) -> None:
+        self.values.setdefault(name, []).append(value)
+
+
+class Scopes:
+    """The names of a program, each in the function that it stands in.
+
+    A name that is given two different values has none here: which of them holds at a place, only
+    running the program would tell.
+    """
+
+    def __init__(self, tree: ast.Module) -> None:
+        self._scope_of: dict[int, _Scope] = {}
+        stack: list[tuple[ast.AST, _Scope]] = [(tree, _Scope({}, None))]
+        while stack:
+            node, scope = stack.pop()
+            if isinstance(node, ast.Name):
+                self._scope_of[id(node)] = scope
+            inner = self._bound(node, scope)
+            stack += [(child, inner) for child in ast.iter_child_nodes(node)]
+
+    def value(self, name: ast.Name) -> ast.expr | None:
+        """What a name stands for where it is used; None if that is not certain."""
+        scope = self._scope_of.get(id(name))
+        while scope is not None and name.id not in scope.values:
+            scope = scope.outer
+        values = scope.values[name.id] if scope else [None]
+        first = values[0]
+        return first if all(_are_alike(first, other) for other in values[1:]) else None
+
+    @staticmethod
+    def _bound(node: ast.AST, scope: _Scope) -> _Scope:
+        """Note the names that a node binds; the scope of what is in it."""
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            target = node.targets[0]
+            if isinstance(target, ast.Name):
+                scope.bind(target.id, node.value)
+                return scope
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            scope.bind(node.target.id, node.value)
+        elif isinstance(node, _FUNCTIONS):
+            inner = _Scope({}, scope)
+            parameters = node.args
+            for argument in (*parameters.posonlyargs, *parameters.args, *parameters.kwonlyargs):
+                inner.bind(argument.arg, None)
+            return inner
+        else:
+            for name in _stored(node):
+                scope.bind(name, None)
+        return scope
+
+
+def unread(tree: ast.Module) -> set[ast.expr]:
+    """The expressions that are given to names which nothing reads."""
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    read = {name.id for name in names if isinstance(name.ctx, ast.Load)}
+    return {
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign)
+        and all(isinstance(name, ast.Name) and name.id not in read for name in node.targets)
+    }
+
+
+def _are_alike(one: ast.expr | None, other: ast.expr | None) -> bool:
+    if one is None or other is None:
+        return False
+    try:
+        return ast.dump(one) == ast.dump(other)
+    except RecursionError:  # a sum of a thousand parts
+        return False
+
+
+def _stored(node: ast.AST) -> list[str]:
+    """The names that a statement other than a plain assignment writes to."""
+    targets: list[ast.AST | None] = []
+    if isinstance(node, ast.Assign):
+        targets += node.targets
+    elif isinstance(node, (ast.AugAssign, ast.For, ast.AsyncFor, ast.comprehension, ast.NamedExpr)):
+        targets.append(node.target)
+    elif isinstance(node, ast.withitem):
+        targets.append(node.optional_vars)
+    return [n.id for t in targets if t for n in ast.walk(t) if isinstance(n, ast.Name)]

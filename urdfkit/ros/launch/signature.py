@@ -1,0 +1,141 @@
+"""Which arguments a launch file takes."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.ros.launch.markup import parsed
+from urdfkit.ros.launch.values import argument, called
+from urdfkit.text import python_source
+from urdfkit.text.document import Element
+from urdfkit.text.source import Source
+
+#: Actions that declare an argument, of launch and of packages such as moveit_configs_utils.
+_DECLARE = re.compile(r"Declare\w*Arg\w*$")
+#: Modules whose functions declare nothing.
+_PLAIN = frozenset(sys.stdlib_module_names) | frozenset(
+    "ament_index_python launch launch_param_builder launch_ros launch_xml lifecycle_msgs "
+    "moveit_configs_utils nav2_common numpy rclpy xacro yaml".split()
+)
+
+
+class Signature(Record):
+    """The arguments of a launch file.
+
+    Attributes:
+        required: names of those that must be given.
+        optional: of the others.
+        imports_plainly: False if functions of other modules may declare more.
+        is_plain: True if these are all that it declares itself.
+        includes: True if it includes other files, which may take more.
+    """
+
+    required: frozenset[str]
+    optional: frozenset[str]
+    imports_plainly: bool
+    is_plain: bool
+    includes: bool
+
+    @property
+    def names(self) -> frozenset[str]:
+        return self.required | self.optional
+
+    @property
+    def is_whole(self) -> bool:
+        """True if it takes no others."""
+        return self.is_plain and not self.includes
+
+
+#: A use of an argument in XML.
+USE = re.compile(r"\$\((?:arg|var)\s+['\"]?([^\s()$'\"]+)['\"]?\s*\)")
+
+_UNKNOWN = Signature(frozenset(), frozenset(), False, False, False)
+
+
+def signature(source: Source) -> Signature:
+    """The arguments of a launch file; one that cannot be read may take any."""
+    if source.path.endswith(".py"):
+        try:
+            tree = python_source.parse(source.data)
+        except SyntaxError:
+            return _UNKNOWN
+        return of_python(tree)
+    document, _ = parsed(source)
+    if document is None or document.root.tag != "launch":
+        return _UNKNOWN
+    required: set[str] = set()
+    optional: set[str] = set()
+    for element in arguments_in(document.root):
+        fixed = {"default", "value", "if", "unless"} & set(element.attributes)
+        (optional if fixed else required).add(element.get("name") or "")
+    used = _used(document.root)
+    optional |= required - used
+    includes = any(element.tag == "include" for element in document.root.walk())
+    return Signature(frozenset(required & used), frozenset(optional), True, True, includes)
+
+
+def arguments_in(root: Element) -> Iterator[Element]:
+    """The declarations of arguments in XML; not what an ``<include>`` passes."""
+    for element in root.walk():
+        inside = element.parent.tag if element.parent else ""
+        if element.tag in ("arg", "let") and inside != "include":
+            yield element
+
+
+def _used(root: Element) -> set[str]:
+    """The arguments without which a launch file stops: those used under no condition."""
+    used: set[str] = set()
+    stack = [root]
+    while stack:
+        element = stack.pop()
+        conditions = [element.attributes[n] for n in ("if", "unless") if n in element.attributes]
+        for attribute in conditions or element.attributes.values():
+            used.update(USE.findall(attribute.value))
+        if not conditions:
+            stack += element.children
+    return used
+
+
+def of_python(tree: ast.Module) -> Signature:
+    """The arguments that a Python launch file declares."""
+    required: set[str] = set()
+    optional: set[str] = set()
+    imports_plainly = is_plain = _imported(tree) <= _PLAIN
+    includes = False
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Call):
+            continue
+        name = called(node)
+        includes = includes or name == "IncludeLaunchDescription"
+        if not declares(node):
+            continue
+        word = argument(node, 0, "name")
+        if not isinstance(word, ast.Constant) or not isinstance(word.value, str):
+            is_plain = False
+            continue
+        words = {keyword.arg for keyword in node.keywords}
+        is_given = len(node.args) > 1 or not words.isdisjoint(("default_value", "condition", None))
+        needs = name == "DeclareLaunchArgument" and not is_given
+        (required if needs else optional).add(word.value)
+    return Signature(frozenset(required), frozenset(optional), imports_plainly, is_plain, includes)
+
+
+def declares(call: ast.Call) -> bool:
+    """True for an action that makes a launch configuration."""
+    name = called(call)
+    return name == "SetLaunchConfiguration" or bool(_DECLARE.match(name))
+
+
+def _imported(tree: ast.Module) -> set[str]:
+    """The first parts of the names of the modules that a program imports."""
+    names: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            names.add(node.module or "." if node.level == 0 else ".")
+    return {name.partition(".")[0] for name in names}

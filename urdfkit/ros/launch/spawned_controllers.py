@@ -1,0 +1,51 @@
+"""The controllers that a launch file has loaded, by the spawner's and ros2control's command line.
+
+Sources: ``spawner`` of ros-controls/ros_control (noetic) and of ros-controls/ros2_control (humble
+to rolling), ``load_controller`` of its ros2controlcli.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.ros.launch.contents import Started, Word
+
+_SPAWNERS = ("spawner", "spawner.py")
+_LOADS = ("load", "spawn")
+_LOAD_CONTROLLER = ("ros2", "control", "load_controller")
+#: Options with a value.
+_VALUED = frozenset(
+    "-c --controller-manager -p --param-file -n --namespace -t --controller-type -r --timeout "
+    "--controller-manager-timeout --switch-timeout --service-call-timeout --controller-ros-args "
+    "--wait-for --shutdown-timeout --set-state --spin-time".split()
+)
+#: Options after which the command line itself says what a controller is.
+_DEFINING = frozenset(("-t", "--controller-type"))
+
+
+def controllers(started: Started) -> Iterator[Word]:
+    """The names of controllers that a program loads by what others define."""
+    words = _arguments(started)
+    texts = [(word.text or "").partition("=")[0] for word in words]
+    if not _DEFINING.isdisjoint(texts):
+        return
+    is_value = False
+    for word, text in zip(words, texts, strict=True):
+        if text == "--ros-args":
+            return
+        if not is_value and word.text and not text.startswith("-"):
+            yield word
+        is_value = text in _VALUED and "=" not in (word.text or "")
+
+
+def _arguments(started: Started) -> tuple[Word, ...]:
+    """What stands behind the command; nothing if it loads no controllers."""
+    words = started.words
+    if started.package == "controller_manager":
+        if started.executable in _SPAWNERS:
+            return words
+        if started.executable == "controller_manager" and words and words[0].text in _LOADS:
+            return words[1:]
+    if tuple(word.text for word in words[:3]) == _LOAD_CONTROLLER:
+        return words[3:]
+    return ()

@@ -1,0 +1,106 @@
+"""Substitutions in launch files of XML: ``$(find pkg)``, ``$(var x)`` and the like."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.evaluation import evaluate
+from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
+
+#: What ROS 1 and ROS 2 would substitute in a file of parameters.
+_IN_FILES = {
+    1: r"\$\((arg|find|env|optenv|eval) [^)\n]*\)",
+    2: r"\$\((var|find-pkg-share|find-pkg-prefix|env) [^)\n]*\)",
+}
+#: Substitutions inside one another that are followed.
+MAX_LEVELS = 50
+
+
+class Substitutions:
+    """What texts of one launch file become.
+
+    Args:
+        collector: is told of the packages that are met.
+        source: the file.
+        values: of its arguments, as far as they are known; they grow while it is read.
+    """
+
+    def __init__(self, collector: Collector, source: Source, values: dict[str, str]) -> None:
+        self._collector = collector
+        self._source = source
+        self._values = values
+
+    def text(self, text: str, span: Span, level: int = 0) -> str | None:
+        """A text after substitution; None where it cannot be known without running it."""
+        if level > MAX_LEVELS:
+            return None
+        parts: list[str] = []
+        for is_command, part in pieces(text):
+            value = self.command(part, span, level) if is_command else part
+            if value is None:
+                return None
+            parts.append(value)
+        return "".join(parts)
+
+    def command(self, content: str, span: Span, level: int = 0) -> str | None:
+        """What stands for the content of ``$(...)``; None where that is not known."""
+        if content.startswith("eval "):  # the quotes in it are those of the expression
+            functions = {"find": lambda name: self._found(name, span)}
+            return evaluate(content[len("eval ") :], self._values, functions)
+        inner = self.text(content, span, level + 1)
+        words = inner.split(None, 1) if inner else []
+        if not words:
+            return None
+        command, rest = words[0], words[1].strip() if len(words) > 1 else ""
+        if command in ("find", "find-pkg-share", "find-pkg-prefix"):
+            return self._found(rest, span)
+        if command in ("arg", "var"):
+            return self._values.get(rest)
+        if command == "dirname":
+            return os.path.dirname(os.path.abspath(self._source.path))
+        if command in ("optenv", "env"):
+            default = rest.split(None, 1)
+            return default[1].strip("'\"") if len(default) > 1 else None
+        return None  # anon, exec-in-pkg, command
+
+    def _found(self, package: str, span: Span) -> str:
+        """The folder of a package.
+
+        Only the file in it matters; that xacro itself is installed does not.
+        """
+        found = self._collector.package(package, self._source, span)
+        return found if found is not None else f"{UNKNOWN}/{package}"
+
+
+def pieces(text: str) -> Iterator[tuple[bool, str]]:
+    """The text outside of ``$(...)``, and the contents of those, nested ones kept whole."""
+    start = position = 0
+    while (opening := text.find("$(", position)) >= 0:
+        depth, end = 0, opening
+        for end in range(opening, len(text)):
+            depth += {"(": 1, ")": -1}.get(text[end], 0)
+            if text[end] == ")" and depth == 0:
+                break
+        else:
+            break
+        if opening > start:
+            yield False, text[start:opening]
+        yield True, text[opening + 2 : end]
+        start = position = end + 1
+    if start < len(text):
+        yield False, text[start:]
+
+
+def unmade(path: str, ros: int, resolver: Resolver) -> str | None:
+    """The first substitution that stands in a YAML file; None if there is none."""
+    try:
+        text = resolver.read(path).data.decode("utf-8", "replace")
+    except UnreadableFile:
+        return None
+    found = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
+    return found.group(0) if found else None

@@ -1,0 +1,167 @@
+"""The texts that expressions of a Python launch file give, as far as constants reach."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterable, Mapping
+
+from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.contents import Word
+from urdfkit.ros.launch.scopes import Scopes
+from urdfkit.text.source import Source, Span
+
+#: Expressions inside one another that are followed.
+MAX_DEPTH = 40
+
+_PACKAGE_FOLDER = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
+_JOINED = ("PathJoinSubstitution", "join", "joinpath")
+_PASSED_ON = (
+    "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
+    "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
+    "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
+)  # fmt: skip
+
+
+class Values:
+    """Follows constants through one launch file.
+
+    Args:
+        collector: is told of the packages that are met.
+        source: the file.
+        tree: its program.
+        arguments: of the launch file; texts, or expressions of their defaults; None for those
+            that are not known.
+    """
+
+    def __init__(
+        self,
+        collector: Collector,
+        source: Source,
+        tree: ast.Module,
+        arguments: Mapping[str, str | None],
+    ) -> None:
+        self.collector = collector
+        self.source = source
+        self.arguments: dict[str, ast.expr | str | None] = dict(arguments)
+        self._scopes = Scopes(tree)
+
+    def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
+        """The text that an expression gives; None where only running it would tell."""
+        if node is None or depth > MAX_DEPTH:
+            return None
+        if isinstance(node, ast.Constant):
+            return str(node.value) if isinstance(node.value, (str, int, float)) else None
+        if isinstance(node, ast.Name):
+            return self.text(self._scopes.value(node), depth + 1)
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return _joined(self.text(item, depth + 1) for item in node.elts)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
+            between = os.sep if isinstance(node.op, ast.Div) else ""
+            return _joined((self.text(n, depth + 1) for n in (node.left, node.right)), between)
+        if isinstance(node, ast.JoinedStr):
+            return _joined(self.text(part, depth + 1) for part in node.values)
+        if isinstance(node, ast.FormattedValue):
+            return self.text(node.value, depth + 1)
+        return self._of_call(node, depth) if isinstance(node, ast.Call) else None
+
+    def meant(self, node: ast.expr | None) -> ast.expr | None:
+        """An expression, or what a name stands for; None where that is not certain."""
+        for _ in range(MAX_DEPTH):
+            if not isinstance(node, ast.Name):
+                return node
+            node = self._scopes.value(node)
+        return None
+
+    def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
+        """The items of a list; None stands for any number of unknown ones."""
+        node = self.meant(node)
+        if isinstance(node, (ast.List, ast.Tuple)):
+            return [None if isinstance(item, ast.Starred) else item for item in node.elts]
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and depth < MAX_DEPTH:
+            left, right = (self.items(side, depth + 1) for side in (node.left, node.right))
+            return left + right
+        return [None]
+
+    def words(self, node: ast.expr | None) -> tuple[Word, ...]:
+        """The words of a command line that a list gives; none if there is no list."""
+        if node is None:
+            return ()
+        place = self.span(node)
+        return tuple(
+            Word(None, place) if item is None else Word(self.text(item), self.span(item))
+            for item in self.items(node)
+        )
+
+    def path(self, text: str) -> str:
+        """A path as launch finds it: absolute, or beside the launch file."""
+        folder = os.path.dirname(os.path.abspath(self.source.path))
+        return os.path.normpath(os.path.join(folder, text))
+
+    def span(self, node: ast.expr) -> Span:
+        """The place of a node; ast counts columns in bytes of UTF-8."""
+        starts = self.source.offset(node.lineno, 1) + node.col_offset
+        end_line, end_column = node.end_lineno or node.lineno, node.end_col_offset or 0
+        return Span(self.source, starts, self.source.offset(end_line, 1) + end_column)
+
+    def _of_call(self, call: ast.Call, depth: int) -> str | None:
+        name = called(call)
+        if name in _PACKAGE_FOLDER:
+            return self._package_folder(call, depth)
+        if name in _JOINED:
+            parts = list(call.args)
+            if len(parts) == 1 and isinstance(parts[0], (ast.List, ast.Tuple)):
+                parts = list(parts[0].elts)
+            return _joined((self.text(part, depth + 1) for part in parts), os.sep)
+        if name == "LaunchConfiguration":
+            return self._of_configuration(call, depth)
+        if name == "FindExecutable":
+            return self.text(argument(call, 0, "name"), depth + 1)
+        if name == "find" and isinstance(call.func, ast.Attribute):
+            package = call.func.value  # FindPackageShare(...).find(...)
+            is_one = isinstance(package, ast.Call) and called(package) in _PACKAGE_FOLDER
+            return self.text(package, depth + 1) if is_one else None
+        if name in _PASSED_ON and call.args:
+            return self.text(call.args[0], depth + 1)
+        return None
+
+    def _package_folder(self, call: ast.Call, depth: int) -> str | None:
+        package = self.text(argument(call, 0, "package"), depth + 1)
+        if package is None:
+            return None
+        folder = self.collector.package(package, self.source, self.span(call))
+        return f"{UNKNOWN}/{package}" if folder is None else folder
+
+    def configuration(self, name: str, depth: int = 0) -> str | None:
+        """The value of an argument of the launch file; None where it is not known."""
+        value = self.arguments.get(name)
+        return value if isinstance(value, str) else self.text(value, depth + 1)
+
+    def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
+        name = self.text(argument(call, 0, "variable_name"), depth + 1)
+        return self.configuration(name or "", depth)
+
+
+def called(call: ast.Call) -> str:
+    """The last part of what is called."""
+    function = call.func
+    if isinstance(function, ast.Attribute):
+        return function.attr
+    return function.id if isinstance(function, ast.Name) else ""
+
+
+def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None:
+    """An argument of a call, by name or position."""
+    for keyword in call.keywords:
+        if keyword.arg == name:
+            return keyword.value
+    if position is not None and position < len(call.args):
+        return call.args[position]
+    return None
+
+
+def _joined(parts: Iterable[str | None], between: str = "") -> str | None:
+    """Texts one after the other; None if one of them is not known."""
+    texts = list(parts)
+    known = [text for text in texts if text is not None]
+    return between.join(known) if len(known) == len(texts) else None

@@ -1,0 +1,375 @@
+"""Launch files in XML, of ROS 1 and ROS 2, and in the YAML of ROS 2."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Iterable, Mapping
+
+from urdfkit.errors import UnreadableFile
+from urdfkit.ros.launch.argument_checks import (
+    declares_others,
+    is_included,
+    is_slip,
+    not_given,
+    not_taken,
+    undeclared,
+)
+from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Started, Word
+from urdfkit.ros.launch.markup import YAML, parsed
+from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
+from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
+from urdfkit.ros.launch.tags import dialect, slips
+from urdfkit.text.document import Attribute, Element, Frame
+from urdfkit.text.source import Source, Span
+from urdfkit.text.xml_reader import Problem
+from urdfkit.workspace.manifest import manifest_of
+
+_RVIZ = re.compile(r"(?:^|\s)(?:-d|--display-config)\s+(\S+)")
+#: Groups inside one another that are followed.
+MAX_LEVELS = 50
+#: More slips of one launch file help nobody.
+MAX_PROBLEMS = 1000
+#: What launch refuses to read.
+_BROKEN = ("XML001", "XML002", "XML006", "XAC013")
+#: Stands in a word for what only running the launch file would tell.
+_UNKNOWN_WORD = "\0"
+_DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
+
+
+def read(
+    collector: Collector,
+    source: Source,
+    arguments: Mapping[str, str | None],
+    frame: Frame | None,
+) -> None:
+    """What a launch file in XML or YAML needs; files that it includes are followed."""
+    _File(collector, source, arguments, (), frame, collector.outer).read()
+
+
+class _File:
+    """One launch file, with the values of its arguments."""
+
+    def __init__(
+        self,
+        collector: Collector,
+        source: Source,
+        arguments: Mapping[str, str | None],
+        lent: Iterable[str] = (),
+        frame: Frame | None = None,
+        outer: tuple[str, ...] = (),
+    ) -> None:
+        self.collector = collector
+        self.source = source
+        self.given = dict(arguments)
+        self.values = {name: value for name, value in arguments.items() if value is not None}
+        self.substitutions = Substitutions(collector, source, self.values)
+        self.frame = frame
+        self.outer = outer
+        self._ros: int | None = None
+        self._level = 0
+        #: Names of arguments, those that the including file lends among them.
+        self._declared: set[str] = {*arguments, *lent}
+        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+        self._is_whole = True
+
+    def read(self) -> None:
+        document, problems = parsed(self.source)
+        is_launch = document is not None and document.root.tag == "launch"
+        is_yaml = self.source.path.endswith(YAML)
+        broken = [problem for problem in problems if problem.code in _BROKEN]
+        if broken:
+            self._unreadable(broken[0].span, broken[0].message)
+        elif not is_launch:
+            root = "root key is not launch" if is_yaml else "root element is not <launch>"
+            self._unreadable(Span(self.source, 0, 0), f"the {root}")
+        if document is not None and is_launch:
+            self._ros = 2 if is_yaml else dialect(document.root) or self._ros_of_package()
+            self._children(document.root)
+            self._tell_undeclared()
+
+    def _unreadable(self, at: Span, reason: str) -> None:
+        problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
+        self.collector.problems.append(problem)
+
+    def _children(self, parent: Element) -> None:
+        if self._level >= MAX_LEVELS:
+            return
+        self._level += 1
+        handles = {
+            "arg": self._arg,
+            "executable": self._executable,
+            "group": self._children,
+            "include": self._include,
+            "let": self._arg,
+            "node": self._node,
+            "param": self._param,
+            "rosparam": self._rosparam,
+            "test": self._node,
+        }
+        for element in parent.children:
+            self._references(element, ("if", "unless"))
+            if self._is_off(element):
+                # Other values of the arguments may turn it on.
+                self._declared |= {e.get("name") or "" for e in arguments_in(element)}
+                continue
+            self._look_at(element)
+            if handle := handles.get(element.tag):
+                handle(element)
+        self._level -= 1
+
+    def _is_off(self, element: Element) -> bool:
+        """True if a condition says so; what cannot be known counts as on."""
+        for name, off in (("if", ("false", "0")), ("unless", ("true", "1"))):
+            attribute = element.attributes.get(name)
+            if attribute and (self.text(attribute) or "").strip().lower() in off:
+                return True
+        return False
+
+    def _ros_of_package(self) -> int | None:
+        manifest = manifest_of(self.collector.resolver, self.source.path)
+        return manifest.ros if manifest else None
+
+    # -------------------------------------------------------- what is wrong
+
+    def _look_at(self, element: Element) -> None:
+        if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
+            self.collector.problems += slips(element, self._ros, self.frame)
+        self._references(element, element.attributes)
+
+    def _references(self, element: Element, names: Iterable[str]) -> None:
+        """Note the arguments that are used and not declared so far."""
+        for name in names:
+            attribute = element.attributes.get(name)
+            for used in USE.findall(attribute.value) if attribute else ():
+                if attribute and used not in self._declared:
+                    self._undeclared.setdefault(used, (attribute.span, frozenset(self._declared)))
+
+    def _tell_undeclared(self) -> None:
+        missing = self._undeclared
+        if self._ros == 2:  # where what an include declares, holds behind it
+            missing = {n: use for n, use in missing.items() if n not in self._declared}
+        if missing and not self._is_sure():
+            missing = {n: use for n, use in missing.items() if is_slip(n, use[1])}
+        is_lost = self._ros == 1 and bool(self.outer)
+        for name, (span, declared) in missing.items():
+            if name in self._declared:
+                message = f"argument '{name}' is used before it is declared"
+                problem = Problem("LAU006", span, message, frame=self.frame)
+            else:
+                problem = undeclared(name, declared, span, self.frame, is_lost=is_lost)
+            self.collector.problems.append(problem)
+
+    def _is_sure(self) -> bool:
+        """True if no other file can declare what this one uses."""
+        return (self._ros == 1 or self._is_whole) and not self._may_be_lent()
+
+    def _may_be_lent(self) -> bool:
+        """True if files that include this one may give it more arguments than are known."""
+        return not self.outer and is_included(self.source.path, self.collector.resolver)
+
+    # ------------------------------------------------------------- elements
+
+    def _arg(self, element: Element) -> None:
+        name = element.get("name") or ""
+        self._declared.add(name)
+        attribute = element.attributes.get("value") or element.attributes.get("default")
+        if attribute and name not in self.given:
+            value = self.text(attribute)
+            if value is not None:
+                self.values[name] = value
+
+    def _include(self, element: Element) -> None:
+        for child in element.children:
+            self._look_at(child)
+        attribute = element.attributes.get("file")
+        path = self._path_in(attribute) if attribute else None
+        purpose = "the included launch file"
+        if attribute and path and self.collector.file(path, attribute.span, purpose):
+            self._included(element, path)
+            return
+        self.collector.is_whole = False
+        self._is_whole = self._is_whole and not declares_others(path or "")
+
+    def _included(self, element: Element, path: str) -> None:
+        try:
+            source = self.collector.resolver.read(path)
+        except UnreadableFile:
+            return
+        taken = signature(source)
+        self._is_whole = self._is_whole and taken.is_whole
+        self._compare(element, taken, source)
+        if self._ros == 2:
+            self._declared |= taken.names  # which an include leaves behind
+        frame = frame_at(self.source, element.tag_at, self.frame)
+        if path.endswith(".py"):
+            self.collector.is_whole = False
+            self.collector.follow(path, self.source, self._passed(element), frame)
+            return
+        here = (*self.outer, self.source.path)
+        is_xml = not path.endswith((".yaml", ".yml"))
+        is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
+        self.collector.included += 1
+        if not is_followed or self.collector.included > MAX_INCLUDED:
+            self.collector.is_whole = False
+            return
+        lent = {child.get("name") or "" for child in element.children}
+        if self._lends(element):
+            lent |= self._declared
+        _File(self.collector, source, self._passed(element), lent, frame, here).read()
+
+    def _lends(self, element: Element) -> bool:
+        """True if an included file sees all arguments of this one."""
+        return self._ros == 2 or element.get("pass_all_args") in ("true", "True", "1")
+
+    def _compare(self, element: Element, taken: Signature, source: Source) -> None:
+        """Tell how the arguments of an include differ from those of the file."""
+        passed = [
+            (name.value, name.span)
+            for child in element.children
+            if (name := child.attributes.get("name")) and child.tag == "arg"
+        ]
+        if element.get("pass_all_args"):
+            return  # what was given on the command line, too
+        known = {name for name, _ in passed}
+        if self._ros == 2:
+            known |= self._declared
+        problems = self.collector.problems
+        problems += not_taken(passed, taken, source, self.frame, ros=self._ros or 2)
+        if self._ros == 1 or not self._may_be_lent():
+            problems += not_given(known, taken, source, element.span, self.frame)
+
+    def _passed(self, element: Element) -> dict[str, str | None]:
+        """The arguments of an include; None for those that only running it would tell."""
+        passed: dict[str, str | None] = {**self.values} if self._lends(element) else {}
+        for child in element.children:
+            attribute = child.attributes.get("value")
+            if child.tag in ("arg", "let") and attribute:
+                passed[child.get("name") or ""] = self.text(attribute)
+        return passed
+
+    def _param(self, element: Element) -> None:
+        name = (element.get("name") or "").strip()
+        frame = frame_at(self.source, element.tag_at, self.frame)
+        if name.endswith("/type"):  # of a controller, in ROS 1
+            self.collector.names_parameters = True
+        for key in ("command", "textfile", "value", "from"):
+            attribute = element.attributes.get(key)
+            if attribute is None:
+                continue
+            if key == "from":
+                self._parameter_file(attribute, "allow_substs")
+            elif key == "textfile" and _DESCRIPTION.search(name):
+                path = self.text(attribute)
+                if path is not None:
+                    self.collector.description(self._path(path), {}, attribute.span, frame)
+            elif _DESCRIPTION.search(name):
+                self._described(attribute, frame)
+
+    def _described(self, attribute: Attribute, frame: Frame) -> None:
+        """The command of a robot description: ROS 1's attribute, ROS 2's ``$(command '...')``."""
+        text = attribute.value
+        if attribute.name == "value":
+            found = re.fullmatch(r"\s*\$\(command\s+(['\"])(.*)\1[^)]*\)\s*", text, re.DOTALL)
+            if found is None:
+                return
+            text = found.group(2)
+        command = self.substitutions.text(text, attribute.span)
+        if command is not None:
+            self.collector.command(command, attribute.span, frame)
+
+    def _node(self, element: Element) -> None:
+        package = element.attributes.get("pkg")
+        name = self.text(package) if package else None
+        if package and name:
+            self.collector.package(name, self.source, package.span)
+        arguments = element.attributes.get("args")
+        if arguments:
+            found = _RVIZ.search(self.text(arguments) or "")
+            if found:
+                path = self._path(found.group(1))
+                self.collector.file(path, arguments.span, "the RViz configuration")
+        executable = element.attributes.get("exec") or element.attributes.get("type")
+        started = Started(
+            name or "",
+            (self.text(executable) if executable else None) or "",
+            self._words(arguments),
+            self._parameters(element),
+            element.span,
+            self.frame,
+        )
+        self.collector.started.append(started)
+        self._children(element)
+
+    def _executable(self, element: Element) -> None:
+        words = self._words(element.attributes.get("cmd"))
+        started = Started("", "", words, frozenset(), element.span, self.frame)
+        self.collector.started.append(started)
+
+    def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:
+        """The words of a command line; the places of plain ones."""
+        if attribute is None:
+            return ()
+        written: list[str] = []
+        for is_command, part in pieces(attribute.value):
+            value = self.substitutions.command(part, attribute.span) if is_command else part
+            # An argument that is empty unless somebody gives it stands for a word, too.
+            written.append(value or _UNKNOWN_WORD)
+        text = "".join(written)
+        try:
+            words = shlex.split(text)
+        except ValueError:  # an unfinished quote
+            words = text.split()
+        return tuple(
+            Word(None if _UNKNOWN_WORD in word else word, attribute.span) for word in words
+        )
+
+    def _parameters(self, element: Element) -> frozenset[str] | None:
+        """The names of the parameters that a node is given in ROS 2, if no files give some.
+
+        In ROS 1 parameters belong to no node.
+        """
+        if self._ros != 2 or any(child.get("from") for child in element.children):
+            return None
+        return frozenset(child.get("name") or "" for child in element.all("param"))
+
+    def _rosparam(self, element: Element) -> None:
+        attribute = element.attributes.get("file")
+        if element.get("command") not in (None, "load"):
+            return
+        if attribute:
+            self._parameter_file(attribute, "subst_value")
+        if not attribute or "ns" in element.attributes or "param" in element.attributes:
+            self.collector.names_parameters = True
+
+    def text(self, attribute: Attribute) -> str | None:
+        """The value of an attribute; None where it cannot be known without running it."""
+        return self.substitutions.text(attribute.value, attribute.span)
+
+    def _parameter_file(self, attribute: Attribute, switch: str) -> None:
+        """A file of parameters; the switch lets launch make the substitutions in it."""
+        path = self._path_in(attribute)
+        if path is None or not self.collector.file(path, attribute.span, PARAMETERS):
+            return
+        switched = attribute.element.get(switch)
+        if switched not in (None, "false", "False", "0") or self._ros is None:
+            return
+        if found := unmade(path, self._ros, self.collector.resolver):
+            message = f"'{os.path.basename(path)}' holds {found}, which stays as it is written"
+            help = f'write {switch}="true"'
+            problem = Problem("LAU019", attribute.span, message, help, self.frame)
+            self.collector.problems.append(problem)
+
+    def _path_in(self, attribute: Attribute) -> str | None:
+        """The path that an attribute names; None if it needs an argument that is empty so far."""
+        if any(self.values.get(name) == "" for name in USE.findall(attribute.value)):
+            return None
+        text = self.text(attribute)
+        return None if text is None else self._path(text)
+
+    def _path(self, text: str) -> str:
+        return os.path.normpath(
+            os.path.join(os.path.dirname(os.path.abspath(self.source.path)), text)
+        )

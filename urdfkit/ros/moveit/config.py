@@ -1,0 +1,117 @@
+"""The YAML files of MoveIt beside an SRDF: solvers, planners and controllers of its groups.
+
+Source: ``moveit_configs_utils`` and ``moveit_simple_controller_manager`` of moveit2, the launch
+files of the setup assistant of MoveIt 1.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.text.located_yaml import Key, Node, Value, load
+
+if TYPE_CHECKING:
+    from urdfkit.ros.moveit.srdf import Srdf
+    from urdfkit.workspace.resolve import Resolver
+
+#: Files with a section for each group, and the keys by which one is known.
+_OF_GROUPS = {
+    "kinematics.yaml": ("kinematics_solver",),
+    "ompl_planning.yaml": ("planner_configs", "default_planner_config", "projection_evaluator"),
+}
+_OF_CONTROLLERS = (
+    "moveit_controllers.yaml",
+    "simple_moveit_controllers.yaml",
+    "fake_controllers.yaml",
+)
+_INITIAL = "initial_positions.yaml"
+_MANAGER = "moveit_simple_controller_manager"
+#: What only launch or a template fills in.
+_OPEN = ("$", "<", "{")
+
+
+class GroupEntry(Record):
+    """What a file says of a planning group.
+
+    Attributes:
+        name: of the group.
+        values: of its section, by name.
+        is_alone: True if its file speaks of no other group.
+    """
+
+    name: Key
+    values: dict[str, Node]
+    is_alone: bool
+
+
+def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
+    """The sections of planning groups, in the files that have some."""
+    for file, marks in _OF_GROUPS.items():
+        found = [
+            (key, node)
+            for key, node in _mappings(_load(srdf, file, resolver))
+            if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
+        ]
+        for key, node in found:
+            yield GroupEntry(key, node, len(found) == 1)
+
+
+def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
+    """The joints that the files name, each with who names it."""
+    for name, section in controllers(srdf, resolver):
+        joints = section.get("joints")
+        for joint in joints if isinstance(joints, list) else ():
+            if isinstance(joint, Value) and not joint.text.startswith(_OPEN):
+                yield f"controller '{name}'", joint
+    for _, positions in _mappings(_load(srdf, _INITIAL, resolver)):
+        for key in positions:
+            if isinstance(key, Key) and not key.startswith(_OPEN):
+                yield _INITIAL, key.at
+
+
+def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str, Node]]]:
+    """The controllers that MoveIt sends trajectories to, with their settings."""
+    for file in _OF_CONTROLLERS:
+        root = _load(srdf, file, resolver)
+        for _, manager in _mappings(root):
+            yield from _mappings(manager)
+        listed = root.get("controller_list") if isinstance(root, dict) else None
+        for item in listed if isinstance(listed, list) else ():  # in ROS 1
+            name = item.get("name") if isinstance(item, dict) else None
+            if isinstance(item, dict) and isinstance(name, Value):
+                yield name.text, item
+
+
+def names_without_settings(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
+    """The names of controllers for which there are no settings, with those that have some."""
+    root = _load(srdf, _OF_CONTROLLERS[0], resolver)
+    manager = root.get(_MANAGER) if isinstance(root, dict) else None
+    names = manager.get("controller_names") if isinstance(manager, dict) else None
+    known = [str(key) for key, _ in _mappings(manager)]
+    for name in names if isinstance(names, list) else ():
+        if isinstance(name, Value) and name.text not in known and not name.text.startswith(_OPEN):
+            yield name, known
+
+
+def _mappings(node: Node) -> Iterator[tuple[Key, dict[str, Node]]]:
+    for key, inner in node.items() if isinstance(node, dict) else ():
+        if isinstance(key, Key) and isinstance(inner, dict):
+            yield key, inner
+
+
+def _load(srdf: Srdf, name: str, resolver: Resolver) -> Node:
+    """A file beside the SRDF, or in the configuration that it is part of."""
+    folder = os.path.dirname(os.path.abspath(srdf.path))
+    above = os.path.dirname(folder)
+    for place in (folder, above, os.path.join(above, "config")):
+        path = os.path.join(place, name)
+        if os.path.isfile(path) and resolver.allows(path, srdf.path):
+            try:
+                return load(resolver.read(path))
+            except UrdfkitError:
+                return None
+    return None

@@ -1,0 +1,79 @@
+"""MoveIt's joint_limits.yaml, which lies beside the SRDF and overrides limits of the robot.
+
+Source: ``robot_model`` and ``robot_model_loader`` of MoveIt 1 and 2.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from math import radians
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.robot.model import number
+from urdfkit.text.located_yaml import Key, Value, load
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+_FILE = "joint_limits.yaml"
+_ON = ("true", "yes", "on", "1")
+
+
+class PlannedLimit(Record):
+    """What the file says of one joint.
+
+    Attributes:
+        joint: its name.
+        at: where its name stands.
+        values: by name, such as ``max_velocity``.
+    """
+
+    joint: str
+    at: Value
+    values: dict[str, Value]
+
+    def is_on(self, switch: str) -> bool:
+        """True if a switch such as ``has_velocity_limits`` is on."""
+        on = self.values.get(switch)
+        return on is not None and on.text.strip().lower() in _ON
+
+    def bound(self, name: str, switch: str) -> float | None:
+        """A bound in rad, m and seconds, where its switch is on; None without one."""
+        value = self.values.get(name)
+        if value is None or not self.is_on(switch):
+            return None
+        found = number(value.text)
+        # Launch files of ROS 1 and xacro read these tags; radians are what there is without one.
+        return radians(found) if found is not None and value.tag == "!degrees" else found
+
+
+def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:
+    """The limits that MoveIt plans with, in the order of the file; nothing where there is none."""
+    path = _find(subject)
+    if path is None or not subject.resolver.allows(path, subject.source.path):
+        return
+    try:
+        root = load(subject.resolver.read(path))
+    except UrdfkitError:
+        return
+    limits = root.get("joint_limits") if isinstance(root, dict) else None
+    for name, entry in limits.items() if isinstance(limits, dict) else ():
+        values = entry.items() if isinstance(entry, dict) else ()
+        given = {key: value for key, value in values if isinstance(value, Value)}
+        if given and isinstance(name, Key):
+            yield PlannedLimit(name, name.at, given)
+
+
+def _find(subject: Subject) -> str | None:
+    """Beside the SRDF, or in ``config`` of its package."""
+    if subject.srdf is None:
+        return None
+    folder = os.path.dirname(os.path.abspath(subject.srdf.path))
+    for place in (folder, os.path.join(os.path.dirname(folder), "config")):
+        path = os.path.join(place, _FILE)
+        if os.path.isfile(path):
+            return path
+    return None

@@ -1,0 +1,249 @@
+"""SRDF: MoveIt's groups, states and allowed collisions, read beside the robot that they are of.
+
+Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which refuses what does not fit
+the robot.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile
+from urdfkit.text.document import Attribute, Document, Element
+from urdfkit.text.xml_reader import Problem, is_xacro, read_xml
+from urdfkit.workspace.siblings import other_srdf_files, srdf_files
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import Joint
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.workspace.resolve import Resolver
+
+
+class Srdf:
+    """One SRDF and the robot it belongs to.
+
+    Attributes:
+        path: of the file.
+        root: its ``<robot>`` element.
+        groups, states, end_effectors, virtual_joints: their elements.
+    """
+
+    def __init__(self, path: str, root: Element, tree: KinematicTree) -> None:
+        self.path = path
+        self.root = root
+        self.tree = tree
+        self.groups = tuple(root.all("group"))
+        self.states = tuple(root.all("group_state"))
+        self.end_effectors = tuple(root.all("end_effector"))
+        self.virtual_joints = tuple(root.all("virtual_joint"))
+
+    @cached_property
+    def groups_by_name(self) -> dict[str, list[Element]]:
+        """The elements of each group; a name may have several, which MoveIt joins."""
+        found: dict[str, list[Element]] = {}
+        for group in self.groups:
+            found.setdefault(group.get("name") or "", []).append(group)
+        return found
+
+    @cached_property
+    def disabled(self) -> dict[frozenset[str], Element]:
+        """The pairs of links that are disabled one by one, each with its first element."""
+        found: dict[frozenset[str], Element] = {}
+        for element in self.root.all("disable_collisions"):
+            found.setdefault(pair_of(element), element)
+        return found
+
+    def disables(self, pair: frozenset[str]) -> bool:
+        """True if the collisions of two links are not checked.
+
+        ``disable_default_collisions`` is for all pairs of a link, unless enabled again (MoveIt
+        2.5).
+        """
+        if pair in self.disabled:
+            return True
+        links = {one.get("link") or "" for one in self.root.all("disable_default_collisions")}
+        enabled = {pair_of(one) for one in self.root.all("enable_collisions")}
+        return not links.isdisjoint(pair) and pair not in enabled
+
+    def references(self) -> Iterator[tuple[str, Attribute]]:
+        """What names a ``link``, ``joint`` or ``group``, apart from the collision matrix."""
+        for group in self.groups:
+            for child in group.children:
+                if child.tag in ("link", "joint", "group"):
+                    yield from _named(child.tag, child, "name")
+                elif child.tag == "chain":
+                    yield from _named("link", child, "base_link", "tip_link")
+        for state in self.states:
+            yield from _named("group", state, "group")
+            for joint in state.all("joint"):
+                yield from _named("joint", joint, "name")
+        for effector in self.end_effectors:
+            yield from _named("group", effector, "group", "parent_group")
+            yield from _named("link", effector, "parent_link")
+        for virtual in self.virtual_joints:
+            yield from _named("link", virtual, "child_link")
+        for passive in self.root.all("passive_joint"):
+            yield from _named("joint", passive, "name")
+
+    @cached_property
+    def named(self) -> set[str]:
+        """The links and joints that are named anywhere, the collision matrix included."""
+        pairs = (*self.root.all("disable_collisions"), *self.root.all("enable_collisions"))
+        names = {name.value for kind, name in self.references() if kind != "group"}
+        return names.union(*map(pair_of, pairs)) - {""}
+
+    @cached_property
+    def unknown(self) -> set[str]:
+        """Those of them that the robot does not have."""
+        return self.named - self.known("link") - self.known("joint")
+
+    @cached_property
+    def speaks_of_robot(self) -> bool:
+        """True if the robot has at least half of the links and joints that are named."""
+        named = [(kind, name.value) for kind, name in self.references() if kind != "group"]
+        known = {kind: self.known(kind) for kind in ("link", "joint")}
+        return 2 * sum(name in known[kind] for kind, name in named) >= len(named)
+
+    @cached_property
+    def fits_robot(self) -> bool:
+        """True if it is of this robot and this variant: slips apart, one name may be strange."""
+        if self.root.get("name") != self.tree.model.name:
+            return False
+        strange = {
+            name.value
+            for kind, name in self.references()
+            if name.value not in (known := self.known(kind)) and not nearest(name.value, known)
+        }
+        return self.speaks_of_robot and len(strange) <= 1
+
+    def known(self, kind: str) -> set[str]:
+        """The names of a kind that the robot or this file has."""
+        if kind == "group":
+            return set(self.groups_by_name)
+        if kind == "link":
+            return set(self.tree.model.links_by_name)
+        virtual = {joint.get("name") or "" for joint in self.virtual_joints}
+        return virtual | set(self.tree.model.joints_by_name)
+
+    def way(self, base: str, tip: str) -> list[Joint] | None:
+        """The joints from a link down to another one; None if the second is not below."""
+        joints: list[Joint] = []
+        name = tip
+        while name != base:
+            above = self.tree.parents.get(name)
+            if not above or above[0].parent is None or len(joints) > len(self.tree.parents):
+                return None
+            joints.append(above[0])
+            name = above[0].parent.value
+        return joints[::-1]
+
+    def links_of(self, name: str, seen: frozenset[str] = frozenset()) -> set[str]:
+        """The links of a group, with those of its subgroups; bounded where they are circular."""
+        links: set[str] = set()
+        if name in seen:
+            return links
+        for group in self.groups_by_name.get(name, ()):
+            for child in group.children:
+                links |= self._links_of_part(child, seen | {name})
+        return links
+
+    def _links_of_part(self, part: Element, seen: frozenset[str]) -> set[str]:
+        name = part.get("name") or ""
+        if part.tag == "link":
+            return {name}
+        if part.tag == "joint":
+            joint = self.tree.model.joints_by_name.get(name)
+            return {joint.child.value} if joint and joint.child else set()
+        if part.tag == "group":
+            return self.links_of(name, seen)
+        if part.tag == "chain":
+            joints = self.way(part.get("base_link") or "", part.get("tip_link") or "")
+            return {joint.child.value for joint in joints or () if joint.child}
+        return set()
+
+
+def pair_of(element: Element) -> frozenset[str]:
+    """The links that an element of the collision matrix is about."""
+    return frozenset((element.get("link1") or "", element.get("link2") or ""))
+
+
+def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attribute]]:
+    for key in keys:
+        attribute = element.attributes.get(key)
+        if attribute is not None:
+            yield kind, attribute
+
+
+def find(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+    """The SRDF of a robot, if exactly one lies beside it; one that cannot be read is none.
+
+    One with another name is the robot's if it speaks of its links and joints; one of a package of
+    MoveIt that may be for other robots, too, if it fits this one.
+
+    Args:
+        path: of the robot.
+        tree: of it.
+        resolver: finds files.
+        trust: let expressions of a xacro run unfenced and read any file.
+    """
+    read_files = (read(one, tree, resolver, trust=trust) for one in srdf_files(path, resolver))
+    found = [srdf for srdf in read_files if srdf is not None]
+    same = [srdf for srdf in found if srdf.root.get("name") == tree.model.name]
+    chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
+    if not found:
+        others = other_srdf_files(path, tree.model.name, resolver)
+        read_files = (read(one, tree, resolver, trust=trust) for one in others)
+        chosen = [srdf for srdf in read_files if srdf is not None and srdf.fits_robot]
+    return chosen[0] if len(chosen) == 1 else None
+
+
+def read(path: str, tree: KinematicTree, resolver: Resolver, *, trust: bool) -> Srdf | None:
+    """An SRDF file, of the robot with this tree; None if it cannot be read."""
+    document, _ = _parsed(path, resolver, trust=trust)
+    if document is None or document.root.tag != "robot":
+        return None
+    return Srdf(path, document.root, tree)
+
+
+def is_srdf(root: Element) -> bool:
+    """True for the root of an SRDF; a URDF, too, is a ``<robot>``, but has links."""
+    return root.tag == "robot" and root.child("link") is None
+
+
+def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
+    """Why the SRDF of a robot cannot be read: the only one there, or one with the robot's name.
+
+    Args:
+        path: of the robot's file.
+        name: of the robot.
+        resolver: finds and reads the files.
+    """
+    paths = srdf_files(path, resolver)
+    for one in paths:
+        if len(paths) == 1 or _stem(one) in (name, _stem(path)):
+            document, problems = _parsed(one, resolver, trust=False)
+            if document is None:
+                yield from problems
+
+
+def _stem(path: str) -> str:
+    return os.path.basename(path).partition(".")[0]
+
+
+def _parsed(
+    path: str, resolver: Resolver, *, trust: bool
+) -> tuple[Document | None, Sequence[Problem]]:
+    try:
+        source = resolver.read(path)
+    except UnreadableFile:
+        return None, ()
+    if is_xacro(source):
+        from urdfkit.xacro import expand
+
+        # What it lacks may be what a launch file passes.
+        return expand(source, resolver, trust=trust).document, ()
+    return read_xml(source)

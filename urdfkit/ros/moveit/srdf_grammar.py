@@ -1,0 +1,105 @@
+"""The grammar of SRDF as data, and what of a file deviates from it.
+
+Source: srdfdom's parser (``src/model.cpp``). Other programs keep tags of their own in the same
+file, so an unknown name is told only where it is a slip of a known one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+
+if TYPE_CHECKING:
+    from urdfkit.text.document import Attribute, Element
+
+
+class Kind(Record):
+    """What an element has; ``text`` of ``children`` are tags, of the others attributes."""
+
+    required: tuple[str, ...] = ()
+    optional: tuple[str, ...] = ()
+    children: tuple[str, ...] = ()
+
+
+class Slip(Record):
+    """A tag or attribute that is no part of SRDF, and the one that was meant."""
+
+    at: Element | Attribute
+    parent: Element
+    name: str
+    meant: str
+
+
+#: By tag; ``joint`` of a state has a value, too.
+KINDS = {
+    "robot": Kind(
+        ("name",),
+        ("version",),
+        tuple(
+            "group group_state end_effector virtual_joint passive_joint disable_collisions "
+            "enable_collisions disable_default_collisions link_sphere_approximation "
+            "joint_property".split()
+        ),
+    ),
+    "group": Kind(("name",), (), ("link", "joint", "chain", "group")),
+    "link": Kind(("name",)),
+    "joint": Kind(("name",)),
+    "chain": Kind(("base_link", "tip_link")),
+    "group_state": Kind(("name", "group"), (), ("joint",)),
+    "end_effector": Kind(("name", "group", "parent_link"), ("parent_group",)),
+    "virtual_joint": Kind(("name", "type", "parent_frame", "child_link")),
+    "passive_joint": Kind(("name",)),
+    "disable_collisions": Kind(("link1", "link2"), ("reason",)),
+    "enable_collisions": Kind(("link1", "link2"), ("reason",)),
+    "disable_default_collisions": Kind(("link",)),
+    "link_sphere_approximation": Kind(("link",), (), ("sphere",)),
+    "sphere": Kind(("center", "radius")),
+    "joint_property": Kind(("joint_name", "property_name", "value")),
+}
+_STATE_JOINT = Kind(("name", "value"))
+
+#: How like a name a word must be to be taken for a slip of it.
+_SLIP = 0.75
+
+
+def _elements(root: Element) -> Iterator[tuple[Element, Kind]]:
+    """The elements that SRDF knows, outer ones first."""
+    stack = [root]
+    while stack:
+        element = stack.pop()
+        kind = KINDS[element.tag]
+        if element.tag == "joint" and element.parent and element.parent.tag == "group_state":
+            kind = _STATE_JOINT
+        yield element, kind
+        stack += [child for child in reversed(element.children) if child.tag in kind.children]
+
+
+def slips(root: Element) -> Iterator[Slip]:
+    """The misspelt tags and attributes of a file."""
+    for element, kind in _elements(root):
+        for child in element.children:
+            if child.tag not in kind.children and ":" not in child.tag:
+                meant = nearest(child.tag, kind.children, _SLIP)
+                if meant:
+                    yield Slip(child, element, child.tag, meant)
+        names = (*kind.required, *kind.optional)
+        for attribute in element.attributes.values():
+            if attribute.name not in names and ":" not in attribute.name:
+                meant = nearest(attribute.name, names, _SLIP)
+                if meant and element.get(meant) is None:
+                    yield Slip(attribute, element, attribute.name, meant)
+
+
+def lacking(root: Element) -> Iterator[tuple[Element, str]]:
+    """The elements without an attribute that they need, each with the attribute.
+
+    Slips are left out.
+    """
+    misspelt = {(id(slip.parent), slip.meant) for slip in slips(root)}
+    for element, kind in _elements(root):
+        for name in kind.required:
+            if not element.get(name) and (id(element), name) not in misspelt:
+                yield element, name

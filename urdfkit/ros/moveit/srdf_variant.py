@@ -1,0 +1,96 @@
+"""Whether an SRDF is made for another variant of a robot: with more parts, or without a prefix."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.text.source import shown
+from urdfkit.text.xml_reader import is_xacro
+from urdfkit.workspace.file_head import peek
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+    from urdfkit.ros.moveit.srdf import Srdf
+
+#: The part of the names in an SRDF that must be unknown to a robot for it to be of another one,
+#: and the part of these that the other one must know.
+_UNKNOWN, _KNOWN = 0.25, 0.9
+_FEWEST = 3
+#: Bounds of the search for the other robot.
+_MAX_FOLDERS, _MAX_FILES, _MAX_XACROS = 200, 60, 10
+_MAX_BYTES = 4 * 1024 * 1024
+
+
+def other_variant(subject: Subject, srdf: Srdf) -> str:
+    """What is wrong if the SRDF is for another variant of the robot; empty if it is not.
+
+    That takes more than names that nobody knows, which an outdated SRDF has, too: with a prefix
+    they are those of this robot, or another robot of the package has them.
+    """
+    unknown = srdf.unknown
+    if len(unknown) < max(_FEWEST, _UNKNOWN * len(srdf.named)):
+        return ""
+    known = srdf.known("link") | srdf.known("joint")
+    told = f"{len(unknown)} of {len(srdf.named)} names in the SRDF are not in this robot"
+    prefix = _prefix(unknown, known)
+    if prefix:
+        return f"{told}, whose names begin with '{prefix}'"
+    prefix = _prefix(known - srdf.named, unknown)
+    if prefix:
+        return f"{told}; they begin with '{prefix}'"
+    other = next(_robots_with(unknown, subject), "")
+    return f"{told}; they are in {shown(other)}" if other else ""
+
+
+def _prefix(bare: set[str], prefixed: set[str]) -> str:
+    """What nearly all of some names lack to be those of others."""
+    begins = Counter(
+        longer[: -len(name)]
+        for name in bare
+        for longer in prefixed
+        if name and len(longer) > len(name) and longer.endswith(name)
+    )
+    # Of two that fit, the shorter: each name is then a whole one.
+    fitting = [begin for begin, count in begins.items() if count >= _KNOWN * len(bare)]
+    return min(fitting, key=len, default="")
+
+
+def _robots_with(names: set[str], subject: Subject) -> Iterator[str]:
+    """The other descriptions of the package that have nearly all of some links and joints."""
+    package = subject.resolver.packages.enclosing(subject.source.path)
+    if package is None:
+        return
+    own = os.path.realpath(subject.source.path)
+    below = subject.resolver.folders.files_below(package[1], _MAX_FOLDERS)
+    paths = [path for path in below if path.endswith((".urdf", ".xacro"))]
+    robots = [path for path in paths if os.path.realpath(path) != own and _is_robot(path)]
+    xacros = 0
+    for path in robots[:_MAX_FILES]:
+        data = peek(path, _MAX_BYTES)
+        if _fits(names, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}):
+            yield path
+        elif xacros < _MAX_XACROS and is_xacro(subject.resolver.read(path)):
+            xacros += 1
+            other = subject.beside(path, subject.arguments)
+            if other.reading.document is not None:
+                model = other.model
+                if _fits(names, {*model.links_by_name, *model.joints_by_name}):
+                    yield path
+
+
+_NAME = re.compile(rb"""<(?:link|joint)\b[^<>]*?\bname\s*=\s*["']([^"'<>]*)""")
+_ROBOT = re.compile(rb"<robot\b[^<>]*\bname\s*=")
+
+
+def _is_robot(path: str) -> bool:
+    return not path.endswith((".srdf.xacro", ".sdf.xacro")) and bool(
+        _ROBOT.search(peek(path, 20_000))
+    )
+
+
+def _fits(names: set[str], known: set[str]) -> bool:
+    return len(names & known) >= _KNOWN * len(names)

@@ -1,0 +1,57 @@
+"""The types that ROS 2 sees in a YAML file of parameters.
+
+Parameters are typed when a node starts: a whole number is refused where the node declares a
+``double``, and quotes make a string of everything.
+Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from urdfkit.text.located_yaml import Value
+
+if TYPE_CHECKING:
+    from urdfkit.text.located_yaml import Node
+
+_BOOLS = frozenset(
+    "y Y yes Yes YES n N no No NO true True TRUE false False FALSE on On ON off Off OFF".split()
+)
+_INT = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)$")
+_DOUBLE = re.compile(
+    r"[-+]?(([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|\.?(inf|nan|infinity))$", re.IGNORECASE
+)
+#: What only launch or a template fills in.
+_OPEN = re.compile(r"[$<{]")
+
+
+def type_of(node: Value | list[Node]) -> str | None:
+    """``bool``, ``int``, ``double``, ``string``, or an array of them; None if nobody can say.
+
+    Nobody can of what is empty, tagged or filled in later, and of lists of mixed types.
+    """
+    if isinstance(node, Value):
+        return _of_scalar(node)
+    kinds = {type_of(item) if isinstance(item, Value) else None for item in node}
+    (kind,) = kinds if len(kinds) == 1 else (None,)
+    return None if kind is None else f"{kind}_array"
+
+
+def _of_scalar(value: Value) -> str | None:
+    if value.tag or not value.text or _OPEN.search(value.text):
+        return None
+    if value.span.text[:1] in ("'", '"', "|", ">"):
+        return "string"
+    if value.text in _BOOLS:
+        return "bool"
+    if _INT.match(value.text):
+        return "int"
+    return "double" if _DOUBLE.match(value.text) else "string"
+
+
+def is_not_positive(value: Value) -> bool:
+    """True for a number that is zero or less."""
+    if _of_scalar(value) not in ("int", "double") or value.text.lower().startswith("0x"):
+        return False
+    return float(value.text.lower().replace(".inf", "inf").replace(".nan", "nan")) <= 0

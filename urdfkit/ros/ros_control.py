@@ -1,0 +1,182 @@
+"""``<transmission>`` and ``<ros2_control>`` in a model, and the plugins that run their controllers.
+
+Reading is tolerant, as in ``model``: what is missing is None or empty here and a finding elsewhere.
+Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.robot.model import number
+from urdfkit.ros.catalog.ros_control import control_plugin
+from urdfkit.ros.targets import Targets
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
+
+ROS1 = ("ros1", "classic-ros1")
+ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
+
+#: Children of ``<ros2_control>`` that have interfaces.
+_PARTS = ("joint", "sensor", "gpio")
+
+#: Children of the PR2's transmissions that ros_control does not have there.
+_PR2_TAGS = (
+    "mechanicalReduction",
+    "motorTorqueConstant",
+    "leftActuator",
+    "rightActuator",
+    "gap_joint",
+    "flexJoint",
+    "rollJoint",
+)
+
+_DIRECTIONS = {"command_interface": "command", "state_interface": "state"}
+
+
+class Interface(Record):
+    """``<command_interface>`` or ``<state_interface>``; ``direction`` is the word before it."""
+
+    at: Element
+    direction: str
+    name: str
+
+    def parameter(self, name: str) -> Element | None:
+        """The ``<param>`` of a name."""
+        return parameter(self.at, name)
+
+    def bound(self, name: str) -> float | None:
+        """``min`` or ``max`` as a number, in the unit of the interface; None without a number."""
+        found = self.parameter(name)
+        return number(found.text.strip()) if found else None
+
+
+class Part(Record):
+    """A ``<joint>``, ``<sensor>`` or ``<gpio>`` in ``<ros2_control>``; ``kind`` is its tag."""
+
+    at: Element
+    kind: str
+    name: str
+    interfaces: tuple[Interface, ...]
+
+    def of(self, direction: str) -> list[Interface]:
+        """Its ``command`` or ``state`` interfaces."""
+        return [found for found in self.interfaces if found.direction == direction]
+
+
+class Component(Record):
+    """A ``<ros2_control>`` block.
+
+    Attributes:
+        at: the block.
+        name: empty where there is none.
+        plugin: the element that names the hardware class, or None.
+        parts: joints, sensors and GPIOs, in the order of the document.
+    """
+
+    at: Element
+    name: str
+    plugin: Element | None
+    parts: tuple[Part, ...]
+
+    @property
+    def hardware(self) -> str:
+        """The hardware class; empty where there is none."""
+        return self.plugin.text.strip() if self.plugin else ""
+
+    @property
+    def joints(self) -> list[Part]:
+        return [part for part in self.parts if part.kind == "joint"]
+
+    @property
+    def called(self) -> str:
+        """For messages."""
+        return f"<ros2_control> '{self.name}'" if self.name else "<ros2_control>"
+
+
+class ControlPlugin(Record):
+    """A plugin of Gazebo that runs controllers.
+
+    Attributes:
+        at: the ``<plugin>``.
+        kind: its name in the catalogue, such as ``gz_ros2_control``.
+        filename: as written.
+    """
+
+    at: Element
+    kind: str
+    filename: str
+
+
+def components(model: RobotModel) -> list[Component]:
+    """The ``<ros2_control>`` blocks of a model."""
+    return [_component(element) for element in model.ros2_controls]
+
+
+def control_plugins(model: RobotModel) -> list[ControlPlugin]:
+    """The plugins that run controllers, in the order of the document."""
+    found: list[ControlPlugin] = []
+    for block in model.gazebo:
+        for plugin in block.all("plugin"):
+            filename = plugin.get("filename") or ""
+            kind = control_plugin(filename) if "control" in filename else None
+            if kind:
+                found.append(ControlPlugin(plugin, kind, filename))
+    return found
+
+
+def parameter(element: Element, name: str) -> Element | None:
+    """The first ``<param>`` of a name."""
+    for found in element.all("param"):
+        if found.get("name") == name:
+            return found
+    return None
+
+
+def called(transmission: Element) -> str:
+    """A transmission, for messages."""
+    name = transmission.get("name")
+    return f"transmission '{name}'" if name else "a transmission"
+
+
+def is_of_pr2(transmission: Element) -> bool:
+    """True for the older form that only the PR2's own controller manager reads."""
+    kind = transmission.get("type")
+    if kind is None or transmission.child("type"):
+        return False
+    return "pr2" in kind or any(child.tag in _PR2_TAGS for child in transmission.children)
+
+
+def reads_transmissions(targets: Targets) -> bool:
+    """True unless all that is known of the consumers is that they are of ROS 2.
+
+    There the transmissions of ROS 1 are passed over, and what is wrong with them harms nobody.
+    """
+    return targets.any_of(ROS1) or not targets.any_of(ROS2)
+
+
+def driven_joints(model: RobotModel) -> Iterator[tuple[Element, Element]]:
+    """Each joint of each transmission of ROS 1, and that transmission."""
+    for transmission in model.transmissions:
+        for joint in transmission.all("joint"):
+            yield joint, transmission
+
+
+def _component(element: Element) -> Component:
+    hardware = element.child("hardware")
+    parts = tuple(_part(child) for child in element.children if child.tag in _PARTS)
+    plugin = hardware.child("plugin") if hardware else None
+    return Component(element, element.get("name") or "", plugin, parts)
+
+
+def _part(element: Element) -> Part:
+    interfaces = tuple(
+        Interface(child, _DIRECTIONS[child.tag], child.get("name") or "")
+        for child in element.children
+        if child.tag in _DIRECTIONS
+    )
+    return Part(element, element.tag, element.get("name") or "", interfaces)

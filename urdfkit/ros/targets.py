@@ -1,0 +1,179 @@
+"""Who will read the robot: the consumers that a finding is weighed for.
+
+The same model suffers differently in each: a root link with inertia makes KDL warn while Gazebo
+needs it. Targets are given, or inferred from what the model itself gives away: its plugins and
+the build system of its package.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UrdfkitError
+
+if TYPE_CHECKING:
+    from urdfkit.robot.model import RobotModel
+    from urdfkit.text.document import Element
+    from urdfkit.workspace.manifest import Manifest
+
+TARGETS = {
+    "ros1": "ROS 1: urdfdom, robot_state_publisher, RViz",
+    "ros2": "ROS 2: urdfdom, robot_state_publisher, RViz, ros2_control",
+    "classic-ros1": "Gazebo Classic with the plugins of ROS 1",
+    "classic-ros2": "Gazebo Classic 11 with the plugins of ROS 2",
+    "gz-fortress": "Gazebo Fortress (Ignition)",
+    "gz-harmonic": "Gazebo Harmonic",
+    "gz-jetty": "Gazebo Jetty",
+    "kdl": "KDL and what builds on kdl_parser",
+    "moveit": "MoveIt 1 and 2",
+    "mujoco": "MuJoCo",
+    "drake": "Drake",
+    "pinocchio": "Pinocchio",
+    "isaac": "Isaac Sim and Isaac Lab",
+}
+
+CLASSIC = ("classic-ros1", "classic-ros2")
+GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
+#: Every Gazebo; they convert URDF to SDF with the same library.
+GAZEBO = (*CLASSIC, *GZ)
+
+#: How the names of packages begin that are for one of the two.
+_CLASSIC_PACKAGES = ("gazebo_ros", "gazebo_plugins")
+_GZ_PACKAGES = ("ros_gz", "ros_ign", "gz_", "ign_")
+_CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
+
+
+class UnknownTarget(UrdfkitError):
+    """A name that is no target."""
+
+
+class Targets(Record):
+    """The consumers that a description is checked for.
+
+    Attributes:
+        names: in the order of ``TARGETS``.
+        evidence: why each of them was inferred; empty if they were given.
+    """
+
+    names: tuple[str, ...]
+    evidence: tuple[str, ...] = ()
+
+    def any_of(self, names: Iterable[str]) -> bool:
+        """True if one of some consumers is meant."""
+        return any(name in self.names for name in names)
+
+    def are_only(self, *names: str) -> bool:
+        """True if no others than some consumers are meant."""
+        return bool(self.names) and set(self.names) <= set(names)
+
+    @property
+    def applies_units(self) -> bool:
+        """True unless all are known and take the numbers of COLLADA files as metres."""
+        return not self.names or any(name not in ("moveit", "pinocchio") for name in self.names)
+
+
+def parse(names: Iterable[str]) -> Targets:
+    """Targets given by name.
+
+    Raises:
+        UnknownTarget: with the nearest.
+    """
+    chosen = set(names)
+    for name in chosen:
+        if name not in TARGETS:
+            hint = did_you_mean(name, TARGETS)
+            raise UnknownTarget(f"there is no target '{name}'{hint} ({', '.join(TARGETS)})")
+    return Targets(tuple(name for name in TARGETS if name in chosen))
+
+
+def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
+    """The targets that a model and the package.xml around it give away, each with the reason."""
+    evidence = list(_evidence(model, manifest))
+    left_out = _contradicted(evidence, manifest)
+    found: dict[str, str] = {}
+    for one in evidence:
+        if one.target not in left_out:
+            found.setdefault(one.target, one.reason)
+    names = tuple(name for name in TARGETS if name in found)
+    return Targets(names, tuple(f"{name}: {found[name]}" for name in names))
+
+
+class _Evidence(Record):
+    """A line that gives a target away, and how much that counts."""
+
+    target: str
+    reason: str
+    weight: int = 0
+
+
+#: A plugin of Gazebo is loaded by it; a hardware plugin is a name that the control plugin looks up.
+_PLUGIN, _HARDWARE = 2, 1
+
+
+def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidence]:
+    ros = f"ros{manifest.ros}" if manifest and manifest.ros else None
+    if ros:
+        yield _Evidence(ros, "package.xml")
+    if model.ros2_controls:
+        yield _Evidence("ros2", "<ros2_control>")
+    for element in (*model.gazebo, *model.ros2_controls):
+        for plugin in element.walk():
+            # ros2_control names its hardware plugin in the text
+            name = plugin.get("filename") or plugin.text.strip()
+            if plugin.tag == "plugin" and (target := target_of_plugin(name, plugin, ros)):
+                weight = _PLUGIN if "filename" in plugin.attributes else _HARDWARE
+                yield _Evidence(target, f"plugin {name}", weight)
+
+
+def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple[str, ...]:
+    """Gazebo Classic or gz-sim, if one line speaks for it and more for the other.
+
+    That line is the mistake, which rules tell; it does not make others of what fits the rest.
+    """
+    weights = []
+    lines = []
+    for family, begins in ((CLASSIC, _CLASSIC_PACKAGES), (GZ, _GZ_PACKAGES)):
+        own = {one.reason: one.weight for one in evidence if one.target in family}
+        names = manifest.dependencies if manifest else ()
+        lines.append(len(own))
+        weights.append(sum(own.values()) + any(name.startswith(begins) for name in names))
+    if lines[0] == 1 and weights[0] < weights[1] and lines[1]:
+        return CLASSIC
+    return GZ if lines[1] == 1 and weights[1] < weights[0] and lines[0] else ()
+
+
+def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str | None:
+    """The target that a plugin gives away by its library, in a package of that ROS."""
+    if "ignition-gazebo" in name or "ign_ros2_control" in name:
+        return "gz-fortress"
+    if "gz-sim" in name or "gz_ros2_control" in name:
+        return "gz-harmonic"
+    if "gazebo_ros2_control" in name:
+        return "classic-ros2"
+    if name.removeprefix("lib").startswith(_CLASSIC_PLUGINS):
+        return _classic_generation(name, plugin, ros)
+    return None
+
+
+def _classic_generation(name: str, plugin: Element, ros: str | None) -> str:
+    """A ``<ros>`` block is of ROS 2; else the package tells, else the library, else the spelling.
+
+    What the package says comes before the rest: a library or tags of ROS 1 in a package of ROS 2
+    are a mistake, and many plugins of ROS 1 have snake_case tags among the others.
+    """
+    from urdfkit.ros.catalog.plugins import find  # loads the catalogue
+
+    tags = {child.tag for child in plugin.children}
+    if "ros" in tags:
+        return "classic-ros2"
+    if ros:
+        return f"classic-{ros}"
+    generations = {one.generation for one in find(name) if not one.removed}
+    if len(generations) == 1 and generations <= {"classic-ros1", "classic-ros2"}:
+        return generations.pop()
+    if any(tag != tag.lower() for tag in tags):
+        return "classic-ros1"
+    return "classic-ros2" if any("_" in tag for tag in tags) else "classic-ros1"

@@ -1,0 +1,282 @@
+"""XML that knows where it was written.
+
+A plain URDF and an expanded xacro are the same kind of Document. Every Element carries the
+place of its start tag in the file it was written in, and the calls that led there: a link that
+a macro makes has its place in the macro's body and the macro's call in ``via``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+
+from urdfkit.core.record import Record
+from urdfkit.text.source import Source, Span
+
+# Compiled when needed: a clean robot has no place to show.
+_TAG_NAME = rb"<\s*([^\s/>]+)"
+_ATTRIBUTE = rb"""\s*([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')"""
+_START_TAG_END = rb"""(?:[^<>"']|"[^"]*"|'[^']*')*/?>"""
+
+
+@lru_cache
+def _compiled(pattern: bytes) -> re.Pattern[bytes]:
+    return re.compile(pattern)
+
+
+class Step(Record):
+    """One step on the way from the checked file to a place: a macro call or an include.
+
+    Attributes:
+        kind: ``macro``, ``include`` or ``launch``.
+        name: of the macro, or of the included file.
+        span: the call.
+        definition: the ``<xacro:macro>`` that was called; None for an include.
+    """
+
+    kind: str
+    name: str
+    span: Span
+    definition: Span | None
+
+
+class Frame:
+    """The innermost step of a way, linked to the ones before it; shared by many elements."""
+
+    __slots__ = ("call", "definition", "kind", "name", "outer")
+
+    def __init__(
+        self, kind: str, name: str, call: Tag, definition: Tag | None, outer: Frame | None
+    ) -> None:
+        self.kind = kind
+        self.name = name
+        self.call = call
+        self.definition = definition
+        self.outer = outer
+
+    def steps(self) -> tuple[Step, ...]:
+        """All steps, outermost first."""
+        steps: list[Step] = []
+        frame: Frame | None = self
+        while frame is not None:
+            definition = frame.definition.span if frame.definition else None
+            steps.append(Step(frame.kind, frame.name, frame.call.span, definition))
+            frame = frame.outer
+        return tuple(reversed(steps))
+
+
+class Tag(Record):
+    """Where an element was written: its start tag, and its end tag if it has one.
+
+    Attributes:
+        source: the file.
+        start: offset of the ``<`` of the start tag.
+        close: offset of the ``<`` of the end tag; equal to ``start`` for ``<a/>``.
+    """
+
+    source: Source
+    start: int
+    close: int
+
+    @classmethod
+    def between(cls, source: Source, start: int, at: int, *, empty: bool) -> Tag:
+        """The tag of an element from where the parser stands when it begins and when it ends.
+
+        ``<a/>`` has no end tag, though that of the element around it may stand right behind.
+        """
+        data = source.data
+        if not data.startswith(b"</", at) or (empty and data.endswith(b"/>", start, at)):
+            return cls(source, start, start)
+        return cls(source, start, at)
+
+    @property
+    def span(self) -> Span:
+        """The start tag, from ``<`` to ``>``."""
+        return Span(self.source, self.start, self.inner_start)
+
+    @property
+    def inner_start(self) -> int:
+        """Offset just after the start tag's ``>``."""
+        name = _compiled(_TAG_NAME).match(self.source.data, self.start)
+        end = name and _compiled(_START_TAG_END).match(self.source.data, name.end())
+        return end.end() if end else min(self.start + 1, len(self.source.data))
+
+    @property
+    def name_span(self) -> Span:
+        """The name in the start tag."""
+        match = _compiled(_TAG_NAME).match(self.source.data, self.start)
+        start, end = match.span(1) if match else (self.start, self.start + 1)
+        return Span(self.source, start, end)
+
+    @property
+    def whole_span(self) -> Span:
+        """From the ``<`` of the start tag to the ``>`` of the end tag."""
+        if self.close == self.start:
+            return self.span
+        end = self.source.data.find(b">", self.close) + 1
+        return Span(self.source, self.start, end or len(self.source.data))
+
+    @property
+    def inner_span(self) -> Span:
+        """What stands between start tag and end tag."""
+        start = self.inner_start
+        return Span(self.source, start, max(start, self.close))
+
+    def attribute_spans(self) -> Mapping[str, Span]:
+        """The values of the attributes, without their quotes."""
+        return _attribute_spans(self)
+
+
+@lru_cache(maxsize=64)  # a tag may have 100 000 attributes, and each of them asks
+def _attribute_spans(tag: Tag) -> Mapping[str, Span]:
+    data = tag.source.data
+    match = _compiled(_TAG_NAME).match(data, tag.start)
+    attribute = _compiled(_ATTRIBUTE)
+    spans: dict[str, Span] = {}
+    while match and (match := attribute.match(data, match.end())):
+        start, end = match.span(2)
+        spans[match.group(1).decode("utf-8", "replace")] = Span(tag.source, start + 1, end - 1)
+    return spans
+
+
+class Attribute:
+    """An attribute as it is after expansion.
+
+    Attributes:
+        name: with its prefix, as written.
+        value: after expansion.
+        element: that has it.
+        written_in: the tag that holds the text; not the element's own where an
+            ``<xacro:attribute>`` gave it.
+    """
+
+    __slots__ = ("element", "name", "value", "written_in")
+
+    def __init__(self, name: str, value: str, element: Element, written_in: Tag | None = None):
+        self.name = name
+        self.value = value
+        self.element = element
+        self.written_in = written_in
+
+    @property
+    def span(self) -> Span:
+        """The value where it was written, else the tag."""
+        if self.written_in is not None:
+            spans = self.written_in.attribute_spans()
+            return spans.get("value", self.written_in.span)
+        return self.element.tag_at.attribute_spans().get(self.name) or self.element.span
+
+    @property
+    def literal(self) -> bool:
+        """True if the source holds this very value, not an expression that gave it."""
+        return self.span.text == self.value
+
+    @property
+    def via(self) -> tuple[Step, ...]:
+        """The calls that led to its element."""
+        return self.element.via
+
+    @property
+    def path(self) -> str:
+        return f"{self.element.path}@{self.name}"
+
+    def __repr__(self) -> str:
+        return f"Attribute({self.path}={self.value!r})"
+
+
+class Element:
+    """An element as it is after expansion.
+
+    Attributes:
+        tag: its name, with the prefix, as written.
+        attributes: by name, in the order of the document.
+        children: the elements in it.
+        text: the character data directly in it, joined.
+        parent: the element around it; None for the root.
+        tag_at: where it was written.
+        frame: the macro call or include that led there, or None.
+    """
+
+    __slots__ = ("attributes", "children", "frame", "parent", "tag", "tag_at", "text")
+
+    def __init__(self, tag: str, tag_at: Tag, parent: Element | None, frame: Frame | None = None):
+        self.tag = tag
+        self.tag_at = tag_at
+        self.parent = parent
+        self.frame = frame
+        self.attributes: dict[str, Attribute] = {}
+        self.children: list[Element] = []
+        self.text = ""
+
+    @property
+    def span(self) -> Span:
+        """The start tag."""
+        return self.tag_at.span
+
+    @property
+    def via(self) -> tuple[Step, ...]:
+        """The macro calls and includes that led here, outermost first."""
+        return self.frame.steps() if self.frame else ()
+
+    def get(self, name: str) -> str | None:
+        """The value of an attribute."""
+        attribute = self.attributes.get(name)
+        return None if attribute is None else attribute.value
+
+    def child(self, tag: str) -> Element | None:
+        """The first child of that name."""
+        for child in self.children:
+            if child.tag == tag:
+                return child
+        return None
+
+    def all(self, tag: str) -> list[Element]:
+        """The children of that name."""
+        return [child for child in self.children if child.tag == tag]
+
+    def walk(self) -> Iterator[Element]:
+        """This element and everything in it, in the order of the document."""
+        stack = [self]
+        while stack:
+            element = stack.pop()
+            yield element
+            stack.extend(reversed(element.children))
+
+    @property
+    def path(self) -> str:
+        """Its address below the root, such as ``link/arm/visual[2]/geometry/mesh``.
+
+        Elements with a name are told apart by it, others by their number from the second on.
+        """
+        parts: list[str] = []
+        element = self
+        while element.parent is not None:
+            parts.append(element._step())
+            element = element.parent
+        return "/".join(reversed(parts)) or self.tag
+
+    def _step(self) -> str:
+        name = self.get("name") or self.get("reference")
+        if name:
+            return f"{self.tag}/{name}"
+        assert self.parent is not None
+        twins = self.parent.all(self.tag)
+        if len(twins) > 1 and twins[0] is not self:
+            return f"{self.tag}[{1 + next(i for i, twin in enumerate(twins) if twin is self)}]"
+        return self.tag
+
+    def __repr__(self) -> str:
+        return f"<{self.path} at {self.span}>"
+
+
+class Document(Record):
+    """An XML document after expansion.
+
+    Attributes:
+        root: its root element.
+        sources: every file that was read for it, the checked one first.
+    """
+
+    root: Element
+    sources: tuple[Source, ...]

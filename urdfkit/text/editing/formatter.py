@@ -1,0 +1,301 @@
+"""The layout of URDF and xacro: one way to write a document that means the same.
+
+Every element begins a line, indented by its depth; attributes have one order and one kind of
+quotes; numbers of a vector stand one space apart and are spelt as they were. Comments stay where
+they stand, single blank lines as well. What holds text is left as it is, unless it is an element of
+URDF that may hold elements only: there a text is stray, and gets a line of its own.
+"""
+
+from __future__ import annotations
+
+from itertools import chain
+from xml.parsers import expat
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UnreadableRobot
+from urdfkit.text.editing.edits import STEP
+from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
+from urdfkit.text.editing.tokens import Kind, Token, tokens
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import is_xacro, syntax_problems
+
+#: Columns of a line; only what cannot be broken is longer.
+WIDTH = 100
+#: Levels of elements; indentation grows with the square of them, and robots have 20.
+MAX_DEPTH = 1000
+#: What a tab in front of a comment's line stands for.
+_TAB = 4
+
+#: Blocks in which other programs read their own tags.
+_FOREIGN = frozenset(("gazebo", "transmission", "ros2_control"))
+
+
+def formatted(source: Source, width: int = WIDTH) -> bytes:
+    r"""The text of a source, laid out; in UTF-8, with the line ends that it has.
+
+    >>> text = b"<robot  name='r' >\n<link name='a'></link><!-- one --></robot>"
+    >>> print(formatted(Source("r.urdf", text)).decode(), end="")
+    <robot name="r">
+      <link name="a"/> <!-- one -->
+    </robot>
+
+    Args:
+        source: URDF or xacro.
+        width: columns of a line.
+
+    Raises:
+        UnreadableRobot: it is not well-formed, or no robot.
+    """
+    _require_robot(source)
+    text = source.data.decode().replace("\r\n", "\n")
+    found = list(tokens(text))
+    outline = _outline(found, source.path)
+    layout = "\n".join(_Writer(found, text, outline, width).lines()) + "\n"
+    if _meaning(layout) != _meaning(text):
+        raise AssertionError(f"{source.path}: the layout would change the meaning")
+    newline = "\r\n" if b"\r\n" in source.data else "\n"
+    return layout.replace("\n", newline).encode()
+
+
+def _require_robot(source: Source) -> None:
+    """See that a file can be laid out.
+
+    Raises:
+        UnreadableRobot: it is not well-formed, or no robot.
+    """
+    if source.undecodable is not None:
+        raise UnreadableRobot(f"{source.path}: it has bytes that are no text")
+    try:
+        expat.ParserCreate("utf-8").Parse(source.data, True)
+    except expat.ExpatError:
+        problems = syntax_problems(source)
+        reason = f"{problems[0].span}: {problems[0].message}"
+        raise UnreadableRobot(reason, tuple(problems)) from None
+    root = next(one for one in tokens(source.data.decode()) if one.kind is Kind.START)
+    if root.name != "robot" and not is_xacro(source):
+        raise UnreadableRobot(f"{source.path}: no robot, its root is <{root.name}>")
+
+
+class _Outline(Record):
+    """Which tokens of a document belong together.
+
+    Attributes:
+        ends: the number of the end tag by that of the start tag.
+        verbatim: start tags of elements that stay as they are, because they hold text: white
+            space may mean something there. In a few of URDF's it means nothing.
+    """
+
+    ends: dict[int, int]
+    verbatim: set[int]
+
+
+class _Open(Record):
+    """An element whose end tag has not come.
+
+    Attributes:
+        name: of it.
+        is_foreign: True where attributes are another program's affair.
+    """
+
+    name: str
+    is_foreign: bool
+
+
+class _Writer:
+    """Makes lines of tokens."""
+
+    def __init__(self, found: list[Token], text: str, outline: _Outline, width: int) -> None:
+        self._tokens = found
+        self._text = text
+        self._width = width
+        self._ends, self._verbatim = outline
+        self._lines: list[str] = []
+        self._open: list[_Open] = []
+        #: Line ends since the last token that is no white space.
+        self._gap = 0
+        #: True after a start tag and before an end tag: inside, blank lines help nobody there.
+        self._fresh = True
+
+    def lines(self) -> list[str]:
+        """The lines of the document."""
+        number = 0
+        while number < len(self._tokens):
+            token = self._tokens[number]
+            if token.kind is Kind.TEXT:
+                self._text_of(token)
+            elif token.kind is Kind.COMMENT:
+                self._comment(token, number)
+            elif token.kind is Kind.END:
+                self._end(token)
+            elif token.kind is Kind.START:
+                number = self._element(token, number)
+            else:
+                self._line(token.text)
+            number += 1
+        return self._lines
+
+    def _text_of(self, token: Token) -> None:
+        """Count the line ends of white space; write each line of a stray text."""
+        for number, line in enumerate(token.text.split("\n")):
+            self._gap += bool(number)
+            if line.strip():
+                self._line(line.strip())
+
+    def _element(self, token: Token, number: int) -> int:
+        """Write a start tag, or a whole element that stays as it is; the last token of it."""
+        end = self._ends.get(number, number)
+        if number in self._verbatim:
+            inner = self._text[token.at + len(token.text) : self._tokens[end].at]
+            self._line(f"{self._start_tag(token, '>')}{inner}</{token.name}>")
+            return end
+        if token.is_empty or all(_is_blank(self._tokens[i]) for i in range(number + 1, end)):
+            self._line(self._start_tag(token, "/>"))
+            return end
+        self._line(self._start_tag(token, ">"))
+        self._open.append(_Open(token.name, self._is_foreign or token.name in _FOREIGN))
+        self._fresh = True
+        return number
+
+    def _start_tag(self, token: Token, close: str) -> str:
+        return start_tag(token, close, self._indent, self._width, is_foreign=self._is_foreign)
+
+    def _end(self, token: Token) -> None:
+        self._fresh = True
+        if len(self._open) > 1:
+            self._gap = 0
+        self._open.pop()
+        self._line(f"</{token.text[2:-1].strip()}>")
+
+    @property
+    def _indent(self) -> str:
+        return STEP * len(self._open)
+
+    @property
+    def _is_foreign(self) -> bool:
+        return bool(self._open) and self._open[-1].is_foreign
+
+    def _line(self, text: str) -> None:
+        """Begin a line, after a blank one if there was one."""
+        if self._gap > 1 and not (self._fresh and len(self._open) > 1):
+            self._lines.append("")
+        self._lines.append(self._indent + text)
+        self._gap, self._fresh = 0, False
+
+    def _comment(self, token: Token, number: int) -> None:
+        """Behind what it stands behind on its line, else on a line of its own."""
+        before = self._tokens[number - 1] if number else None
+        if before and before.kind is Kind.TEXT:
+            before = self._tokens[number - 2] if number > 1 else None
+        if self._gap == 0 and before and before.kind not in (Kind.INSTRUCTION, Kind.DOCTYPE):
+            self._lines[-1] += f" {_stripped(token.text)}"
+            return
+        self._line(_shifted(token.text, self._column(token.at), len(self._indent)))
+
+    def _column(self, at: int) -> int | None:
+        """The indentation of a place; None if something else stands before it on its line."""
+        before = self._text[self._text.rfind("\n", 0, at) + 1 : at]
+        return None if before.strip() else len(before.expandtabs(_TAB))
+
+
+def _outline(found: list[Token], path: str) -> _Outline:
+    """Which tokens are elements.
+
+    Raises:
+        UnreadableRobot: they are nested too deeply.
+    """
+    ends: dict[int, int] = {}
+    verbatim: set[int] = set()
+    stack: list[int] = []
+    for number, token in enumerate(found):
+        if token.kind is Kind.START:
+            if "xml:space" in token.text and ("xml:space", "preserve") in _values(token):
+                verbatim.add(number)
+            if not token.is_empty:
+                stack.append(number)
+                if len(stack) > MAX_DEPTH:
+                    raise UnreadableRobot(f"{path}: elements are nested too deeply to be laid out")
+        elif token.kind is Kind.END:
+            start = stack.pop()
+            ends[start] = number
+            inner = found[start + 1]
+            if number == start + 2 and inner.kind is Kind.TEXT and "\n" not in inner.text:
+                verbatim.add(start)  # one space can be a value
+        elif stack and _holds_meaning(token, [found[i].name for i in stack]):
+            verbatim.add(stack[-1])
+    return _Outline(ends, verbatim & ends.keys())
+
+
+def _values(token: Token) -> list[tuple[str, str]]:
+    return [(name, quoted[1:-1]) for name, quoted in token.attributes]
+
+
+def _is_blank(token: Token) -> bool:
+    return token.kind is Kind.TEXT and not token.text.strip()
+
+
+def _holds_meaning(token: Token, path: list[str]) -> bool:
+    """True for a text that somebody may read.
+
+    Args:
+        token: any but tags.
+        path: names of the elements around it.
+    """
+    if token.kind is Kind.CDATA:
+        return True
+    return token.kind is Kind.TEXT and bool(token.text.strip()) and not _is_stray_in(path)
+
+
+def _is_stray_in(path: list[str]) -> bool:
+    """True if nobody reads a text in the last of some elements that hold one another."""
+    return path[-1] in holders() and not _FOREIGN.intersection(path)
+
+
+def _stripped(comment: str) -> str:
+    """A comment without white space at the end of its lines."""
+    return "\n".join(line.rstrip() for line in comment.split("\n"))
+
+
+def _shifted(comment: str, old: int | None, new: int) -> str:
+    """A comment whose first line moves from one column to another, and the others with it."""
+    first, *others = _stripped(comment).split("\n")
+    lines = [first]
+    for line in others:
+        text = line.lstrip(" \t")
+        column = len(line[: len(line) - len(text)].expandtabs(_TAB))
+        if old is not None:
+            column = max(0, column + new - old)
+        lines.append(" " * column + text if text else "")
+    return "\n".join(lines)
+
+
+def _meaning(text: str) -> list[tuple[object, ...]]:
+    """What a document says, whatever its layout: tags, values, texts and comments in order."""
+    events: list[tuple[object, ...]] = []
+    path: list[str] = []
+
+    def start(name: str, values: dict[str, str]) -> None:
+        known: dict[str, object] = {
+            key: value.split() if key in vectors() else value for key, value in values.items()
+        }
+        if name == MACRO and "params" in values:
+            known["params"] = [*chain(*parameters(values["params"]))] or values["params"]
+        events.append(("start", name, known))
+        path.append(name)
+
+    def end(name: str) -> None:
+        events.append(("end", name))
+        path.pop()
+
+    def text_of(data: str) -> None:
+        if data.strip():
+            events.append(("text", data.split() if _is_stray_in(path) else data))
+
+    parser = expat.ParserCreate("utf-8")
+    parser.buffer_text = True
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = text_of
+    parser.CommentHandler = lambda data: events.append(("comment", data.split()))
+    parser.ProcessingInstructionHandler = lambda *words: events.append(("instruction", *words))
+    parser.Parse(text.encode(), True)
+    return events

@@ -1,0 +1,179 @@
+"""The layout of start tags: attributes in one order, in as few lines as they take."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from urdfkit.text import schema
+from urdfkit.text.editing.edits import STEP
+from urdfkit.text.editing.tokens import Token
+
+MACRO = "xacro:macro"
+#: First attributes of tags of xacro; those of URDF come from its grammar.
+_XACRO_ORDER = {
+    MACRO: ("name", "params"),
+    "xacro:property": ("name", "value"),
+    "xacro:arg": ("name", "default"),
+    "xacro:include": ("filename",),
+}
+#: The upper half of a tensor: its rows are those of the matrix.
+_TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+def start_tag(token: Token, close: str, indent: str, width: int, *, is_foreign: bool) -> str:
+    """A start tag, its further lines below its first attribute.
+
+    Args:
+        token: the tag as it is written.
+        close: its end, ``>`` or ``/>``.
+        indent: spaces before it, which are no part of what is returned.
+        width: columns of a line.
+        is_foreign: attributes are another program's affair, and stay in their order.
+    """
+    pairs = list(_attributes(token, is_foreign=is_foreign))
+    attributes = [f"{name}={value}" for name, value in pairs]
+    one_line = " ".join((f"<{token.name}", *attributes)) + close
+    if token.name == MACRO:
+        one_line = one_line.replace("\n", " ")
+    if not attributes or len(indent) + len(one_line) <= width:
+        return one_line
+    hang = len(indent) + len(token.name) + 2
+    if hang > width // 2:
+        hang = len(indent) + 2 * len(STEP)
+    first = f"{indent}<{token.name} "
+    room = width - len(close)
+    if token.name.startswith("xacro:") and token.name not in _XACRO_ORDER:
+        rows = [[attribute] for attribute in attributes]  # of a macro: what each stands for
+    elif tuple(name for name, _ in pairs) == _TENSOR:
+        rows = [attributes[:3], attributes[3:5], attributes[5:]]
+    else:
+        if token.name == MACRO:
+            attributes = [_filled(name, value, hang, room) for name, value in pairs]
+        rows = _rows(attributes, len(first), hang, room)
+    lines = [" ".join(row) for row in rows]
+    return (first + f"\n{' ' * hang}".join(lines)).lstrip() + close
+
+
+def _attributes(token: Token, *, is_foreign: bool) -> Iterator[tuple[str, str]]:
+    """Names and quoted values, in their order."""
+    written = token.attributes
+    order = () if is_foreign else _order().get(token.name, ())
+    known = sorted((a for a in written if a[0] in order), key=lambda a: order.index(a[0]))
+    for name, quoted in (*known, *(a for a in written if a[0] not in order)):
+        value = quoted[1:-1]
+        if name in vectors() and not is_foreign:
+            value = _vector(value)
+        elif (token.name, name) == (MACRO, "params"):
+            value = "\n".join(map(" ".join, parameters(value) or [[value]]))
+        yield name, f"'{value}'" if '"' in value else f'"{value}"'
+
+
+def _filled(name: str, value: str, hang: int, width: int) -> str:
+    """An attribute of a macro; its parameters in the lines that they had, each below the first.
+
+    Args:
+        name: of it.
+        value: with its quotes.
+        hang: columns before it.
+        width: columns of a line.
+    """
+    found = parameters(value[1:-1]) if name == "params" else []
+    rows: list[str] = []
+    hang += len(name) + 2
+    for line in found:
+        rows.append("")
+        for word in line:
+            if rows[-1] and hang + len(f"{rows[-1]} {word}") >= width:
+                rows.append("")
+            rows[-1] += f" {word}" if rows[-1] else word
+    text = f"\n{' ' * hang}".join(rows)
+    return f"{name}={value[0]}{text}{value[0]}" if rows else f"{name}={value}"
+
+
+def _rows(attributes: list[str], first: int, hang: int, width: int) -> list[list[str]]:
+    """Attributes in as few lines as they take, with the same number in each if that fits.
+
+    Args:
+        attributes: as they are written.
+        first: columns before those of the first line.
+        hang: columns before those of the others.
+        width: columns of a line.
+    """
+    rows = [attributes[:1]]
+    for attribute in attributes[1:]:
+        used = (first if len(rows) == 1 else hang) + len(" ".join(rows[-1]))
+        if used + 1 + len(attribute) > width:
+            rows.append([attribute])
+        else:
+            rows[-1].append(attribute)
+    size = -(-len(attributes) // len(rows))
+    even = [attributes[at : at + size] for at in range(0, len(attributes), size)]
+    return even if all(max(first, hang) + len(" ".join(row)) <= width for row in even) else rows
+
+
+_VECTOR = re.compile(r"\s*[-+.\deE]+(?:\s+[-+.\deE]+)*\s*")
+
+
+def _vector(value: str) -> str:
+    """Numbers one space apart, each spelt as it was; anything else as it is."""
+    return " ".join(value.split()) if _VECTOR.fullmatch(value) else value
+
+
+_PARAMETER = re.compile(r"""(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+""")
+
+
+def parameters(value: str) -> list[list[str]]:
+    """The parameters of a macro, line by line; none where that is not sure.
+
+    White space between them says nothing to xacro; that in quotes is part of a default, and a
+    line end there is a space.
+    """
+    lines = value.split("\n")
+    if any(map(_rest, lines)):
+        lines = [" ".join(lines)]
+    if "&" in value or _rest(lines[0]):
+        return []
+    return [words for line in lines if (words := _PARAMETER.findall(line))]
+
+
+def _rest(line: str) -> str:
+    """What is no parameter: a quote that is open at the end."""
+    return _PARAMETER.sub("", line).strip()
+
+
+@cache
+def _grammars() -> dict[str, schema.Grammar]:
+    """The grammars of URDF's elements by tag."""
+    found: dict[str, schema.Grammar] = {}
+    stack = [("robot", schema.ROBOT)]
+    while stack:
+        tag, grammar = stack.pop()
+        if tag not in found:
+            found[tag] = grammar
+            stack.extend(grammar.children.items())
+    return found
+
+
+@cache
+def holders() -> frozenset[str]:
+    """Elements of URDF that hold elements, and no text that anybody reads."""
+    return frozenset(tag for tag, grammar in _grammars().items() if grammar.children)
+
+
+@cache
+def _order() -> dict[str, tuple[str, ...]]:
+    """The order of the attributes of a tag, as far as it is known."""
+    return {tag: tuple(one.attributes) for tag, one in _grammars().items()} | _XACRO_ORDER
+
+
+@cache
+def vectors() -> frozenset[str]:
+    """Attributes of several numbers."""
+    return frozenset(
+        name
+        for grammar in _grammars().values()
+        for name, rule in grammar.attributes.items()
+        if schema.LENGTHS.get(rule.type, 1) > 1
+    )

@@ -1,0 +1,295 @@
+"""Where a document deviates from URDF's grammar: one walk, shared by the rules URD.
+
+Each deviation belongs to one rule, so nothing is said twice: a misspelt element that is needed is
+not missing as well, and a shape that URDF does not have is not an unknown element as well.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from math import inf, isfinite
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.ros.catalog.urdf_extensions import has_attribute, has_element
+from urdfkit.text import schema
+from urdfkit.text.document import Attribute, Document, Element
+from urdfkit.text.schema import AttributeRule, Grammar
+
+#: How like a needed element an unknown one must be to be its misspelling: one slip in five letters.
+LIKENESS = 0.8
+
+#: Unknown names that are compared with known ones; nobody reads more findings of one document.
+MAX_UNKNOWN = 1000
+
+#: Without it a simulator leaves out the link, although the grammar does not require it.
+_NEEDED = {"link": ("inertial",)}
+
+#: A tab or a line break between two numbers: only then are values looked at as they were typed.
+_BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
+
+
+class Deviation(Record):
+    """One deviation; which fields are set depends on the rule that tells it.
+
+    Attributes:
+        element: the element that is wrong or lacks something.
+        attribute: that is wrong.
+        name: what is missing or expected.
+        meant: the name that was probably meant; empty if none is like it.
+    """
+
+    element: Element
+    attribute: Attribute | None = None
+    name: str = ""
+    meant: str = ""
+
+    @property
+    def at(self) -> Element | Attribute:
+        """The place that a person must edit."""
+        return self.attribute or self.element
+
+
+def deviations(
+    document: Document, *, plain: bool, claimed: Collection[str] = ()
+) -> dict[str, list[Deviation]]:
+    """All deviations of a document, by the code of the rule that tells them.
+
+    Args:
+        document: after expansion.
+        plain: True if the document stands in the file as it is, so that white space in a value
+            reaches URDF's readers as it was typed.
+        claimed: tags that are another rule's business.
+    """
+    root = document.root
+    if root.tag != "robot":
+        return {"URD015": [Deviation(root)]}
+    walk = _Walk(root, claimed, plain and bool(re.search(_BREAK, document.sources[0].data)))
+    stack = [(root, schema.ROBOT)]
+    while stack:
+        element, grammar = stack.pop()
+        walk.attributes(element, grammar)
+        stack += reversed(walk.children(element, grammar))
+    return walk.found
+
+
+def calling_macro(element: Element) -> str:
+    """The macro that an element was given to as a block, which inserted it; empty for others."""
+    frame = element.parent.frame if element.parent else None
+    return frame.name if frame and frame.kind == "macro" and element.frame is not frame else ""
+
+
+def owner(element: Element) -> str:
+    """The link, joint or material that an element belongs to, such as ``link 'arm'``."""
+    while element.parent is not None and element.parent.parent is not None:
+        element = element.parent
+    name = element.get("name")
+    return f"{element.tag} '{name}'" if name else f"<{element.tag}>"
+
+
+def version_of(root: Element) -> str:
+    """The version of URDF that a robot asks for; 1.0 if it does not say."""
+    text = root.get("version")
+    if text is None:
+        return schema.VERSIONS[0]
+    numbers = re.fullmatch(r"0*(\d+)\.0*(\d+)", text, re.ASCII)  # urdfdom compares numbers
+    return f"{numbers[1]}.{numbers[2]}" if numbers else text
+
+
+def is_number(text: str) -> bool:
+    """True if urdfdom reads a number: finite, and nothing after it."""
+    try:
+        value = float(text)
+    except ValueError:
+        return False
+    # Python alone reads 1_000, digits of other scripts, and white space at the end.
+    return -inf < value < inf and text.isascii() and "_" not in text and not text[-1].isspace()
+
+
+def _reads(text: str, length: int) -> bool:
+    """True if a value surely is so many numbers; a quick answer for the common case."""
+    try:
+        values = list(map(float, text.split()))
+    except ValueError:
+        return False
+    return (
+        len(values) == length
+        and isfinite(sum(values))
+        and text.isascii()
+        and text.isprintable()
+        and "_" not in text
+        and (length > 1 or not text.endswith(" "))
+    )
+
+
+def has_break(text: str) -> bool:
+    """True if a tab or a line break follows a number, where urdfdom wants a space."""
+    return re.search(r"\S[\t\r\n]", text) is not None
+
+
+def is_expression(text: str) -> bool:
+    """True if xacro should have replaced the value, which is XAC003's finding."""
+    return "${" in text or "$(" in text
+
+
+class _Walk:
+    """Collects deviations element by element."""
+
+    def __init__(self, root: Element, claimed: Collection[str], breaks: bool) -> None:
+        self.found: dict[str, list[Deviation]] = {}
+        self._root = root
+        self._claimed = claimed
+        self._breaks = breaks
+        #: Values that were looked at and are right, by their length; most stand often.
+        self._good: dict[int, set[str]] = {length: set() for length in schema.LENGTHS.values()}
+        written = version_of(root)
+        # An unknown version is one finding, not one for every feature.
+        self._version = written if written in schema.VERSIONS else schema.VERSIONS[-1]
+        self._unknown = 0
+
+    def _add(
+        self,
+        code: str,
+        element: Element,
+        attribute: Attribute | None = None,
+        name: str = "",
+        meant: str = "",
+    ) -> None:
+        deviation = Deviation(element, attribute, name, meant)
+        self.found.setdefault(code, []).append(deviation)
+
+    def attributes(self, element: Element, grammar: Grammar) -> None:
+        """Missing, unknown and unreadable attributes of an element."""
+        written = element.attributes
+        known, missing = 0, []
+        for name, rule in grammar.attributes.items():
+            attribute = written.get(name)
+            if attribute is not None:
+                known += 1
+                if (length := schema.LENGTHS.get(rule.type)) and (
+                    attribute.value not in self._good[length] or rule.since > self._version
+                ):
+                    self._value(attribute, rule, length)
+            elif rule.required:
+                missing.append(name)
+        if known != len(written):
+            missing = self._unknown_attributes(element, grammar, missing)
+        for name in missing:
+            self._add("URD010" if element is self._root else "URD003", element, name=name)
+        if element.text and not element.text.isspace() and not missing:
+            self._add("URD017", element)
+        if grammar.any_of and not any(name in written for name in grammar.any_of):
+            self._add("URD003", element, name="' or '".join(grammar.any_of))
+        if element is self._root and (version := written.get("version")):
+            self._version_number(version)
+
+    def _unknown_attributes(
+        self, element: Element, grammar: Grammar, missing: list[str]
+    ) -> list[str]:
+        """Tell unknown attributes; what of ``missing`` none of them was meant to be."""
+        for name, attribute in element.attributes.items():
+            if name in grammar.attributes or name == "xmlns" or ":" in name:
+                continue
+            if has_attribute(element.tag, name):
+                continue
+            self._unknown += 1
+            if self._unknown > MAX_UNKNOWN:
+                break
+            meant = nearest(name, (key for key in grammar.attributes if element.get(key) is None))
+            if meant in missing:
+                missing = [key for key in missing if key != meant]
+                self._add("URD003", element, attribute, meant, meant)
+            else:
+                self._add("URD002", element, attribute, meant=meant or "")
+        return missing
+
+    def _version_number(self, attribute: Attribute) -> None:
+        version = version_of(self._root)
+        if version not in schema.VERSIONS:
+            self._add("URD011", self._root, attribute)
+        elif version != schema.VERSIONS[0]:
+            self._add("URD014", self._root, attribute)
+
+    def _value(self, attribute: Attribute, rule: AttributeRule, length: int) -> None:
+        """A value that is no number, or too few or too many of them."""
+        text = attribute.value
+        if rule.since > self._version:
+            self._add("URD016", attribute.element, attribute, meant=rule.since)
+        elif _reads(text, length) and not self._breaks:
+            self._good[length].add(text)
+        elif not is_expression(text):
+            parts = [part for part in text.split(" ") if part]
+            bad = not all(map(is_number, parts)) or (length == 1 and not is_number(text))
+            if bad or (self._breaks and length > 1 and has_break(attribute.span.text)):
+                self._add("URD005", attribute.element, attribute, rule.type)
+            elif len(parts) != length:
+                self._add("URD006", attribute.element, attribute, rule.type)
+
+    def children(self, element: Element, grammar: Grammar) -> list[tuple[Element, Grammar]]:
+        """Missing, unknown and repeated children; those whose own content has a grammar."""
+        seen: dict[str, Element] = {}
+        inner: list[tuple[Element, Grammar]] = []
+        unknown: list[Element] = []
+        for child in element.children:
+            tag = child.tag
+            known = grammar.children.get(tag)
+            if known is None:
+                if ":" not in tag and not has_element(element.tag, tag):
+                    unknown.append(child)
+                continue
+            if not known.open:
+                inner.append((child, known))
+                if tag in seen and tag not in grammar.many:
+                    self._add("URD007", child)
+            seen.setdefault(tag, child)
+        if grammar.choice:
+            unknown = self._choice(element, grammar, unknown)
+        missing = [tag for tag in grammar.required if tag not in seen]
+        if unknown:
+            free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
+            needed = [*missing, *_NEEDED.get(element.tag, ())]
+            told = {self._unknown_element(child, free, needed) for child in unknown}
+            missing = [tag for tag in missing if tag not in told]
+        for tag in missing:
+            self._add("URD004", element, name=tag)
+        return inner
+
+    def _choice(self, element: Element, grammar: Grammar, unknown: list[Element]) -> list[Element]:
+        """Readers take the first child and no other; what is left of ``unknown``."""
+        first, *others = [child for child in element.children if ":" not in child.tag] or [element]
+        if known := grammar.children.get(first.tag):
+            if known.since > self._version:
+                self._add("URD016", first, meant=known.since)
+            for child in others:
+                if child.tag in grammar.children and child.tag != first.tag:
+                    self._add("URD007", child)
+            return unknown
+        self._unknown += 1
+        if self._unknown > MAX_UNKNOWN or (first is element and element.children):
+            return unknown  # shapes of another dialect have a prefix
+        if meant := nearest(first.tag, grammar.children, LIKENESS):
+            self._add("URD013", first, name=meant, meant=meant)
+        else:
+            self._add("URD009", first)
+        return [child for child in unknown if child is not first]
+
+    def _unknown_element(self, child: Element, free: list[str], needed: list[str]) -> str:
+        """Tell an unknown element; the needed one that it was meant to be, or nothing."""
+        tag = child.tag
+        self._unknown += 1
+        if self._unknown > MAX_UNKNOWN or tag in self._claimed:
+            return ""
+        if tag in schema.GAZEBO_TAGS:
+            self._add("URD008", child)
+        elif schema.places_of(tag):
+            self._add("URD012", child)
+        else:
+            meant = nearest(tag, free, LIKENESS) or ""
+            if not meant and calling_macro(child):
+                # A macro tells its blocks apart by such names, and inserts them as they are called.
+                meant = next((word for word in tag.split("_") if word in free), "")
+            code = "URD013" if meant in needed else "URD001"
+            self._add(code, child, name=meant, meant=meant)
+            return meant if meant in needed else ""
+        return ""

@@ -1,0 +1,147 @@
+"""YAML whose values know their places.
+
+It is read from the parser's events, without recursion and without aliases: files of parameters
+have a few levels, and what is deeper is no such file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.text.source import Source, Span
+
+if TYPE_CHECKING:
+    from typing import TypeAlias
+
+#: Larger files are no lists of parameters.
+MAX_BYTES = 1024 * 1024
+MAX_LEVELS = 30
+
+
+class Value(Record):
+    """A scalar, the lines and columns of its ends, from 0, and its tag, such as ``!degrees``."""
+
+    text: str
+    source: Source
+    start: tuple[int, int]
+    end: tuple[int, int]
+    tag: str = ""
+
+    @property
+    def span(self) -> Span:
+        """Its place, counted when it is asked for: the lines of a hostile file are long."""
+        start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:4])
+        return Span(self.source, start, end)
+
+
+class Key(str):
+    """A key of a mapping, which knows its place."""
+
+    __slots__ = ("at",)
+    at: Value
+
+    @property
+    def span(self) -> Span:
+        return self.at.span
+
+
+#: None stands for an alias. Keys that are scalars are ``Key``.
+Node: TypeAlias = "Value | list[Node] | dict[str, Node] | None"
+
+
+def load(source: Source) -> Node:
+    """The first document of a YAML file."""
+    if len(source.data) > MAX_BYTES:
+        return None
+    import yaml  # 15 ms, and few models name a file of parameters
+
+    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    try:
+        return _compose(source, yaml.parse(source.data, loader))
+    except yaml.YAMLError:
+        return None
+
+
+def _compose(source: Source, events: Iterable[Any]) -> Node:
+    """The value that events make; None where it is too deep.
+
+    Raises:
+        yaml.YAMLError: it is not YAML.
+    """
+    import yaml
+
+    top: list[Node] = []
+    stack: list[Node] = [top]  # the collections that are open
+    keys: list[str | None] = [None]  # of each, the key that waits for its value
+    for event in events:
+        if isinstance(event, yaml.DocumentEndEvent):
+            break
+        if isinstance(event, yaml.CollectionEndEvent):
+            stack.pop()
+            keys.pop()
+            continue
+        owner = stack[-1]
+        node = _continued(owner, keys[-1], _node(source, event))
+        if isinstance(event, yaml.NodeEvent):
+            if isinstance(owner, list):
+                owner.append(node)
+            elif isinstance(owner, dict):
+                if keys[-1] is None:
+                    keys[-1] = _key(node)
+                else:
+                    owner[keys[-1]] = node
+                    keys[-1] = None
+        if isinstance(event, yaml.CollectionStartEvent):
+            stack.append(node)
+            keys.append(None)
+            if len(stack) > MAX_LEVELS:
+                return None
+    return top[0] if top else None
+
+
+def _continued(owner: Node, key: str | None, node: Node) -> Node:
+    """The mapping to fill: a key that comes again, such as ``/**``, goes on, as ROS 2 reads it."""
+    if isinstance(owner, dict) and isinstance(node, dict) and key is not None:
+        before = owner.get(key)
+        return before if isinstance(before, dict) else node
+    return node
+
+
+def _key(node: Node) -> str:
+    if not isinstance(node, Value):
+        return ""
+    key = Key(node.text)
+    key.at = node
+    return key
+
+
+def slip(source: Source) -> tuple[Span, str] | None:
+    """Where and why a file is no YAML; None if it is."""
+    if len(source.data) > MAX_BYTES:
+        return None
+    import yaml
+
+    try:
+        for _ in yaml.parse(source.data, yaml.SafeLoader):
+            pass
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        start = source.offset(mark.line + 1, mark.column + 1) if mark else 0
+        return Span(source, start, start), error.problem or str(error)
+    except yaml.YAMLError as error:  # a character that YAML does not allow
+        return Span(source, 0, 0), str(error).partition("\n")[0]
+    return None
+
+
+def _node(source: Source, event: Any) -> Node:
+    import yaml
+
+    if isinstance(event, yaml.ScalarEvent):
+        ends: tuple[Any, Any] = (event.start_mark, event.end_mark)
+        start, end = ((mark.line, mark.column) for mark in ends)
+        return Value(event.value, source, start, end, event.tag or "")
+    if isinstance(event, yaml.MappingStartEvent):
+        return {}
+    return [] if isinstance(event, yaml.SequenceStartEvent) else None  # None for an alias

@@ -1,0 +1,65 @@
+"""Places as JSON: what ``urdfkit expand --map`` writes, and one address for every element."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.errors import UrdfkitError
+from urdfkit.text.document import Attribute, Document, Element, Step
+from urdfkit.text.source import Span
+
+VERSION = 1
+
+
+class NoSuchElement(UrdfkitError):
+    """An address that leads to no element or attribute."""
+
+
+def place_map(document: Document) -> dict[str, Any]:
+    """Where every element of a document was written, and the calls that led there.
+
+    Returns:
+        ``{"version", "elements": [{"element", "path", "line", "column", "literal", "via"}]}``, in
+        the order of the document; ``literal`` names the attributes whose text in the file is their
+        value.
+    """
+    return {"version": VERSION, "elements": [_element(e) for e in document.root.walk()]}
+
+
+def _element(element: Element) -> dict[str, Any]:
+    return {
+        "element": element.path,
+        **_place(element.span),
+        "literal": [name for name, a in element.attributes.items() if a.literal],
+        "via": [_step(step) for step in element.via],
+    }
+
+
+def _step(step: Step) -> dict[str, Any]:
+    return {"kind": step.kind, "name": step.name, **_place(step.span)}
+
+
+def _place(span: Span) -> dict[str, Any]:
+    line, column = span.source.position(span.start)
+    return {"path": span.source.path, "line": line, "column": column}
+
+
+def find(document: Document, address: str) -> Element | Attribute:
+    """The element or attribute at an address such as ``link/arm/inertial/inertia@ixx``.
+
+    Raises:
+        NoSuchElement: with the nearest address.
+    """
+    path, at, name = address.partition("@")
+    elements = {element.path: element for element in reversed(list(document.root.walk()))}
+    element = elements.get(path.strip("/"))
+    if element is None:
+        raise NoSuchElement(f"there is no element '{path}'{did_you_mean(path, elements)}")
+    if not at:
+        return element
+    attribute = element.attributes.get(name)
+    if attribute is None:
+        names = did_you_mean(name, element.attributes)
+        raise NoSuchElement(f"element '{path}' has no attribute '{name}'{names}")
+    return attribute

@@ -1,0 +1,257 @@
+"""URDF's grammar as data: which elements and attributes there are, how often, of which type.
+
+Sources: the URDF specification of the ROS wiki (http://wiki.ros.org/urdf/XML), urdfdom's
+``xsd/urdf.xsd`` and README, and what its ``check_urdf`` 3.0.1 and 6.0.0 accept when they are tried.
+Only ``<link>``, ``<joint>`` and ``<material>`` subtrees have a grammar here; ``<gazebo>``,
+``<transmission>`` and ``<ros2_control>`` have their own families of rules. What another program
+adds to URDF without a prefix (Bullet, MuJoCo, Drake) is in ``catalog/urdf_extensions.json``.
+"""
+
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+
+#: Types of attributes.
+NAME = "name"  # a name that is defined here
+LINK = "link"  # the name of a link
+JOINT = "joint"  # the name of a joint
+TEXT = "text"
+FLOAT = "number"
+XYZ = "x y z"
+RGBA = "red green blue alpha"
+QUATERNION = "x y z w"
+
+#: How many numbers an attribute has. One scale for all three axes is refused, too.
+LENGTHS = {FLOAT: 1, XYZ: 3, RGBA: 4, QUATERNION: 4}
+
+#: The versions that ``<robot version>`` may name, oldest first; without one it is the first.
+VERSIONS = ("1.0", "1.1", "1.2")
+
+
+class AttributeRule(Record):
+    """What an attribute holds.
+
+    Attributes:
+        type: one of the constants above.
+        required: True if readers refuse the element without it.
+        since: the first URDF version that has it.
+    """
+
+    type: str
+    required: bool = False
+    since: str = VERSIONS[0]
+
+
+class Grammar(Record):
+    """What an element may hold.
+
+    Attributes:
+        attributes: by name.
+        children: by tag, the grammar of each.
+        required: tags that must occur.
+        many: tags that may occur more than once.
+        open: True if anything else may stand here too.
+        choice: True if exactly one of the children stands here, and first.
+        any_of: attributes of which at least one is required.
+        since: the first URDF version that has the element.
+    """
+
+    attributes: dict[str, AttributeRule]
+    children: dict[str, Grammar]
+    required: tuple[str, ...] = ()
+    many: tuple[str, ...] = ()
+    open: bool = False
+    choice: bool = False
+    any_of: tuple[str, ...] = ()
+    since: str = VERSIONS[0]
+
+
+_REQUIRED_FLOAT = AttributeRule(FLOAT, required=True)
+_OPTIONAL_FLOAT = AttributeRule(FLOAT)
+_LEAF_NAME = AttributeRule(NAME)
+
+ANYTHING = Grammar({}, {}, open=True)
+ORIGIN = Grammar(
+    {
+        "xyz": AttributeRule(XYZ),
+        "rpy": AttributeRule(XYZ),
+        "quat_xyzw": AttributeRule(QUATERNION, since="1.1"),
+    },
+    {},
+)
+
+SHAPES = {
+    "box": Grammar({"size": AttributeRule(XYZ, required=True)}, {}),
+    "cylinder": Grammar({"radius": _REQUIRED_FLOAT, "length": _REQUIRED_FLOAT}, {}),
+    "capsule": Grammar({"radius": _REQUIRED_FLOAT, "length": _REQUIRED_FLOAT}, {}, since="1.1"),
+    "sphere": Grammar({"radius": _REQUIRED_FLOAT}, {}),
+    "mesh": Grammar(
+        {"filename": AttributeRule(TEXT, required=True), "scale": AttributeRule(XYZ)}, {}
+    ),
+}
+GEOMETRY = Grammar({}, SHAPES, choice=True)
+
+MATERIAL = Grammar(
+    {"name": AttributeRule(NAME, required=True)},
+    {
+        "color": Grammar({"rgba": AttributeRule(RGBA, required=True)}, {}),
+        "texture": Grammar({"filename": AttributeRule(TEXT)}, {}),
+    },
+)
+
+VISUAL = Grammar(
+    {"name": _LEAF_NAME},
+    {"origin": ORIGIN, "geometry": GEOMETRY, "material": MATERIAL},
+    required=("geometry",),
+)
+
+COLLISION = Grammar(
+    {"name": _LEAF_NAME},
+    {"origin": ORIGIN, "geometry": GEOMETRY},
+    required=("geometry",),
+)
+
+INERTIAL = Grammar(
+    {},
+    {
+        "origin": ORIGIN,
+        "mass": Grammar({"value": _REQUIRED_FLOAT}, {}),
+        "inertia": Grammar(
+            dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), _REQUIRED_FLOAT), {}
+        ),
+    },
+    required=("mass", "inertia"),
+)
+
+LINK_GRAMMAR = Grammar(
+    {
+        "name": AttributeRule(NAME, required=True),
+        "type": AttributeRule(TEXT),
+    },
+    {
+        "inertial": INERTIAL,
+        "visual": VISUAL,
+        "collision": COLLISION,
+    },
+    many=("visual", "collision"),
+)
+
+JOINT_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+
+JOINT_GRAMMAR = Grammar(
+    {
+        "name": AttributeRule(NAME, required=True),
+        "type": AttributeRule(TEXT, required=True),
+    },
+    {
+        "origin": ORIGIN,
+        "parent": Grammar({"link": AttributeRule(LINK, required=True)}, {}),
+        "child": Grammar({"link": AttributeRule(LINK, required=True)}, {}),
+        "axis": Grammar({"xyz": AttributeRule(XYZ)}, {}),
+        "calibration": Grammar(
+            {
+                "rising": _OPTIONAL_FLOAT,
+                "falling": _OPTIONAL_FLOAT,
+                "reference_position": AttributeRule(TEXT),  # in the specification, read by nobody
+            },
+            {},
+        ),
+        "dynamics": Grammar(
+            {"damping": _OPTIONAL_FLOAT, "friction": _OPTIONAL_FLOAT},
+            {},
+            any_of=("damping", "friction"),
+        ),
+        # effort and velocity: JNT002 and JNT021 know for which types they are required.
+        "limit": Grammar(
+            dict.fromkeys(("lower", "upper", "effort", "velocity"), _OPTIONAL_FLOAT)
+            # URDF 1.2, and passed over in older versions
+            | dict.fromkeys(("acceleration", "deceleration", "jerk"), AttributeRule(TEXT)),
+            {},
+        ),
+        "mimic": Grammar(
+            {
+                "joint": AttributeRule(JOINT, required=True),
+                "multiplier": _OPTIONAL_FLOAT,
+                "offset": _OPTIONAL_FLOAT,
+            },
+            {},
+        ),
+        "safety_controller": Grammar(
+            {
+                "soft_lower_limit": _OPTIONAL_FLOAT,
+                "soft_upper_limit": _OPTIONAL_FLOAT,
+                "k_position": _OPTIONAL_FLOAT,
+                "k_velocity": _REQUIRED_FLOAT,
+            },
+            {},
+        ),
+    },
+    required=("parent", "child"),
+)
+
+#: The grammar of ``<robot>``.
+ROBOT = Grammar(
+    {"name": AttributeRule(NAME, required=True), "version": AttributeRule(TEXT)},
+    {
+        "link": LINK_GRAMMAR,
+        "joint": JOINT_GRAMMAR,
+        "material": MATERIAL,
+        "gazebo": ANYTHING,
+        "transmission": ANYTHING,
+        "ros2_control": ANYTHING,
+        "sensor": ANYTHING,
+    },
+    many=("link", "joint", "material"),
+)
+
+#: Tags that Gazebo reads in a ``<gazebo>`` block and nowhere else. Source: what sdformat's URDF
+#: converter handles by name, and the children that SDF's ``<link>``, ``<joint>`` and ``<model>``
+#: have beside those of URDF.
+GAZEBO_TAGS = frozenset(
+    "mu1 mu2 fdir1 kp kd maxVel minDepth maxContacts laserRetro selfCollide turnGravityOff "
+    "dampingFactor canonicalBody static stopCfm stopErp cfmDamping fudgeFactor provideFeedback "
+    "implicitSpringDamper springReference springStiffness preserveFixedJoint "
+    "disableFixedJointLumping self_collide gravity kinematic enable_wind must_be_base_link "
+    "velocity_decay sensor plugin light projector pose surface friction".split()
+)
+
+#: Elements of SRDF, which has the root element of URDF.
+SRDF_TAGS = frozenset(
+    "group group_state end_effector virtual_joint passive_joint disable_collisions "
+    "disable_default_collisions enable_collisions link_sphere_approximation joint_property".split()
+)
+
+#: Tags of xacro, which do nothing without their prefix, and the attribute that each has.
+XACRO_TAGS = {
+    "include": "filename",
+    "property": "name",
+    "macro": "name",
+    "insert_block": "name",
+    "arg": "name",
+    "if": "value",
+    "unless": "value",
+}
+
+
+def places_of(tag: str) -> list[str]:
+    """The elements that may hold a tag, such as ``visual`` for ``material``."""
+    found: list[str] = []
+    stack = [("robot", ROBOT)]
+    while stack:
+        parent, grammar = stack.pop()
+        for child, inner in grammar.children.items():
+            if child == tag and parent not in found:
+                found.append(parent)
+            stack.append((child, inner))
+    return found
+
+
+def numeric_attributes() -> frozenset[str]:
+    """The attributes that hold numbers, in whichever element."""
+    found: set[str] = set()
+    stack = [ROBOT]
+    while stack:
+        grammar = stack.pop()
+        found.update(name for name, rule in grammar.attributes.items() if rule.type in LENGTHS)
+        stack += grammar.children.values()
+    return frozenset(found)

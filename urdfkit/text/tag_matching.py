@@ -1,0 +1,206 @@
+"""Fits end tags to start tags in a text where some are missing, wrong or one too many."""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.core.record import Record
+
+MAX_ERRORS = 100
+#: Tags that are looked at to tell a missing end tag from one too many.
+LOOK_AHEAD = 10_000
+
+
+class Slip(Record):
+    """One error of syntax.
+
+    Attributes:
+        start, end: bytes of the text that are wrong; equal where something is missing.
+        message: what is wrong.
+        notes: other places that explain it, as (start, end, message).
+        trailing: True for what follows the end of the root element.
+        help: what to do; empty where the message says it.
+        remedy: texts that put it right, as (start, end, text); empty where they are not known.
+    """
+
+    start: int
+    end: int
+    message: str
+    notes: tuple[tuple[int, int, str], ...] = ()
+    trailing: bool = False
+    help: str = ""
+    remedy: tuple[tuple[int, int, str], ...] = ()
+
+
+class Tag(Record):
+    """A tag or a text; ``kind`` is ``open``, ``empty``, ``close``, ``text``, or ``unsure``.
+
+    Unsure is a start tag whose end is missing: it may have been meant as an empty element.
+    """
+
+    kind: str
+    name: str
+    start: int
+    end: int
+
+    def note(self, message: str) -> tuple[int, int, str]:
+        return (self.start, self.end, message)
+
+
+class Fitting:
+    """Fits end tags to start tags."""
+
+    def __init__(self, data: bytes, tags: list[Tag], slips: list[Slip], *, cut_off: bool) -> None:
+        self._data = data
+        self._tags = tags
+        self._slips = slips
+        self._cut_off = cut_off
+        self._open: list[Tag] = []
+        self._counts: dict[str, int] = {}
+        self._late: dict[str, int] = {}  # reported as not closed; their end tag may still come
+        self._root: Tag | None = None
+
+    def run(self) -> None:
+        for number, tag in enumerate(self._tags):
+            if len(self._slips) >= MAX_ERRORS:
+                return
+            if not self._open and tag.kind != "close" and not self._outside(tag):
+                return
+            if tag.kind in ("open", "unsure"):
+                self._push(tag)
+            elif tag.kind == "close":
+                self._close(number, tag)
+        self._end()
+
+    def _add(self, at: tuple[int, int], message: str, *notes: tuple[int, int, str]) -> None:
+        self._slips.append(Slip(*at, message, notes))
+
+    def _outside(self, tag: Tag) -> bool:
+        """Something outside of any element; False if what follows makes no sense any more."""
+        if self._root is None:
+            if tag.kind == "text":
+                start, end = _stripped(self._data, tag)
+                self._add((start, end), "text before the first tag")
+            else:
+                self._root = tag
+            return True
+        name = self._root.name
+        start, end = _stripped(self._data, tag) if tag.kind == "text" else (tag.start, tag.end)
+        what = "text" if tag.kind == "text" else f"<{tag.name}>"
+        note = self._root.note(f"<{name}> begins here")
+        message = f"{what} behind the end of <{name}>"
+        self._slips.append(Slip(start, end, message, (note,), trailing=True))
+        return False
+
+    def _push(self, tag: Tag) -> None:
+        self._open.append(tag)
+        self._counts[tag.name] = self._counts.get(tag.name, 0) + 1
+
+    def _pop(self) -> Tag:
+        tag = self._open.pop()
+        self._counts[tag.name] -= 1
+        return tag
+
+    def _close(self, number: int, tag: Tag) -> None:
+        known = self._counts.get(tag.name, 0) > 0
+        while self._open and self._open[-1].kind == "unsure" and self._open[-1].name != tag.name:
+            self._pop()
+        if self._open and self._open[-1].name == tag.name:
+            self._pop()
+        elif not self._open:
+            self._stray(number, tag)
+        elif known:
+            self._not_the_innermost(number, tag)
+        elif self._next_unmatched(number) == self._open[-1].name:
+            self._stray(number, tag)
+        else:
+            self._instead(tag)
+
+    def _not_the_innermost(self, number: int, tag: Tag) -> None:
+        """The end of an element around the innermost one."""
+        depth = len(self._open) - 1
+        while self._open[depth].name != tag.name:
+            depth -= 1
+        around = self._open[depth - 1].name if depth else None
+        parent = self._open[-2].name
+        following = self._next_unmatched(number)
+        if following == parent and following != around:
+            self._instead(tag)
+            return
+        while self._open[-1].name != tag.name:
+            inner = self._pop()
+            if inner.kind == "open":
+                self._late[inner.name] = self._late.get(inner.name, 0) + 1
+                message = f"{self._shown(inner)} is not closed before </{tag.name}>"
+                note = tag.note(f"</{tag.name}> closes the element around it")
+                self._add((inner.start, inner.end), message, note)
+        self._pop()
+
+    def _instead(self, tag: Tag) -> None:
+        """An end tag with a wrong name."""
+        expected = self._pop()
+        note = expected.note(f"{self._shown(expected)} is open since here")
+        message = f"</{tag.name}> stands where </{expected.name}> is expected"
+        self._add((tag.start, tag.end), message, note)
+
+    def _stray(self, number: int, tag: Tag) -> None:
+        """An end tag to which there is no start tag."""
+        if self._late.get(tag.name, 0):
+            self._late[tag.name] -= 1
+            return
+        if not self._open and self._root is not None and self._late:
+            return
+        notes = []
+        for earlier in reversed(self._tags[max(0, number - 100) : number]):
+            if earlier.kind == "empty" and earlier.name == tag.name:
+                notes.append(
+                    earlier.note(f"<{tag.name} .../> closes itself: its '/' is one too many")
+                )
+                break
+            if earlier.kind in ("open", "close") and earlier.name == tag.name:
+                break
+        message = f"</{tag.name}> closes nothing: no <{tag.name}> is open"
+        self._add((tag.start, tag.end), message, *notes)
+
+    def _next_unmatched(self, number: int) -> str | None:
+        """Name of the next end tag that closes nothing of what is opened after ``number``."""
+        opened: list[Tag] = []
+        for tag in self._tags[number + 1 : number + 1 + LOOK_AHEAD]:
+            if tag.kind in ("open", "unsure"):
+                opened.append(tag)
+            elif tag.kind == "close":
+                while opened and opened[-1].kind == "unsure" and opened[-1].name != tag.name:
+                    opened.pop()
+                if not any(one.name == tag.name for one in opened[-50:]):
+                    return tag.name
+                while opened.pop().name != tag.name:
+                    pass
+        return None
+
+    def _end(self) -> None:
+        """The end of the file."""
+        if self._cut_off:
+            return
+        still = [tag for tag in reversed(self._open) if tag.kind == "open"]
+        if still:
+            names = ", ".join(f"</{tag.name}>" for tag in still[:5]) + (
+                f" and {len(still) - 5} more" if len(still) > 5 else ""
+            )
+            notes = [tag.note(f"{self._shown(tag)} is not closed") for tag in still[:5]]
+            end = len(self._data.rstrip())
+            self._add((end, end), f"the file ends before {names}", *notes)
+        elif self._root is None and not self._slips:
+            self._add((0, 0), "there is no element in the file")
+
+    def _shown(self, tag: Tag) -> str:
+        """A start tag with its name attribute, so that it can be told from its like."""
+        text = self._data[tag.start : tag.end][:500]
+        found = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
+        name = f' name="{found.group(1).decode("utf-8", "replace")}"' if found else ""
+        return f"<{tag.name}{name}>"
+
+
+def _stripped(data: bytes, tag: Tag) -> tuple[int, int]:
+    text = data[tag.start : tag.end]
+    start = tag.start + len(text) - len(text.lstrip())
+    return start, start + len(text.strip())

@@ -1,0 +1,133 @@
+"""Text on a screen: what may be shown of a robot's file, and how many columns it takes."""
+
+from __future__ import annotations
+
+from urdfkit.text.source import Span
+
+#: A tab in a frame, where its true width cannot be known.
+_TAB = "    "
+#: What is shown for one character, the columns that it takes, and whether a caret is below.
+_Cell = tuple[str, int, bool]
+#: Stands for what was cut off.
+_CUT = "..."
+
+
+def printable(text: str) -> str:
+    """A text on one line, without anything that could steer a terminal.
+
+    A robot's file may hold escape sequences and marks that turn the direction of writing; they
+    are shown by their numbers.
+    """
+    if text.isprintable():
+        return text
+    return "".join(map(_printable, text))
+
+
+def _printable(char: str) -> str:
+    if char.isprintable():
+        return char
+    if char.isspace():
+        return " "
+    return char.encode("unicode_escape").decode("ascii")
+
+
+def columns(text: str) -> int:
+    """The columns that a printable text takes: Chinese characters two, accents none."""
+    if text.isascii():
+        return len(text)
+    from unicodedata import category, east_asian_width
+
+    wide = sum(east_asian_width(char) in "WF" for char in text)
+    return len(text) + wide - sum(category(char) in ("Mn", "Me") for char in text)
+
+
+def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
+    """Break a text at spaces where it would pass ``width``; a long word stays whole.
+
+    Args:
+        text: printable.
+        width: of the screen, in columns.
+        indent: columns before the second and later lines.
+        used: columns of the first line that are taken.
+    """
+    lines = [""]
+    room = width - used
+    if used and room < width // 4:
+        room = 0  # a lone word at the end of a long first line reads badly
+    if columns(text) <= room:
+        return text
+    for word in text.split(" "):
+        line = f"{lines[-1]} {word}" if lines[-1] else word
+        if columns(line) <= room or not (lines[-1] or used):
+            lines[-1] = line
+        else:
+            lines.append(word)
+            room = width - indent
+            used = 0
+    return f"\n{' ' * indent}".join(lines)
+
+
+def frame(span: Span, width: int) -> tuple[str, str]:
+    """The line that a span begins on, without its indentation, and carets below the span.
+
+    The line is cut to ``width`` columns around the span. It may be a whole robot of many
+    kilobytes: only what can be seen is looked at.
+    """
+    data, start = span.source.data, span.start
+    reach = 4 * width  # bytes; a character has four at most
+    before = _last_line(data[max(0, start - reach) : start])
+    after = _first_line(data[start : start + reach])
+    text = _text(after)
+    length = len(_text(after[: max(0, span.end - start)])) or 1  # a place between characters
+    left = _text(before).lstrip()
+    whole = left + text
+    is_plain = whole.isascii() and whole.isprintable() and text
+    if len(whole) <= width and is_plain and max(len(before), len(after)) < reach:
+        return whole.rstrip(), " " * len(left) + "^" * len(text[:length].rstrip() or " ")
+    cells = [
+        *_cells(_CUT if len(before) == reach else "", marked=False),
+        *_cells(left, marked=False),
+        *_cells(text[:length] or " ", marked=True),
+        *_cells(text[length:], marked=False),
+        *_cells(_CUT if len(after) == reach else "", marked=False),
+    ]
+    return _cut(cells, width)
+
+
+def _last_line(data: bytes) -> bytes:
+    return data[max(data.rfind(b"\n"), data.rfind(b"\r")) + 1 :]
+
+
+def _first_line(data: bytes) -> bytes:
+    return data.split(b"\n", 1)[0].split(b"\r", 1)[0]
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "replace")
+
+
+def _cells(text: str, *, marked: bool) -> list[_Cell]:
+    shown = (_TAB if char == "\t" else _printable(char) for char in text)
+    return [(cell, columns(cell), marked) for cell in shown]
+
+
+def _cut(cells: list[_Cell], width: int) -> tuple[str, str]:
+    """The piece of a line that shows its marked cells, and the carets."""
+    total = sum(size for _, size, _ in cells)
+    begin, end = 0, total
+    if total > width:
+        first = next(number for number, (_, _, mark) in enumerate(cells) if mark)
+        left = sum(size for _, size, _ in cells[:first])
+        marked = sum(size for _, size, mark in cells if mark)
+        # The carets in the middle; of a long span, the beginning and something before it.
+        spare = max(width - marked, width // 4)
+        begin = min(max(0, left - spare // 2), total - width)
+        end = begin + width
+    cut_left, cut_right = _CUT * (begin > 0), _CUT * (end < total)
+    line, carets, column = cut_left, " " * len(cut_left), 0
+    for text, size, mark in cells:
+        if begin + len(cut_left) <= column and column + size <= end - len(cut_right):
+            line += text
+            carets += ("^" if mark else " ") * size
+        column += size
+    return (line + cut_right).rstrip(), carets.rstrip()

@@ -1,0 +1,392 @@
+"""Every place where a text is not well-formed XML, in words, with the place to mend.
+
+A parser stops at the first error, and often names the place where it noticed a slip made above.
+This scanner reads on: it takes the text apart into tags, then fits end tags to start tags, and
+chooses where something is missing what the rest of the file agrees with best. It is run on files
+that expat has refused; it never refuses a file that expat accepts.
+"""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.text.tag_matching import MAX_ERRORS, Fitting, Slip, Tag
+
+#: Tags that are fitted to each other; what follows in a larger broken file is not looked at.
+MAX_TAGS = 300_000
+#: Control characters that a text may hold by mistake.
+MAX_CONTROLS = 20
+
+_NAME = rb"[A-Za-z_:\x80-\xff][A-Za-z0-9_:.\x80-\xff-]*"
+_START = re.compile(rb"<(%s)" % _NAME)
+_SPACED_START = re.compile(rb"<\s+(%s)(?=\s+[\w:.-]+\s*=|\s*/?>)" % _NAME)
+_END = re.compile(rb"</(%s)\s*>" % _NAME)
+_ATTRIBUTE_NAME = re.compile(_NAME)
+_TARGET = re.compile(rb"<\?%s(?=[\s?])" % _NAME)
+_BLANK = re.compile(rb"[ \t\r\n]*")
+_UNQUOTED = re.compile(rb"[^\s<>\"'/]+")
+_UNOPENED = re.compile(rb"""[^<>="']*""")
+_SWALLOWED = re.compile(rb"\s(%s)\s*=\s*$" % _NAME)
+_JUNK = re.compile(
+    rb"""[\w.:-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*')|["']|[^\s/>"'<A-Za-z_:\x80-\xff]+|/"""
+)
+_REFERENCE = re.compile(rb"&(?:#([0-9]+);|#x([0-9A-Fa-f]+);|(%s);)?" % _NAME)
+_CONTROLS = re.compile(rb"\x00+|[\x01-\x08\x0b\x0c\x0e-\x1f]|\xef\xbf[\xbe\xbf]")
+#: What XML forbids between ``<!--`` and ``-->``: two hyphens, or one before the end.
+_HYPHENS = re.compile(rb"--+|-\Z")
+_DECLARATION = re.compile(
+    rb"""<\?xml\s+version\s*=\s*(?:"[\w.:-]+"|'[\w.:-]+')"""
+    rb"""(?:\s+encoding\s*=\s*(?:"[\w.-]+"|'[\w.-]+'))?"""
+    rb"""(?:\s+standalone\s*=\s*(?:"(?:yes|no)"|'(?:yes|no)'))?\s*\?>"""
+)
+_PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
+
+
+_NAME_ANOTHER = "name the URDF or xacro of the robot"
+
+
+def syntax_slips(data: bytes) -> list[Slip]:
+    """All errors of a text in the order of their places; none if it is not known what is wrong.
+
+    Args:
+        data: UTF-8.
+    """
+    if other := _other_kind(data):
+        message, help = other
+        return [Slip(0, 0, message, help=help)]
+    controls = _controls(data)
+    count = sum(end - start for start, end in controls)
+    if count > MAX_CONTROLS:
+        message = f"the file is no text: it holds {count} control characters"
+        return [Slip(*controls[0], message, help=_NAME_ANOTHER)]
+    scanner = _Scanner(data)
+    scanner.run()
+    first: dict[int, Slip] = {}
+    for slip in scanner.slips:
+        first.setdefault(slip.start, slip)  # what else is wrong there follows from it
+    return [first[start] for start in sorted(first)][:MAX_ERRORS]
+
+
+def _other_kind(data: bytes) -> tuple[str, str] | None:
+    """What the file is if it is something else altogether, and what to do."""
+    start = data[:1000].lstrip().lower()
+    if not data.strip():
+        return "the file is empty", "write a <robot> into it, or name another file"
+    if start.startswith((b"<!doctype html", b"<html")):
+        return "the file is a web page, not a robot", "download the raw file"
+    if start.startswith(b"version https://git-lfs"):
+        return "the file is a pointer of Git LFS, not the robot itself", "run: git lfs pull"
+    if b"<" not in data:
+        return "the file is no XML: there is no tag in it", _NAME_ANOTHER
+    return None
+
+
+class _Scanner:
+    """Takes a text apart; ``slips`` collects what is wrong."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self.slips: list[Slip] = []
+        self._tags: list[Tag] = []
+        self._has_doctype = False
+        self._cut_off = False  # the rest of the file belongs to something that never ends
+
+    def run(self) -> None:
+        for start, end in _controls(self.data):
+            self.slips.append(_control(self.data, start, end))
+        position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
+        position = self._declaration(position)
+        size = len(self.data)
+        while position < size and len(self.slips) < MAX_ERRORS and len(self._tags) < MAX_TAGS:
+            start = self.data.find(b"<", position)
+            self._text(position, start if start >= 0 else size)
+            if start < 0:
+                break
+            position = self._markup(start)
+        else:
+            self._cut_off = self._cut_off or position < size
+        Fitting(self.data, self._tags, self.slips, cut_off=self._cut_off).run()
+
+    def _add(self, start: int, end: int, message: str, *notes: tuple[int, int, str]) -> None:
+        self.slips.append(Slip(start, end, message, notes))
+
+    def _declaration(self, position: int) -> int:
+        if not self.data.startswith(b"<?xml", position) or self.data[
+            position + 5 : position + 6
+        ] in (
+            b"-",
+            b"_",
+        ):
+            return position
+        if good := _DECLARATION.match(self.data, position):
+            return good.end()
+        end = self.data.find(b"?>", position)
+        if 0 <= end < position + 1000:
+            message = 'the XML declaration must read <?xml version="1.0"?>'
+            self._add(position, end + 2, message)
+            return end + 2
+        return position
+
+    # ------------------------------------------------------------------- text
+
+    def _text(self, start: int, end: int) -> None:
+        """Character data: references, and the one sequence that XML forbids in it."""
+        self._references(start, end)
+        forbidden = self.data.find(b"]]>", start, end)
+        if forbidden >= 0:
+            self._add(forbidden, forbidden + 3, "']]>' in a text must be written ']]&gt;'")
+        if self.data[start:end].strip():
+            self._tags.append(Tag("text", "", start, end))
+
+    def _references(self, start: int, end: int) -> None:
+        position = self.data.find(b"&", start, end)
+        while position >= 0 and len(self.slips) < MAX_ERRORS:
+            found = _REFERENCE.match(self.data, position, end)
+            assert found is not None
+            decimal, hexadecimal, name = found.groups()
+            if found.group() == b"&":
+                self._add(position, position + 1, "'&' must be written '&amp;'")
+            elif name is not None and name not in _PREDEFINED and not self._has_doctype:
+                text = found.group().decode("utf-8", "replace")
+                self._add(*found.span(), f"'{text}' is not defined; XML knows &lt; &gt; &amp; only")
+            elif decimal or hexadecimal:
+                digits = (decimal or hexadecimal)[:12]
+                if not _is_character(int(digits, 10 if decimal else 16)):
+                    self._add(*found.span(), f"'{found.group().decode()[:20]}' is no character")
+            position = self.data.find(b"&", found.end(), end)
+
+    # ----------------------------------------------------------------- markup
+
+    def _markup(self, start: int) -> int:
+        """Read what begins with the ``<`` at ``start``; the offset behind it."""
+        data = self.data
+        if data.startswith(b"<!--", start):
+            return self._comment(start)
+        if data.startswith(b"<![CDATA[", start):
+            return self._until(start, 9, b"]]>", "CDATA section")
+        if data.startswith(b"<?", start):
+            if re.match(rb"<\?[xX][mM][lL][\s?]", data[start : start + 6]):
+                message = "the XML declaration must stand at the very beginning of the file"
+                self._add(start, start + 5, message)
+            if not _TARGET.match(data, start):
+                self._add(start, start + 2, "a name must follow '<?'")
+                return start + 2
+            return self._until(start, 2, b"?>", "'<?' instruction")
+        if data.startswith(b"<!DOCTYPE", start):
+            return self._doctype(start)
+        if data.startswith(b"</", start):
+            return self._end_tag(start)
+        if found := _START.match(data, start):
+            return self._start_tag(found)
+        if found := _SPACED_START.match(data, start):
+            name = found.group(1).decode("utf-8", "replace")
+            self._add(start, found.end(), f"no blank may stand between '<' and '{name}'")
+            return self._start_tag(found)
+        self._add(start, start + 1, "'<' begins no tag; in a text it must be written '&lt;'")
+        return start + 1
+
+    def _until(self, start: int, skip: int, end: bytes, what: str) -> int:
+        found = self.data.find(end, start + skip)
+        if found >= 0:
+            return found + len(end)
+        self._add(start, start + skip, f"the {what} never ends: '{end.decode()}' is missing")
+        return self._give_up()
+
+    def _give_up(self) -> int:
+        self._cut_off = True
+        return len(self.data)
+
+    def _comment(self, start: int) -> int:
+        end = self._until(start, 4, b"-->", "comment")
+        if not self._cut_off and (slip := _hyphens(self.data, start + 4, end - 3)):
+            self.slips.append(slip)
+        return end
+
+    def _doctype(self, start: int) -> int:
+        self._has_doctype = True
+        found = re.compile(rb"""(?:[^<>\["']|"[^"]*"|'[^']*')*(\[)?""").match(self.data, start + 9)
+        assert found is not None
+        position = found.end()
+        if found.group(1):
+            inner = re.compile(rb"""(?:<!--.*?-->|"[^"]*"|'[^']*'|[^\]"'])*\]\s*""", re.DOTALL)
+            body = inner.match(self.data, position)
+            position = body.end() if body else position
+        if self.data.startswith(b">", position):
+            return position + 1
+        self._add(start, start + 9, "the <!DOCTYPE never ends")
+        return self._give_up()
+
+    def _end_tag(self, start: int) -> int:
+        if found := _END.match(self.data, start):
+            name = found.group(1).decode("utf-8", "replace")
+            self._tags.append(Tag("close", name, start, found.end()))
+            return found.end()
+        name_found = re.compile(rb"</\s*(%s)" % _NAME).match(self.data, start)
+        if name_found is None:
+            self._add(start, start + 2, "'</' begins no end tag: a name must follow")
+            return start + 2
+        name = name_found.group(1).decode("utf-8", "replace")
+        rest = re.compile(rb"[^<>]*(>?)").match(self.data, name_found.end())
+        assert rest is not None
+        closed = bool(rest.group(1))
+        end = rest.end() if closed else name_found.end()
+        what = f"an end tag holds nothing but its name: </{name}>" if closed else None
+        if not closed and rest.end() == len(self.data):
+            self._add(start, end, f"the file ends inside </{name}")
+            return self._give_up()
+        self._add(start, end, what or f"'>' is missing behind </{name}")
+        self._tags.append(Tag("close", name, start, end))
+        return end
+
+    # -------------------------------------------------------------- start tag
+
+    def _start_tag(self, found: re.Match[bytes]) -> int:
+        data, start, position = self.data, found.start(), found.end()
+        name = found.group(1).decode("utf-8", "replace")
+        seen: dict[bytes, tuple[int, int]] = {}
+        while True:
+            blank = _BLANK.match(data, position)
+            assert blank is not None
+            before, position = position, blank.end()
+            if data.startswith(b">", position):
+                self._tags.append(Tag("open", name, start, position + 1))
+                return position + 1
+            if data.startswith(b"/>", position):
+                self._tags.append(Tag("empty", name, start, position + 2))
+                return position + 2
+            if position >= len(data):
+                if self._cut_off:  # by a value without its closing quote
+                    return position
+                self._add(start, found.end(), f"the file ends inside <{name}")
+                return self._give_up()
+            if data.startswith(b"<", position):
+                self._add(before, before, f"'>' is missing at the end of <{name}")
+                self._tags.append(Tag("unsure", name, start, before))
+                return position
+            attribute = _ATTRIBUTE_NAME.match(data, position)
+            if attribute is None:
+                junk = _JUNK.match(data, position)
+                end = junk.end() if junk else position + 1
+                text = data[position:end].decode("utf-8", "replace")
+                self._add(position, end, f"'{text[:20]}' does not belong into <{name}>")
+                position = end
+                continue
+            position = self._attribute(attribute, before, seen)
+            if position < 0:
+                # The tag's own end was taken into a value that is never closed.
+                end = -position
+                kind = "empty" if data[end - 2 : end] == b"/>" else "open"
+                self._tags.append(Tag(kind, name, start, end))
+                return end
+            if len(self.slips) >= MAX_ERRORS:
+                return position
+
+    def _attribute(
+        self, found: re.Match[bytes], before: int, seen: dict[bytes, tuple[int, int]]
+    ) -> int:
+        """Read an attribute; the offset behind it, negative if it also ends the tag."""
+        data, name = self.data, found.group().decode("utf-8", "replace")
+        if found.start() == before:
+            self._add(before, before, f"a blank is missing before '{name}'")
+        if found.group() in seen:
+            first = (*seen[found.group()], "first given here")
+            self._add(*found.span(), f"attribute '{name}' is given twice", first)
+        seen[found.group()] = found.span()
+        equals = re.compile(rb"\s*=\s*").match(data, found.end())
+        if (equals or found).end() == len(data):
+            return len(data)  # which the caller tells
+        if equals is None:
+            self._add(*found.span(), f"attribute '{name}' has no value")
+            return found.end()
+        start = equals.end()
+        quote = data[start : start + 1]
+        if quote not in (b'"', b"'"):
+            return self._unquoted(name, start)
+        end = data.find(quote, start + 1)
+        opening = data.find(b"<", start + 1, end if end >= 0 else len(data))
+        if opening >= 0:
+            tag_end = len(data[start:opening].rstrip()) + start
+            if end < 0 or data[tag_end - 1 : tag_end] == b">":
+                return self._unclosed(name, start, opening)
+            self._add(opening, opening + 1, "'<' inside a value must be written '&lt;'")
+        elif end < 0:
+            return self._unclosed(name, start, len(data))
+        elif swallowed := self._swallowed(start, end):
+            self._add(start, start + 1, f"the value of '{name}' has no closing quote")
+            return swallowed
+        self._references(start + 1, end)
+        return end + 1
+
+    def _swallowed(self, start: int, end: int) -> int:
+        """Where the next attribute begins if the closing quote found is its opening one."""
+        if self.data[end + 1 : end + 2] in (b" ", b"\t", b"\r", b"\n", b"/", b">", b"?", b""):
+            return 0
+        found = _SWALLOWED.search(self.data, max(start + 1, end - 1000), end)
+        return found.start() if found else 0
+
+    def _unquoted(self, name: str, start: int) -> int:
+        data = self.data
+        text = _UNOPENED.match(data, start)
+        assert text is not None
+        if data[text.end() : text.end() + 1] in (b'"', b"'") and text.group().strip():
+            self._add(start, start, f"the value of '{name}' has no opening quote")
+            return text.end() + 1
+        bare = _UNQUOTED.match(data, start)
+        if bare is None:
+            self._add(start, start, f"attribute '{name}' has no value")
+            return start
+        value = bare.group().decode("utf-8", "replace")
+        self._add(*bare.span(), f"the value of '{name}' needs quotes: {name}=\"{value[:40]}\"")
+        return bare.end()
+
+    def _unclosed(self, name: str, start: int, limit: int) -> int:
+        self._add(start, start + 1, f"the value of '{name}' has no closing quote")
+        end = self.data.find(b">", start, limit)
+        if end < 0:
+            return limit if limit < len(self.data) else self._give_up()
+        return -(end + 1)
+
+
+def _controls(data: bytes) -> list[tuple[int, int]]:
+    """The characters that XML forbids."""
+    return [found.span() for found in _CONTROLS.finditer(data)]
+
+
+def _control(data: bytes, start: int, end: int) -> Slip:
+    """A control character, or NUL bytes in a row."""
+    code, count = ord(data[start:end].decode()[0]), end - start
+    if code:
+        message = f"the control character U+{code:04X} is not allowed in XML"
+    elif count == 1:
+        message = "a NUL byte is not allowed in XML"
+    else:
+        message = f"{count} NUL bytes are not allowed in XML"
+    return Slip(start, end, message, help="remove " + ("it" if count == 1 or code else "them"))
+
+
+def _hyphens(data: bytes, start: int, end: int) -> Slip | None:
+    """The hyphens that XML forbids in a comment, whose text is between two offsets."""
+    remedy: list[tuple[int, int, str]] = []
+    for found in _HYPHENS.finditer(data[start:end]):
+        at, count = start + found.start(), len(found[0])
+        is_word = count == 2 and found.end() < end - start  # such as an option of a command
+        text = "- -" if is_word else "=" * count
+        remedy.append((at, at + count, text if count > 1 else ""))
+    if not remedy:
+        return None
+    first, last, _ = remedy[0]
+    if last - first == 1:
+        message, help = "'--->' does not end a comment", "write '-->'"
+    else:
+        message, help = "'--' is not allowed inside a comment", "write '- -' or '=='"
+    return Slip(first, last, message, help=help, remedy=tuple(remedy))
+
+
+def _is_character(code: int) -> bool:
+    """True if XML allows the character."""
+    return (
+        code in (0x9, 0xA, 0xD)
+        or 0x20 <= code <= 0xD7FF
+        or 0xE000 <= code <= 0xFFFD
+        or 0x10000 <= code <= 0x10FFFF
+    )

@@ -1,0 +1,171 @@
+"""What the viewer shows at a moment, and the files that it was made from."""
+
+from __future__ import annotations
+
+import base64
+import os
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.lint.context import Subject
+from urdfkit.output.report import html
+from urdfkit.output.report.document import Document, Told, describe
+from urdfkit.output.report.document import completed as complete
+from urdfkit.output.report.scene import Scene
+from urdfkit.output.report.translations import Words
+from urdfkit.output.report.writing import drawn
+
+if TYPE_CHECKING:
+    from urdfkit.lint.config import Config
+    from urdfkit.text.diagnostic import Diagnostic
+
+#: The size and the time of change of a file; None if it is not there.
+Stamp = tuple[int, int] | None
+
+
+class Wish(Record):
+    """What is to be shown.
+
+    Attributes:
+        file: a URDF or xacro file.
+        arguments: for xacro.
+        packages: folders of ROS packages by name.
+        targets: consumers that findings are weighed for; inferred if empty.
+        trust: let expressions of the model run unfenced and read any file.
+        config: settings of the project.
+        variant: which of those that the configuration has of the file.
+    """
+
+    file: str
+    arguments: Mapping[str, str]
+    packages: Mapping[str, str]
+    targets: tuple[str, ...] = ()
+    trust: bool = False
+    config: Config | None = None
+    variant: str = ""
+
+
+class State(Record):
+    """A robot as it was read.
+
+    Attributes:
+        document: what is told of it.
+        drawings: addresses of pictures, by name.
+        scene: the robot in three dimensions; None if it cannot be had.
+        declared: the arguments that the xacro declares, each with its value.
+        stamps: of every file that it was made from.
+        told: what it was made of.
+        is_whole: False while that which takes a while is not there yet.
+    """
+
+    document: Document
+    drawings: dict[str, str]
+    scene: Scene | None
+    declared: dict[str, str]
+    stamps: dict[str, Stamp]
+    told: Told
+    is_whole: bool = False
+
+    def message(self, words: Words, *, with_scene: bool = True) -> dict[str, Any]:
+        """What a page needs to show it; JSON can hold it."""
+        found: dict[str, Any] = {
+            "content": html.render_content(self.document, words, self.drawings),
+            "files": len(self.stamps),
+            "declared": self.declared,
+            "readable": self.document["robot"] is not None,
+            "whole": self.is_whole,
+        }
+        if self.scene is not None and with_scene:
+            found["robot"] = self.scene.robot
+            found["model"] = base64.b64encode(self.scene.model).decode("ascii")
+        return found
+
+    @property
+    def is_stale(self) -> bool:
+        """True if one of its files has changed, come or gone."""
+        return any(stamp(path) != known for path, known in self.stamps.items())
+
+
+def read(wish: Wish, known: Iterable[str] = ()) -> State:
+    """Read and check a robot.
+
+    Args:
+        wish: what is to be shown.
+        known: the files that it was made from before. One of them that changes while it is read
+            makes the state stale at once.
+
+    Raises:
+        UrdfkitError: the file is missing, or the job cannot be done.
+    """
+    before = {path: stamp(path) for path in (wish.file, *known)}
+    told = describe(
+        wish.file,
+        arguments=wish.arguments,
+        packages=wish.packages,
+        targets=wish.targets,
+        trust=wish.trust,
+        config=wish.config,
+        variant=wish.variant,
+        quick=True,
+    )
+    subject = told.subject
+    document, drawings, scene = drawn(told, has_pictures=False)
+    files = files_of(subject, told.diagnostics) | {wish.file}
+    if scene is not None:
+        files |= _beside(subject)
+    stamps = {path: before[path] if path in before else stamp(path) for path in files}
+    return State(document, drawings, scene, _declared(subject), stamps, told)
+
+
+def completed(state: State) -> State:
+    """The same with statics, collisions and pictures."""
+    if state.document["robot"] is None:
+        return state._replace(is_whole=True)
+    told = complete(state.told)
+    document, drawings, _ = drawn(told, has_pictures=True)
+    return state._replace(document=document, drawings=drawings, told=told, is_whole=True)
+
+
+def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:
+    """Every file that a robot is made from, those included that are missing."""
+    found = {subject.source.path}
+    xacro = subject.reading.xacro
+    if xacro is not None:
+        found |= {source.path for source in xacro.sources} | set(xacro.data_files)
+    if subject.reading.document is not None:
+        for mesh in subject.files.meshes:
+            at = mesh.located
+            found.add(at.path or os.path.join(at.folder or os.curdir, at.relative))
+    return found | {one.span.source.path for one in diagnostics}
+
+
+def _beside(subject: Subject) -> set[str]:
+    """The files that the looks of a robot need besides its meshes, such as images."""
+    found: set[str] = set()
+    for body in (body for link in subject.model.links for body in link.visuals):
+        if body.material and body.material.texture is not None:
+            found.add(subject.files.find(body.material.texture) or "")
+        mesh = subject.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
+        found.update(mesh.files if mesh else ())
+    return found - {""}
+
+
+def _declared(subject: Subject) -> dict[str, str]:
+    """The arguments of a xacro, each with the value that was given, or its default as written."""
+    xacro = subject.reading.xacro
+    if xacro is None:
+        return {}
+    found: dict[str, str] = {}
+    for argument in xacro.arguments:
+        found.setdefault(argument.name, argument.attributes.get("default", ""))
+    return found | {name: text for name, text in subject.arguments.items() if name in found}
+
+
+def stamp(path: str) -> Stamp:
+    """The state of a file; None if it is not there."""
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return status.st_size, status.st_mtime_ns

@@ -1,0 +1,133 @@
+"""What the build of a package ships: whether a path of the source tree is installed.
+
+The answer is "yes" wherever the build file says something that is not understood here.
+"""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+from fnmatch import fnmatch
+from functools import cached_property
+
+from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
+
+#: Commands that may install what is not told here: other files, and functions of the package.
+_UNCLEAR = (
+    r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
+    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
+)
+#: Commands by which files come to be that the source tree does not have.
+_MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
+_COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
+_VARIABLE = r"\$\{(\w+)\}"
+#: Words of a setup.py that lists its files at build time.
+_WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
+
+
+class Shipping:
+    """The install rules of a package.
+
+    Args:
+        folder: of the package.
+        package: its name.
+    """
+
+    def __init__(self, folder: str, package: str) -> None:
+        self._folder = folder
+        self._package = package
+
+    @cached_property
+    def file(self) -> str:
+        """The build file; empty if there is none."""
+        for name in ("CMakeLists.txt", "setup.py"):
+            path = os.path.join(self._folder, name)
+            if os.path.isfile(path):
+                return path
+        return ""
+
+    def installs(self, relative: str) -> bool:
+        """True if a path below the package is installed, or if that is not clear."""
+        if not self.file:
+            return True
+        if self.file.endswith(".py"):
+            return self._is_data(relative)
+        return any(_overlap(relative, target) for target in self._targets) or self._is_unclear
+
+    def _is_data(self, relative: str) -> bool:
+        """True if a setup.py may list a path among its data files."""
+        top = relative.partition("/")[0]
+        if re.search(_WALK, self._text):
+            return True
+        if top not in self._text:
+            return False
+        listed = [path for path in self._listed if path.startswith(f"{top}/")]
+        return not listed or any(fnmatch(relative, path) or path == f"{top}/" for path in listed)
+
+    @cached_property
+    def _listed(self) -> list[str]:
+        """The paths and patterns that a setup.py writes out."""
+        import ast  # not needed where CMake builds
+
+        from urdfkit.text import python_source
+
+        try:
+            nodes = list(ast.walk(python_source.parse(self._text)))
+        except SyntaxError:
+            return []
+        found = []
+        for node in nodes:
+            parts = [node]
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "join":
+                parts = list(node.args)
+            texts = [part.value for part in parts if isinstance(part, ast.Constant)]
+            words = [text for text in texts if isinstance(text, str)]
+            if len(words) == len(parts):
+                found.append(posixpath.join(*words).removeprefix("./"))
+        return found
+
+    @cached_property
+    def makes_files(self) -> bool:
+        """True if the build makes or installs files that are elsewhere in the source tree."""
+        return re.search(_MAKES, self._text) is not None
+
+    def remedy(self, top: str) -> str:
+        """How to install a folder."""
+        if self.file.endswith(".py"):
+            return f"add the files of {top} to data_files in setup.py"
+        return f"write install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}})"
+
+    @cached_property
+    def _text(self) -> str:
+        """The build file; of CMake without its comments, which the templates of ROS are full of."""
+        text = peek(self.file, MAX_BYTES).decode("utf-8", "replace")
+        return text if self.file.endswith(".py") else re.sub(r"#.*", "", text)
+
+    @cached_property
+    def _targets(self) -> list[str]:
+        """What is installed, below the package's folder under ``share``."""
+        share = f"share/{self._package}"
+        targets = [rule.target for rule in read_rules(self._folder, self._package)]
+        return [t[len(share) + 1 :] for t in targets if t == share or t.startswith(f"{share}/")]
+
+    @cached_property
+    def _is_unclear(self) -> bool:
+        """True if the CMake file installs nothing that is known, or something else as well."""
+        if not self._targets or re.search(_UNCLEAR, self._text):
+            return True
+        known = set(known_variables(self._package))
+        for command, first, rest in re.findall(_COMMAND, self._text):
+            if not known.issuperset(re.findall(_VARIABLE, rest)):
+                return True
+            if command.lower() != "install":
+                known.add(first)
+        return False
+
+
+def _overlap(path: str, target: str) -> bool:
+    """True if one of two paths holds the other."""
+    if not target or path == target:
+        return True
+    return path.startswith(f"{target}/") or target.startswith(f"{path}/")

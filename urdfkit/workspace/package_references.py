@@ -1,0 +1,84 @@
+"""Packages that the text of a description mentions: ``$(find pkg)`` and ``package://pkg``.
+
+The text tells more than the expansion: what a macro that is not called here refers to is needed by
+those who call it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.text.source import Source, Span
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.packages import Packages
+
+_MENTION = rb"""(?sx)<!--.*?(?:-->|\Z)
+      | \$\(find\s+([A-Za-z][\w.-]*)\s*\)(/[^\s"'<>]*)?
+      | package://([A-Za-z][\w.-]*)(/[^\s"'<>]*)?
+    """
+
+
+class Mention(Record):
+    """A package at one place in a text.
+
+    Attributes:
+        package: its name.
+        relative: the path behind it, as far as it is written plainly; a folder if it goes on with
+            an expression.
+        span: the whole reference.
+    """
+
+    package: str
+    relative: str
+    span: Span
+
+
+def are_in(sources: Iterable[Source]) -> bool:
+    """True if texts mention packages."""
+    return any(b"package://" in source.data or b"$(find" in source.data for source in sources)
+
+
+def mentions(source: Source) -> Iterator[Mention]:
+    """The packages in a text, in its order, outside of comments."""
+    if not are_in((source,)):
+        return
+    for match in re.finditer(_MENTION, source.data):
+        found = match.group(1) or match.group(3)
+        if found:
+            path = (match.group(2) or match.group(4) or b"").decode("utf-8", "replace")
+            yield Mention(found.decode(), _plain(path), Span(source, *match.span()))
+
+
+def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[Mention]:
+    """What the sources mention that lie in the package of the first."""
+    home = packages.enclosing(sources[0].path)
+    for source in sources:
+        if home and packages.enclosing(source.path) == home:
+            yield from mentions(source)
+
+
+def _plain(path: str) -> str:
+    plain, expression, _ = path.lstrip("/").partition("$")
+    return os.path.dirname(plain) if expression else plain
+
+
+def silent(sources: tuple[Source, ...], packages: Packages) -> set[str]:
+    """The codes of the rules about packages that need not be imported for a description."""
+    home = packages.enclosing(sources[0].path)
+    if home is None:
+        return {"PKG001", "PKG002", "PKG003"}  # not PKG005: it may be that its name is missing
+    names = {mention.package for mention in of_package(sources, packages)}
+    codes = {"PKG001"} if names <= {home[0]} else set()
+    files = packages.folders.entries(home[1]) or {}
+    if home[0] not in names or not ("CMakeLists.txt" in files or "setup.py" in files):
+        codes.add("PKG002")
+    if not ("CMakeLists.txt" in files or "setup.py" in files):
+        codes.add("PKG003")
+    if "CMakeLists.txt" in files or "setup.py" not in files:
+        codes.add("PKG006")
+    return codes

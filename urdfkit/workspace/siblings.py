@@ -1,0 +1,130 @@
+"""Files that lie beside a robot and belong to it, found by where they are."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.workspace.file_head import peek
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.resolve import Resolver
+
+_SRDF = (".srdf", ".srdf.xacro")
+#: A section of ``.setup_assistant``, and what is in it; compiled when needed, which is seldom.
+_SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
+_ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
+
+
+def srdf_files(robot: str, resolver: Resolver) -> list[str]:
+    """The SRDF files that may be a robot's.
+
+    They are looked for in the robot's folder, in ``config`` and ``srdf`` of its package, and in
+    MoveIt packages beside it whose ``.setup_assistant`` names the robot's file.
+    """
+    folder = os.path.dirname(os.path.abspath(robot))
+    package = resolver.packages.enclosing(robot)
+    top = package[1] if package else folder
+    folders = dict.fromkeys((folder, *(os.path.join(top, name) for name in ("config", "srdf"))))
+    for moveit in _moveit_packages(robot, resolver):
+        setup = _setup(moveit)
+        if package and setup.is_for(robot, package) and not setup.has_arguments:
+            folders.update(dict.fromkeys(_folders(moveit, setup)))
+    return list(_srdf_in(folders, resolver))
+
+
+def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
+    """The SRDF files of MoveIt packages beside a robot that may be for it, or for others.
+
+    They name it with arguments of its own, or do not say which file they are made for.
+
+    Args:
+        robot: path of it.
+        name: of it; an SRDF is of the robot that it is called like.
+        resolver: finds files.
+    """
+    package = resolver.packages.enclosing(robot)
+    folders: dict[str, None] = {}
+    for moveit in _moveit_packages(robot, resolver):
+        setup = _setup(moveit)
+        is_for = package is not None and setup.is_for(robot, package)
+        if not setup.urdf or (is_for and setup.has_arguments):
+            folders.update(dict.fromkeys(_folders(moveit, setup)))
+    return [path for path in _srdf_in(folders, resolver) if _may_be_called(path, name)]
+
+
+def _may_be_called(srdf: str, name: str) -> bool:
+    """True unless an SRDF is plainly of a robot of another name, which a look at its head tells."""
+    head = peek(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
+    called = head.replace("'", '"').partition('name="')[2]
+    return called.startswith((f'{name}"', "$"))
+
+
+def _srdf_in(folders: Iterable[str], resolver: Resolver) -> Iterator[str]:
+    for place in folders:
+        for name in sorted(resolver.folders.entries(place) or ()):
+            if name.endswith(_SRDF):
+                yield os.path.join(place, name)
+
+
+def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
+    """The MoveIt packages beside that of a robot, and those in a folder of them."""
+    package = resolver.packages.enclosing(robot)
+    around = os.path.dirname(package[1]) if package else ""
+    if package is None or not resolver.packages.searches(around, robot):
+        return  # what lies there is of another repository
+    for name in resolver.folders.entries(around) or ():
+        folder = os.path.join(around, name)
+        if "moveit" not in name or folder == package[1]:
+            continue
+        entries = resolver.folders.entries(folder) or {}
+        if "package.xml" in entries:
+            yield folder
+            continue
+        yield from (os.path.join(folder, inner) for inner in entries if "moveit" in inner)
+
+
+class Setup(Record):
+    """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none.
+
+    Attributes:
+        package, urdf: of the robot's file.
+        srdf: of the SRDF, below the package of MoveIt.
+        has_arguments: True if the robot is expanded with arguments.
+    """
+
+    package: str = ""
+    urdf: str = ""
+    srdf: str = ""
+    has_arguments: bool = False
+
+    def is_for(self, robot: str, package: tuple[str, str]) -> bool:
+        """True if it was made for a file of a package."""
+        if not self.urdf or self.package != package[0]:
+            return False
+        return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
+
+
+def _setup(folder: str) -> Setup:
+    text = peek(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
+
+    def section(name: str) -> str:
+        found = re.search(_SECTION.format(name), text)
+        return found.group(2) if found else ""
+
+    def entry(inside: str, name: str) -> str:
+        found = re.search(_ENTRY.format(name), inside)
+        return found.group(1) if found else ""
+
+    urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
+    return Setup(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
+
+
+def _folders(moveit: str, setup: Setup) -> Iterator[str]:
+    """Where a package of MoveIt keeps its SRDF."""
+    yield from (os.path.join(moveit, name) for name in ("config", "srdf"))
+    if setup.srdf:
+        yield os.path.normpath(os.path.join(moveit, os.path.dirname(setup.srdf)))

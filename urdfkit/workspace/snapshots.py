@@ -1,0 +1,69 @@
+"""A description as it was in a git revision, with the packages around it as they were."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+from urdfkit.core.record import Record
+from urdfkit.errors import UrdfkitError
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.revisions import MAX_BYTES, check_out
+
+
+class OldFile(Record):
+    """A file of a git revision in a folder of its own.
+
+    Attributes:
+        path: of the file there.
+        top: of the repository that it is from.
+        packages: folders by name: of the repository as they were, else as they are.
+    """
+
+    path: str
+    top: str
+    packages: dict[str, str]
+
+
+def as_it_was(
+    path: str,
+    revision: str,
+    folder: str,
+    packages: Mapping[str, str] | None = None,
+    largest: int = MAX_BYTES,
+) -> OldFile:
+    """Put a file as it was, and everything around it, into a folder.
+
+    Args:
+        path: of the file in the working tree, where it need not be any more.
+        revision: a tag, branch or commit.
+        folder: an empty one.
+        packages: folders of ROS packages, as they are now.
+        largest: files over so many bytes are left out.
+
+    Raises:
+        UrdfkitError: there is no such revision, the file is not in it, or git is not there.
+    """
+    real = os.path.realpath(path)
+    top = check_out(real, revision, folder, largest)
+    old = _moved(real, top, folder)
+    if not os.path.exists(old):
+        raise UrdfkitError(f"{path} is not in revision {revision}")
+    return OldFile(old, top, _packages(real, packages or {}, top, folder))
+
+
+def _packages(path: str, given: Mapping[str, str], top: str, folder: str) -> dict[str, str]:
+    """The packages that the file may need: of the repository as they were, else as they are."""
+    around = Resolver().packages.known(path)
+    outside = {name: at for name, at in around.items() if not _is_within(at, top)}
+    real = {name: os.path.realpath(at) for name, at in given.items()}
+    return outside | {name: _moved(at, top, folder) for name, at in real.items()}
+
+
+def _moved(path: str, top: str, folder: str) -> str:
+    """A path of the repository in the folder that holds its old files; others stay."""
+    return os.path.join(folder, os.path.relpath(path, top)) if _is_within(path, top) else path
+
+
+def _is_within(path: str, folder: str) -> bool:
+    return os.path.join(os.path.realpath(path), "").startswith(os.path.join(folder, ""))

@@ -1,0 +1,145 @@
+"""xacro files as Documents: expanded without ROS, with the place of every element.
+
+This package is the only one that uses xacro.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from urdfkit.text.document import Attribute, Document, Element, Frame
+from urdfkit.text.xml_reader import encoding_problems
+from urdfkit.xacro import dom
+from urdfkit.xacro.expansion import Definition, Run
+from urdfkit.xacro.expansion_log import Message
+from urdfkit.xacro.recovery import attempt
+from urdfkit.xacro.usage import Usage, usage
+
+if TYPE_CHECKING:
+    from urdfkit.text.diagnostic import Related
+    from urdfkit.text.source import Source
+    from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro.trace import Origin
+
+
+class Xacro:
+    """The outcome of an expansion.
+
+    Attributes:
+        document: expanded; None if there was an error.
+        problems: errors and warnings, each with its place.
+        macros, properties, arguments: what the files define.
+        messages: of xacro and of the model, in order.
+        sources: the xacro files that were read, the checked one first.
+        data_files: paths of the YAML files that were read.
+        dependencies: included and loaded files, as the models spell them.
+        first_error: text of the first error, as stock xacro words it; None without one.
+    """
+
+    def __init__(self, run: Run, resolver: Resolver) -> None:
+        ledger = run.ledger
+        self.sources = tuple(run.reader.sources.values())
+        problems = [
+            *(one for source in self.sources for one in encoding_problems(source, strict=True)),
+            *ledger.problems,
+        ]
+        if ledger.first_error is not None:
+            from urdfkit.xacro.fragment import as_part
+
+            problems = as_part(run.source, resolver.packages, problems, run.document)
+        self.problems = tuple(problems)
+        self.macros = tuple(run.macros)
+        self.properties = tuple(run.properties)
+        self.arguments = tuple(run.declared)
+        self.messages = tuple(ledger.messages)
+        self.data_files = tuple(dict.fromkeys(run.reader.data_files))
+        self.dependencies = tuple(dict.fromkeys(run.dependencies))
+        self.first_error = ledger.first_error
+        self._included = frozenset(run.included)
+        self._dom = run.document if ledger.first_error is None else None
+        self.document: Document | None = None
+        if self._dom is not None:
+            self.document = dom.to_document(self._dom, self.sources)
+
+    @cached_property
+    def usage(self) -> Usage:
+        """What the files mention, evaluated or not."""
+        return usage(self.sources)
+
+    @property
+    def is_complete(self) -> bool:
+        """True if every include of the files was read, so that nothing else can use a name."""
+        return self.usage.includes <= self._included
+
+    @property
+    def is_library(self) -> bool:
+        """True if the file only defines macros for others."""
+        return self.document is not None and not self.document.root.child("link")
+
+    def inputs(self, attribute: Attribute) -> tuple[Origin, ...]:
+        """The names that the expression of an attribute looked up, if the run was traced."""
+        from urdfkit.xacro.trace import inputs_of
+
+        assert self._dom is not None
+        return inputs_of(self._dom, attribute.element, attribute.name)
+
+    def data_places(self, at: Element | Attribute) -> tuple[Related, ...]:
+        """Where in YAML files the values of an attribute or element stand, if it was traced."""
+        from urdfkit.xacro.trace import data_places
+
+        return data_places(self._dom, at) if self._dom is not None else ()
+
+    def comments(self) -> Iterator[str]:
+        """The comments of the expanded document; xacro drops those above its own tags."""
+        return dom.comments(self._dom) if self._dom is not None else iter(())
+
+    def text(self) -> str:
+        """The expanded document as the ``xacro`` command prints it.
+
+        Raises:
+            ValueError: there is none, because of an error.
+        """
+        if self._dom is None:
+            raise ValueError(self.first_error)
+        return str(self._dom.toprettyxml(indent="  "))
+
+
+def expand(
+    source: Source,
+    resolver: Resolver,
+    arguments: Mapping[str, str] | None = None,
+    *,
+    trust: bool = False,
+    root_dir: str = os.curdir,
+    traced: bool = False,
+    frame: Frame | None = None,
+) -> Xacro:
+    """Expand a xacro file.
+
+    All errors are found, not the first only: an expression that fails counts as reported and
+    the expansion goes on; a tag that fails is taken out and the expansion starts again.
+
+    Args:
+        source: the file.
+        resolver: finds packages, and knows which files may be read.
+        arguments: values of ``xacro:arg`` by name.
+        trust: run expressions unfenced, read any file and variable.
+        root_dir: relative paths of the command line start there.
+        traced: note where every value comes from, for ``Xacro.inputs``; slower.
+        frame: the launch file that asks for it, if one does.
+    """
+    collecting = gc.isenabled()
+    gc.disable()  # the trees are large and live until the end
+    try:
+        options = {"trust": trust, "root_dir": root_dir, "traced": traced, "frame": frame}
+        return Xacro(attempt(source, resolver, dict(arguments or {}), **options), resolver)
+    finally:
+        if collecting:
+            gc.enable()
+
+
+__all__ = ["Definition", "Message", "Xacro", "expand"]

@@ -1,0 +1,272 @@
+"""xacro's errors and warnings as Problems: what went wrong, where, and what to do."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import PackageNotFound
+from urdfkit.text.diagnostic import Edit, Fix, Related
+from urdfkit.text.source import Span
+from urdfkit.text.xml_reader import Problem, TooMuch
+from urdfkit.xacro.annotations import notes_of
+from urdfkit.xacro.dom import Node
+from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
+from urdfkit.xacro.locator import Located, Spot, spot
+from urdfkit.xacro.messages import bare_property, macro_of, words
+from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
+from urdfkit.xacro.substitution import EnvironmentRefused
+from urdfkit.xacro.yaml_files import YamlTooLarge
+
+if TYPE_CHECKING:
+    from urdfkit.xacro.expansion import Run
+
+_DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
+_UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
+
+
+def related(span: Span, message: str) -> tuple[Related, ...]:
+    """One related place."""
+    return (Related(span, message),)
+
+
+def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
+    """The element that xacro is working on, and the variables of the function that does."""
+    while frame is not None:
+        local = frame.f_locals
+        node = local.get("elt", local.get("node"))
+        if (
+            node is not None
+            and hasattr(node, "nodeType")
+            and "_urdfkit_xacro" in str(frame.f_globals.get("__name__"))
+        ):
+            holder = node if isinstance(node, Node) else node.parentNode
+            if isinstance(holder, Node):
+                return holder, local
+        frame = frame.f_back
+    return None, {}
+
+
+def problem(
+    run: Run, error: Exception, located: Located, used: Located, frame: FrameType
+) -> Problem:
+    """An expression that failed, at its place.
+
+    Args:
+        run: the expansion.
+        error: what is wrong.
+        located: the expression. Inside a property the place is the property's definition, and
+            its uses are related.
+        used: the expression that needs it, which xacro is evaluating.
+        frame: of the function that does.
+    """
+    if wanting := argument_of_missing_file(run, root_cause(error)):
+        return wanting
+    node, local = node_in(frame)
+    if bare := bare_property(run, root_cause(error)):
+        return _without_prefix(run, *bare, node and spot(node, local, used).span)
+    if node is None:
+        return _made(run, error, located, Spot(Span(run.source, 0, 0), None))
+    if located.resolving:
+        table, key = located.resolving[-1]
+        definer = notes_of(table).definers.get(key)
+        if definer is not None:
+            notes = related(spot(node, local, used).span, f"needed here for '{key}'")
+            made = _made(run, error, located, spot(definer, {}, located))
+            return made._replace(related=notes)
+    made = _made(run, error, located, spot(node, local, located))
+    notes = _in_yaml(root_cause(error)) or _definitions(local, located)
+    return made._replace(related=notes)
+
+
+def _in_yaml(cause: BaseException) -> tuple[Related, ...]:
+    return related(cause.span, cause.reason) if isinstance(cause, BrokenYaml) else ()
+
+
+def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]:
+    """Where the names of a failing expression were defined."""
+    found: list[Related] = []
+    table = local.get("symbols", local.get("table"))
+    for name in dict.fromkeys(re.findall(r"[A-Za-z_]\w*", located.token)):
+        scope = table
+        while scope is not None:
+            definer = notes_of(scope).definers.get(name)
+            if definer is not None:
+                if definer.tagName == "xacro:property":
+                    found.append(Related(definer.tag_at.span, f"'{name}' is defined here"))
+                break
+            scope = getattr(scope, "__dict__", {}).get("parent")
+    return tuple(found)
+
+
+def _made(run: Run, error: Exception, located: Located, at: Spot) -> Problem:
+    code, message, help = classify(run, error)
+    token = located.token if located.token.startswith("$") else ""
+    if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
+        message += f" in {token}"
+    return Problem(code, at.span, message, help, at.frame)
+
+
+def _without_prefix(run: Run, name: str, at: Span, use: Span | None) -> Problem:
+    """One problem for all uses: who writes ``<property>`` uses it everywhere."""
+    return Problem(
+        "XAC001",
+        at,
+        f"name '{name}' is not defined: xacro passes over a <property> without the prefix",
+        "write <xacro:property>, and the prefix at the other tags of xacro, too",
+        related=related(use, "needed here") if use else (),
+    )
+
+
+def argument_of_missing_file(run: Run, cause: BaseException) -> Problem | None:
+    """A file that is missing because an argument has only a placeholder for a default.
+
+    Universal Robots' ``ur_type`` is ``ur5x`` unless given, and no such folder exists.
+    """
+    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+        return None
+    parts = os.path.dirname(os.path.abspath(cause.filename)).split(os.sep)
+    for argument in run.declared:
+        default = argument.attributes.get("default", "")
+        if len(default) <= 2 or default not in parts or argument.name in run.arguments:
+            continue
+        above = os.sep.join(parts[: parts.index(default)])
+        if os.path.isdir(above) and not os.path.exists(os.path.join(above, default)):
+            at = argument.tag.attribute_spans().get("default", argument.tag.span)
+            message = (
+                f"argument '{argument.name}' must be given: with its default '{default}' "
+                "files are missing that the model needs"
+            )
+            return Problem("XAC010", at, message, _pass(run, argument.name))
+    return None
+
+
+def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
+    """Code, message and help of an error."""
+    cause = root_cause(error)
+    if isinstance(cause, UnsafeExpression):
+        return "XAC009", f"refused: {cause}", ""
+    if isinstance(cause, EnvironmentRefused):
+        return "XAC009", str(cause), ""
+    if isinstance(cause, (TooLarge, TooMuch, YamlTooLarge)):
+        return "XAC013", f"refused: {cause}", ""
+    if isinstance(cause, RecursionError):
+        return "XAC013", "macros, includes or properties refer to themselves without end", ""
+    if isinstance(cause, MemoryError):
+        return "XAC013", "the expansion needs more memory than there is", ""
+    if isinstance(cause, PackageNotFound):
+        searched = ", ".join(cause.searched) or "nothing to search"
+        message = f"package '{cause.name}' is not found; searched: {searched}"
+        return "XAC011", message, f"name its folder: --package {cause.name}=DIR"
+    if isinstance(cause, EscapesRoots):
+        return "XAC012", str(cause), ""
+    if isinstance(cause, MissingArgument):
+        return "XAC010", f"argument '{cause}' has no value and no default", _how_to_pass(run, cause)
+    return "XAC001", *words(run, error, cause)
+
+
+def _how_to_pass(run: Run, missing: BaseException) -> str:
+    declared = {name: default for name, default in run.known_arguments().items() if default}
+    text = _pass(run, str(missing))
+    if declared:
+        text += "; the others: " + ", ".join(f"{n} (default {d})" for n, d in declared.items())
+    return text
+
+
+def _pass(run: Run, name: str) -> str:
+    """How to give an argument; with the slip in its place, if there is one."""
+    known = run.known_arguments()
+    slip = nearest(name, [given for given in run.arguments if given not in known])
+    return f"pass it: {name}:=VALUE" + (f", not {slip}:=" if slip else "")
+
+
+def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
+    """An argument that is used above the ``<xacro:arg>`` that gives it a default."""
+    node, _ = node_in(frame)
+    at = declaration.tag_at.span if node is None else node.tag_at.span
+    use = re.compile(rb"\$\(\s*arg\s+%s\s*\)" % re.escape(name.encode()))
+    if found := use.search(at.source.data, at.start, at.end):
+        at = Span(at.source, *found.span())
+    return Problem(
+        "XAC020",
+        at,
+        f"argument '{name}' is used above its <xacro:arg>, where xacro has no default for it yet",
+        f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
+        node.frame if node is not None else None,
+        related(declaration.tag_at.span, "declared here"),
+    )
+
+
+def macro_notes(error: BaseException) -> tuple[Related, ...]:
+    """Where the macro is defined whose call failed."""
+    macro = macro_of(error)
+    if macro is None:
+        return ()
+    name = macro.body.getAttribute("name")
+    return related(macro.body.tag_at.span, f"macro '{name}' is defined here")
+
+
+def warning(text: str, node: Node, local: dict[str, Any]) -> Problem | None:
+    """What xacro warns of, at the element it works on; None if it does no harm.
+
+    Args:
+        text: as xacro words it.
+        node: the element.
+        local: the variables of the function that works on it.
+    """
+    if text.startswith("redefining global symbol: "):
+        return _shadowing(text.rpartition(": ")[2], node, getattr(local.get("m"), "body", None))
+    if deprecated := _DEPRECATED.match(text):
+        return _deprecated_call(node, *deprecated.groups())
+    spans = node.tag_at.attribute_spans()
+    at = node.tag_at.span
+    if unknown := _UNKNOWN_ATTRIBUTE.search(text):
+        at = spans.get(unknown.group(1), at)
+    elif "matched no files" in text:
+        at = spans.get("filename", at)
+    return Problem("XAC017", at, text, "", node.frame)
+
+
+def _shadowing(name: str, node: Node, macro: Any) -> Problem | None:
+    """A property or a macro parameter with the name of a constant or a function."""
+    constant = {"pi": math.pi, "e": math.e, "tau": math.tau}.get(name)
+    spans = node.tag_at.attribute_spans()
+    what = f"the constant {name} = {constant:.6g}" if constant else f"the function {name}()"
+    if node.tagName == "xacro:property":
+        values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+        if constant and _is_near(values.get("value", ""), constant):
+            return None  # it repeats the constant; XAC007 tells poor ones
+        at = spans.get("name", node.tag_at.span)
+        return Problem("XAC016", at, f"property '{name}' hides {what}", "", node.frame)
+    if isinstance(macro, Node):
+        params = macro.tag_at.attribute_spans().get("params", macro.tag_at.span)
+        found = re.search(rb"(?<![\w*])%s(?!\w)" % re.escape(name.encode()), params.text.encode())
+        start, end = found.span() if found else (0, params.end - params.start)
+        at = Span(params.source, params.start + start, params.start + end)
+        who = f"parameter '{name}' of macro '{macro.getAttribute('name')}'"
+        return Problem("XAC016", at, f"{who} hides {what}", "rename the parameter", macro.frame)
+    return Problem("XAC016", node.tag_at.span, f"'{name}' hides {what}", "", node.frame)
+
+
+def _is_near(text: str, value: float) -> bool:
+    try:
+        return abs(float(text) - value) < 1e-4
+    except ValueError:
+        return False
+
+
+def _deprecated_call(node: Node, old: str, new: str) -> Problem:
+    """A function that moved into a name space; the fix renames the one call in the tag."""
+    message = f"{old}() without its name space is deprecated"
+    pattern = re.compile(rb"(?<![\w.])" + old.encode() + rb"(?=\s*\()")
+    at = node.tag_at.span
+    found = pattern.search(at.source.data, at.start, at.end)
+    if found is None:
+        return Problem("XAC015", at, message, f"write {new}()", node.frame)
+    span = Span(at.source, *found.span())
+    fix = Fix(f"write {new}", (Edit(span, new),), safe=True)
+    return Problem("XAC015", span, message, f"write {new}()", node.frame, fix=fix)

@@ -1,0 +1,135 @@
+"""A xacro file as DOM: the events of expat become nodes that know where they were written."""
+
+from __future__ import annotations
+
+from typing import Any
+from xml.dom import XMLNS_NAMESPACE, expatbuilder
+from xml.parsers import expat
+
+from urdfkit.text.document import Frame, Tag
+from urdfkit.text.source import Source
+from urdfkit.text.xml_reader import Problem, TooMuch, entity_problem
+from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
+from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
+
+#: Elements in one another; xacro works on them by recursion. Real robots have ten.
+MAX_DEPTH = 500
+
+# The stubs describe the DOM, not what its own code works with.
+_StockBuilder: Any = expatbuilder.ExpatBuilderNS
+_append_child: Any = vars(expatbuilder)["_append_child"]
+_parse_ns_name: Any = vars(expatbuilder)["_parse_ns_name"]
+
+
+def parse(
+    source: Source, frame: Frame | None, budget: Budget
+) -> tuple[Dom, list[Problem], list[Node]]:
+    """Parse one xacro file.
+
+    Returns:
+        The DOM, what is odd about the text, and the ``xacro:arg`` elements.
+
+    Args:
+        source: the file.
+        frame: the include that asks for it; None for the checked file.
+        budget: what the expansion may make.
+
+    Raises:
+        TooMuch: it is larger than that.
+        xml.parsers.expat.ExpatError: it is not well formed, or a prefix is not declared.
+    """
+    budget.charge(len(source.data))
+    builder = _Builder(source, frame, budget)
+    document = builder.parseString(source.data)
+    return document, builder.problems, builder.arguments
+
+
+class _Builder(_StockBuilder):  # type: ignore[misc]
+    """The stock builder, which makes the same tree of nodes of ours."""
+
+    curNode: Any  # noqa: N815
+
+    def __init__(self, source: Source, frame: Frame | None, budget: Budget) -> None:
+        super().__init__()
+        self._source = source
+        self._frame = frame
+        self._budget = budget
+        self._starts: list[int] = []  # of the open elements
+        self.problems: list[Problem] = []
+        self.arguments: list[Node] = []
+
+    def start_element_handler(self, name: str, attributes: list[str]) -> None:
+        uri, _, prefix, tag = self._parsed(name)
+        parent = self.curNode
+        self.curNode = node = Node(tag, uri, prefix)
+        node.ownerDocument = self.document
+        _append_child(parent, node)
+        node.raw = self._attributes(node, attributes)
+        node.around = self._starts[-1] if self._starts else -1
+        self._starts.append(self._parser.CurrentByteIndex)
+        node.frame = self._frame
+        node.budget = self._budget
+        self._budget.charge(ELEMENT_SIZE)
+        if len(self._starts) > MAX_DEPTH:
+            raise TooMuch(f"elements are nested more than {MAX_DEPTH} levels deep")
+        if tag == "xacro:arg":
+            self.arguments.append(node)
+
+    def _attributes(self, node: Node, given: list[str]) -> list[str]:
+        """Give an element its attributes; names and values of them as written, alternating."""
+        declared = self._ns_ordered_prefixes
+        if declared or given:
+            node._ensure_attributes()
+        for prefix, uri in declared:
+            name = f"xmlns:{prefix}" if prefix else "xmlns"
+            local, of = (prefix, "xmlns") if prefix else ("xmlns", None)
+            Attr(node, name, uri, XMLNS_NAMESPACE, local, of)
+        declared.clear()
+        raw: list[str] = []
+        for number in range(0, len(given), 2):
+            uri, local, prefix, name = self._parsed(given[number])
+            value = given[number + 1]
+            Attr(node, name, value, uri, local, prefix)
+            raw += (name, value)
+        return raw
+
+    def _parsed(self, name: str) -> tuple[str | None, str | None, str | None, str]:
+        """URI, local name, prefix and the name as written, of what expat says."""
+        return _parse_ns_name(self, name) if " " in name else (None, None, None, name)
+
+    def end_element_handler(self, name: str) -> None:
+        node = self.curNode
+        self.curNode = node.parentNode
+        self._finish_end_element(node)
+        start, end = self._starts.pop(), self._parser.CurrentByteIndex
+        node.tag_at = Tag.between(self._source, start, end, empty=not node.childNodes)
+
+    def character_data_handler_cdata(self, data: str) -> None:
+        siblings = self.curNode.childNodes
+        if self._cdata:
+            super().character_data_handler_cdata(data)
+        elif siblings and siblings[-1].nodeType == TEXT:
+            siblings[-1].data += data
+        else:
+            _append_child(self.curNode, Text(data, self.document))
+        text = siblings[-1]
+        if "$" in data or getattr(text, "ends", None):
+            text.ends = self._parser.CurrentByteIndex  # of what comes behind it
+
+    def comment_handler(self, data: str) -> None:
+        super().comment_handler(data)
+        if "$" in data:
+            comment = self.curNode.childNodes[-1]
+            comment.ends = self._source.data.find(b"-->", self._parser.CurrentByteIndex)
+
+    def entity_decl_handler(self, *declaration: Any) -> None:
+        at = self._parser.CurrentByteIndex
+        self.problems.append(entity_problem(self._source, at, declaration[0]))
+        super().entity_decl_handler(*declaration)
+
+    def createParser(self) -> Any:  # noqa: N802
+        # Source has settled the encoding; what the declaration says no longer counts.
+        parser = expat.ParserCreate("utf-8", namespace_separator=" ")
+        parser.namespace_prefixes = True
+        parser.buffer_size = 1 << 20  # the builder joins pieces of a text one by one
+        return parser

@@ -1,0 +1,265 @@
+"""Stock xacro, loaded as a private copy and instrumented.
+
+The engine stays xacro's own: what it does to the document is not touched, so its output is
+that of the ``xacro`` command byte for byte. Exchanged are the edges of it: parsing (nodes with
+places), the evaluation of texts (a fence, errors with places), ``$(...)`` without ROS, files, and
+messages. The copy is private because xacro keeps its state in module globals and patches
+``minidom`` for the whole process; a program that uses xacro too must not notice us.
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from _thread import allocate_lock
+from collections.abc import Callable
+from contextlib import redirect_stderr
+from functools import lru_cache
+from io import StringIO
+from keyword import iskeyword
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+from xml.dom import minidom
+
+from urdfkit.core import libraries
+from urdfkit.errors import UrdfkitError
+from urdfkit.xacro import dom, patterns
+from urdfkit.xacro.dom import Node
+from urdfkit.xacro.evaluation import POISON, Evaluation, Tainted
+from urdfkit.xacro.sandbox import UnsafeExpression
+
+if TYPE_CHECKING:
+    from urdfkit.xacro.expansion import Run
+
+#: Characters of a name. xacro parses one as Python, which may need all memory for a long one.
+MAX_NAME = 200
+
+_PRIVATE_NAME = "_urdfkit_xacro"
+#: What the instrumentation builds on; other versions of xacro lack some of it.
+_REQUIRED = (
+    "all_includes create_global_symbols eval_all eval_default_arg eval_extension eval_text "
+    "filestack get_boolean_value glob grab_macro grab_property handle_macro_call "
+    "include_no_matches_msg is_valid_name macrostack NameSpace parse parse_macro_arg "
+    "process_include remove_previous_comments replace_node root_dir safe_eval Table tokenize "
+    "XacroException YamlListWrapper"
+).split()
+
+
+@lru_cache(maxsize=1)
+def load_engine() -> Engine:
+    """The engine; loaded at the first call.
+
+    Raises:
+        UrdfkitError: the xacro on the path is not one of the supported versions.
+    """
+    return Engine(_private_copy())
+
+
+def _private_copy() -> Any:
+    spec = libraries.find("xacro")
+    if spec is None or spec.origin is None:
+        raise UrdfkitError("xacro is not installed; run: pip install 'xacro>=2.1,<2.2'")
+    loader: Any = spec.loader
+    module: Any = ModuleType(_PRIVATE_NAME)
+    module.__spec__ = type(spec)(_PRIVATE_NAME, loader, is_package=True)
+    module.__path__ = spec.submodule_search_locations
+    # xacro's own command line is never used here, and its optparse costs 4 ms.
+    command_line = ModuleType(f"{_PRIVATE_NAME}.cli")
+    vars(command_line)["process_args"] = None
+    sys.modules[command_line.__name__] = command_line
+    sys.modules[_PRIVATE_NAME] = module
+    stock_writexml = minidom.Element.writexml
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of Python 3.10, about names in xacro
+        exec(loader.get_code("xacro"), vars(module))
+    Node.writexml = minidom.Element.writexml
+    minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
+    missing = [name for name in _REQUIRED if not hasattr(module, name)]
+    if missing:
+        raise UrdfkitError(
+            f"the xacro at {spec.origin} is not version 2.1 (it lacks {', '.join(missing)}); "
+            "run: pip install 'xacro>=2.1,<2.2', or take it off PYTHONPATH"
+        )
+    return module
+
+
+class Engine:
+    """The private xacro; it works for one run at a time, as its state is global.
+
+    Attributes:
+        xacro: the module.
+    """
+
+    def __init__(self, xacro: Any) -> None:
+        self.xacro = xacro
+        self._evaluation = Evaluation(xacro)
+        self._lock = allocate_lock()
+        self._exchange_evaluation()
+        self._exchange_tags()
+        self._exchange_files()
+        self._exchange_messages()
+
+    @property
+    def _run(self) -> Run:
+        return self._evaluation.run
+
+    def expand(self, run: Run) -> Any:
+        """Expand the file of a run to a DOM.
+
+        Raises:
+            Exception: what stopped it.
+        """
+        xacro = self.xacro
+        with self._lock:
+            self._evaluation.begin(run)
+            xacro.all_includes = run.dependencies
+            xacro.root_dir = run.root_dir
+            xacro.verbosity = 1
+            xacro.substitution_args_context.clear()
+            xacro._global_symbols = self._global_symbols(trust=run.trust)
+            xacro._empty_text_node = minidom.Document().createTextNode("\n\n")
+            return xacro.process_file(run.source.path, mappings=dict(run.arguments))
+
+    def _global_symbols(self, *, trust: bool) -> dict[str, Any]:
+        symbols: dict[str, Any] = self.xacro.create_global_symbols()
+        dict.__setitem__(symbols["xacro"], "arg", lambda name: self._run.argument(name, symbols))
+        if not trust:
+            for name in ("type", "vars"):  # they lead from any value to the whole interpreter
+                dict.__setitem__(symbols["python"], name, _refusing(f"python.{name}()"))
+        return symbols
+
+    def _exchange_evaluation(self) -> None:
+        xacro, evaluation = self.xacro, self._evaluation
+        stock_boolean = xacro.get_boolean_value
+        stock_default = xacro.eval_default_arg
+
+        def get_boolean_value(value: Any, condition: Any) -> bool:
+            return False if value is POISON else stock_boolean(value, condition)
+
+        def eval_default_arg(*arguments: Any) -> Any:
+            try:
+                return stock_default(*arguments)
+            except Tainted:  # the property that it forwards failed
+                return POISON
+
+        def resolve(table: Any, key: str) -> Any:
+            return evaluation.resolve(table, key)
+
+        def set_item(table: Any, key: str, value: Any, unevaluated: bool) -> None:
+            evaluation.set_item(table, key, value, unevaluated)
+
+        xacro.get_boolean_value = get_boolean_value
+        xacro.eval_default_arg = eval_default_arg
+        xacro.eval_text = evaluation.eval_text
+        xacro.safe_eval = evaluation.safe_eval
+        xacro.Table._resolve_ = resolve
+        xacro.Table._setitem = set_item
+
+    def _exchange_tags(self) -> None:
+        xacro = self.xacro
+        stock_include = xacro.process_include
+        stock_macro = xacro.grab_macro
+        stock_call = xacro.handle_macro_call
+        stock_name = xacro.is_valid_name
+
+        def process_include(elt: Node, macros: Any, symbols: Any, func: Any) -> None:
+            if self._run.leaves_out(elt):
+                elt.parentNode.removeChild(elt)
+                return
+            self._run.including.append(elt)
+            try:
+                stock_include(elt, macros, symbols, func)
+            finally:
+                self._run.including.pop()
+
+        def grab_macro(elt: Node, macros: Any) -> None:
+            self._run.note_macro(elt)
+            stock_macro(elt, macros)
+
+        def handle_macro_call(node: Node, macros: Any, symbols: Any) -> bool:
+            if not node.tagName.startswith("xacro:"):
+                return False
+            self._run.enter_call(len(xacro.macrostack))
+            return bool(stock_call(node, macros, symbols))
+
+        def is_valid_name(name: str) -> bool:
+            if name.isascii():  # the same, without Python's parser
+                return name.isidentifier() and not iskeyword(name)
+            return len(name) <= MAX_NAME and bool(stock_name(name))
+
+        def remove_previous_comments(node: Node) -> None:
+            dom.remove_previous_comments(node, xacro._empty_text_node)
+
+        xacro.is_valid_name = is_valid_name
+        xacro.process_include = process_include
+        xacro.grab_macro = grab_macro
+        xacro.handle_macro_call = handle_macro_call
+        xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
+        xacro.replace_node = dom.replace_node
+        xacro.remove_previous_comments = remove_previous_comments
+
+    def _exchange_files(self) -> None:
+        xacro = self.xacro
+
+        def parse(_: Any, filename: str) -> Any:
+            return self._run.parse(filename)
+
+        def load_yaml(filename: str) -> Any:
+            return self._run.load_yaml(filename)
+
+        def glob(pattern: str) -> list[str]:
+            return list(self._run.reader.glob(pattern, self._run.budget))
+
+        xacro.parse = parse
+        xacro.load_yaml = load_yaml
+        xacro.glob = ModuleType("glob")
+        xacro.glob.glob = glob
+        xacro.YamlListWrapper.wrap = staticmethod(self._noting(xacro.YamlListWrapper.wrap))
+
+    def _noting(self, wrap: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        """xacro's access to YAML values, which also tells the tracer."""
+
+        def noting(item: Any) -> Any:
+            if self._run.tracer is not None:
+                self._run.tracer.yaml_value(item)
+            return wrap(item)
+
+        return noting
+
+    def _exchange_messages(self) -> None:
+        xacro = self.xacro
+
+        # Models call them by these names, which xacro takes from the functions.
+        def warning(*words: Any, **_: Any) -> None:
+            self._run.warn(_joined(words))
+
+        def error(*words: Any, **_: Any) -> None:
+            self._run.say("error", _joined(words))
+
+        def message(*words: Any, **_: Any) -> None:
+            self._run.say("", _joined(words))
+
+        locate = xacro.print_location
+
+        def print_location() -> None:
+            text = StringIO()
+            with redirect_stderr(text):
+                locate()
+            self._run.say("", text.getvalue().rstrip("\n"))
+
+        for function in (warning, error, message, print_location):
+            setattr(xacro, function.__name__, function)
+        xacro.tokenize = patterns.tokenize(xacro.tokenize)
+
+
+def _refusing(what: str) -> Callable[..., Any]:
+    """A function that models may not call."""
+
+    def refuse(*_: Any) -> Any:
+        raise UnsafeExpression(f"{what} is not allowed in expressions")
+
+    return refuse
+
+
+def _joined(words: tuple[Any, ...]) -> str:
+    return " ".join(map(str, words))

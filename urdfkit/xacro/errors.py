@@ -1,0 +1,39 @@
+"""Errors that arise inside an expansion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.text.source import Span
+
+
+class MissingArgument(Exception):
+    """A ``$(arg name)`` without a value and without a default; the text is the name."""
+
+
+class EscapesRoots(Exception):
+    """A file outside the workspace and the packages, or none; the text is for users."""
+
+
+class BrokenYaml(Exception):
+    """A YAML file that is none; the text is the parser's.
+
+    Attributes:
+        span: where.
+        reason: in short.
+    """
+
+    def __init__(self, text: str, span: Span, reason: str) -> None:
+        super().__init__(text)
+        self.span = span
+        self.reason = reason
+
+
+def root_cause(error: BaseException) -> BaseException:
+    """The exception inside xacro's wrappings."""
+    seen = 0
+    while isinstance(inner := getattr(error, "exc", None), BaseException) and seen < 1000:
+        error = inner
+        seen += 1
+    return error

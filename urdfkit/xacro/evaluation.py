@@ -1,0 +1,186 @@
+"""How texts and properties get their values: xacro's way, and on to the next error.
+
+An expression that fails is reported with its place, and its value becomes POISON. What uses
+that value is no further error, so that one run finds all that is wrong.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.xacro.expressions import evaluate
+from urdfkit.xacro.locator import Located
+
+if TYPE_CHECKING:
+    from urdfkit.xacro.expansion import Run
+
+_TOKEN = re.compile(
+    r"(?P<escape>\$\$+[{(])|(?P<expression>\$\{[^}]*\})|(?P<command>\$\([^)]*\))"
+    r"|(?P<text>[^$]+|\$[^{($]+|\$$)"
+)
+
+
+class Poison(str):
+    """The value of what failed and was reported.
+
+    Its text is that of no model. An error of xacro that has it in its words is a consequence.
+    """
+
+    __slots__ = ()
+
+
+class Tainted(Exception):
+    """An expression uses the value of something that failed and was reported."""
+
+
+#: The one Poison; a private character of Unicode around its text.
+POISON = Poison("\ue000failed\ue000")
+
+
+@lru_cache(maxsize=4096)
+def tokens(text: str) -> tuple[tuple[str, str, int], ...]:
+    """The pieces of a text: kind, text and offset of each."""
+    found: list[tuple[str, str, int]] = []
+    position = 0
+    while position < len(text):
+        match = _TOKEN.match(text, position)
+        if match is None:
+            # xacro reads one piece ahead: it meets this before it evaluates the one before.
+            found.insert(max(len(found) - 1, 0), ("unclosed", text[position:], position))
+            break
+        found.append((match.lastgroup or "", match.group(), position))
+        position = match.end()
+    return tuple(found)
+
+
+class Evaluation:
+    """xacro's functions that evaluate, for one run at a time.
+
+    Attributes:
+        run: that they work for.
+    """
+
+    run: Run
+
+    def __init__(self, xacro: Any) -> None:
+        self._xacro = xacro
+        self._stock_eval = xacro.safe_eval
+        self._depth = 0
+
+    def begin(self, run: Run) -> None:
+        """Work for another run."""
+        self.run = run
+        self._depth = 0
+
+    def eval_text(self, text: Any, symbols: Any) -> Any:
+        """The value of a text with ``${}`` and ``$()`` in it; a single one keeps its type."""
+        if text is POISON:
+            return text
+        if not text or "$" not in text:
+            return text or ""  # minidom has None for an empty xmlns
+        tracer = self.run.tracer
+        self._depth += 1
+        if tracer is not None:
+            tracer.begin()
+        try:
+            return self._value(text, symbols)
+        except Tainted:
+            if self._depth > 1:
+                raise
+            return POISON
+        finally:
+            self._depth -= 1
+            if tracer is not None:
+                tracer.end(text, sys._getframe(1))
+
+    def _value(self, text: str, symbols: Any) -> Any:
+        values: list[Any] = []
+        for kind, token, offset in tokens(text):
+            if kind in ("text", "escape"):
+                values.append(token if kind == "text" else token[1:])
+                continue
+            try:
+                values.append(self._value_of(kind, token, symbols))
+            except Tainted:
+                values.append(POISON)
+            except Exception as error:
+                values.append(POISON)
+                self.run.locate(text, offset, token)
+                if self._depth > 1:
+                    raise
+                self.run.report(error, Located(text, offset, token), sys._getframe(2))
+        if any(value is POISON for value in values):
+            raise Tainted
+        fence = self.run.fence
+        if len(values) > 1:
+            return fence.keep("".join(fence.keep(str(value)) for value in values))
+        return values[0] if self._depth > 1 else fence.keep(values[0])
+
+    def _value_of(self, kind: str, token: str, symbols: Any) -> Any:
+        if kind == "unclosed":
+            raise self._xacro.XacroException("invalid expression: " + token)
+        inner = self.eval_text(token[2:-1], symbols)
+        if kind == "command":
+            return self.run.substitute(str(inner), symbols)
+        try:
+            return self.safe_eval(inner, symbols)
+        except Tainted:
+            raise
+        except Exception as error:
+            suffix = f"\nwhen evaluating expression '{inner}'"
+            raise self._xacro.XacroException(exc=error, suffix=suffix) from error
+
+    def safe_eval(self, expression: str, symbols: Any, local: Any = None) -> Any:
+        """The value of an expression; fenced, unless the user trusts the model."""
+        if self.run.trust:
+            return self._stock_eval(expression, symbols, local)
+        return evaluate(expression.strip(), symbols, self.run.fence)
+
+    def set_item(self, table: Any, key: str, value: Any, unevaluated: bool) -> None:
+        """xacro's ``Table._setitem``, which also notes who defines the name."""
+        run = self.run
+        if key in table.root:
+            run.shadows(key)
+        local = sys._getframe(2).f_locals
+        run.note_definition(table, key, local.get("elt") or local.get("node"))
+        if run.tracer is not None and not unevaluated:
+            run.tracer.defined(table, key)
+        value = POISON if value is POISON else table._eval_literal(value)
+        dict.__setitem__(table, key, value)
+        if unevaluated and isinstance(value, str):
+            table.unevaluated.add(key)
+        else:
+            table.unevaluated.discard(key)
+
+    def resolve(self, table: Any, key: str) -> Any:
+        """xacro's ``Table._resolve_``, which leaves the table usable when a property fails."""
+        run = self.run
+        run.note_use(table, key)
+        if key in table.unevaluated:
+            if key in table.recursive:
+                chain = " -> ".join([*table.recursive, key])
+                raise self._xacro.XacroException(
+                    f"circular variable definition: {chain}\n"
+                    'Consider disabling lazy evaluation via lazy_eval="false"'
+                )
+            table.recursive.append(key)
+            run.resolving.append((table, key))
+            try:
+                value = self.eval_text(dict.__getitem__(table, key), table)
+            finally:
+                table.recursive.remove(key)
+                run.resolving.pop()
+            value = POISON if value is POISON else table._eval_literal(value)
+            dict.__setitem__(table, key, value)
+            table.unevaluated.remove(key)
+            if run.tracer is not None:
+                run.tracer.defined(table, key)
+        value = dict.__getitem__(table, key)
+        if value is POISON:
+            raise Tainted(key)
+        if run.tracer is not None:
+            run.tracer.looked_up(table, key, value)
+        return value

@@ -1,0 +1,389 @@
+"""One expansion: what xacro asks for, what it meets, and the places of its errors."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.errors import PackageNotFound
+from urdfkit.text.document import Frame, Tag
+from urdfkit.text.xml_reader import Problem, TooMuch
+from urdfkit.xacro import dom_builder
+from urdfkit.xacro.annotations import notes_of
+from urdfkit.xacro.budget import Budget
+from urdfkit.xacro.dom import Dom, Node
+from urdfkit.xacro.engine import load_engine
+from urdfkit.xacro.errors import MissingArgument, root_cause
+from urdfkit.xacro.evaluation import POISON, Tainted
+from urdfkit.xacro.expansion_log import ANY, Ledger, Message
+from urdfkit.xacro.file_reader import Reader
+from urdfkit.xacro.locator import Located
+from urdfkit.xacro.sandbox import Fence
+from urdfkit.xacro.substitution import Context, SubstitutionError, substitute
+
+if TYPE_CHECKING:
+    from urdfkit.text.source import Source
+    from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro.trace import Tracer
+
+MAX_MACRO_DEPTH = 150
+#: Macro calls of one expansion; PR2 has 140.
+MAX_CALLS = 50_000
+
+
+class Definition(Record):
+    """Something that a xacro file defines: a macro, a property or an argument.
+
+    Attributes:
+        name: of it.
+        tag: the defining tag.
+        frame: the calls that led to the definition.
+        attributes: of the tag, as written.
+    """
+
+    name: str
+    tag: Tag
+    frame: Frame | None
+    attributes: dict[str, str]
+
+
+class Run:
+    """The state of one expansion.
+
+    Args:
+        source: the checked file.
+        resolver: finds packages, and knows which files may be read.
+        arguments: values of ``xacro:arg`` by name.
+        trust: True to let expressions and files be.
+        root_dir: relative paths of the command line start there.
+        traced: True to note where values come from.
+        frame: what led to the file, such as a launch file.
+        without: tags that failed in an earlier run and were reported, as (path, offset).
+        ledger: takes problems and messages.
+        reader: reads files.
+        deadline: time at which it must have ended.
+
+    Attributes:
+        macros, properties: everything that was defined, in order.
+        declared: every ``xacro:arg`` of the files, evaluated or not.
+        included: places of the include tags that were carried out, as (path, offset).
+        dependencies: included and loaded files, as the models spell them.
+        document: the DOM, as far as it got.
+    """
+
+    def __init__(
+        self,
+        source: Source,
+        resolver: Resolver,
+        arguments: Mapping[str, str],
+        *,
+        trust: bool,
+        root_dir: str,
+        traced: bool,
+        frame: Frame | None,
+        without: frozenset[tuple[str, int]],
+        ledger: Ledger,
+        reader: Reader,
+        deadline: float,
+    ) -> None:
+        self.source = source
+        self.resolver = resolver
+        self.arguments = dict(arguments)
+        self.trust = trust
+        self.root_dir = root_dir
+        self.frame = frame
+        self.without = without
+        self.budget = Budget(deadline)
+        self.fence = Fence(self.budget)
+        self.ledger = ledger
+        self.reader = reader
+        self.tracer = _tracer(self) if traced else None
+        self.macros: list[Definition] = []
+        self.properties: list[Definition] = []
+        self.declared: list[Definition] = []
+        self.included: set[tuple[str, int]] = set()
+        self.dependencies: list[str] = []
+        self.document: Dom | None = None
+        # What the instrumented engine is doing at the moment.
+        self.resolving: list[tuple[Any, str]] = []
+        self.including: list[Node] = []
+        self._location: Located | None = None
+        self._declared_nodes: list[Node] = []
+        self._defaulting: set[str] = set()
+        self._calls = 0
+
+    # ------------------------------------------------------------------ files
+
+    def parse(self, filename: str) -> Dom:
+        """A file as DOM; the counterpart of ``xacro.parse``."""
+        include = self.including[-1] if self.including else None
+        if include is None:
+            frame, source = self.frame, self.source
+        else:
+            self.included.add((include.tag_at.source.path, include.tag_at.start))
+            frame = Frame("include", filename, include.tag_at, None, include.frame)
+            source = self._included(filename)
+        try:
+            document, problems, arguments = dom_builder.parse(source, frame, self.budget)
+        except Exception as error:
+            error.urdfkit_place = (source, frame, include)  # type: ignore[attr-defined]
+            raise
+        for problem in problems:
+            self.ledger.add(problem._replace(frame=frame))
+        self._declared_nodes += arguments
+        self.declared += [_definition(node) for node in arguments]
+        self._drop_reported(document)
+        if include is None:
+            self.document = document
+        return document
+
+    def _included(self, filename: str) -> Source:
+        xacro = load_engine().xacro
+        if POISON in filename:  # no missing file, which may be optional
+            raise Tainted(filename)
+        try:
+            return self.reader.xacro(self._from_root(filename))
+        except OSError as error:
+            xacro.filestack.pop()
+            text = f"{error.strerror}: {error.filename}"
+            raise xacro.XacroException(text, exc=error) from error
+        except ValueError as error:
+            raise xacro.XacroException(str(error), exc=error) from error
+
+    def _drop_reported(self, document: Dom) -> None:
+        """Take out the tags that failed in an earlier run and were reported.
+
+        An include stays until its turn comes: what precedes it cannot suffer from its lack.
+        """
+        if not self.without:
+            return
+        stack: list[Any] = [document.documentElement]
+        while stack:
+            node = stack.pop()
+            if self._is_reported(node) and node.tagName != "xacro:include":
+                node.parentNode.removeChild(node)
+            else:
+                stack.extend(child for child in node.childNodes if isinstance(child, Node))
+
+    def _is_reported(self, node: Node) -> bool:
+        return (node.tag_at.source.path, node.tag_at.start) in self.without
+
+    def leaves_out(self, include: Node) -> bool:
+        """True for an include that failed in an earlier run; from here on anything may lack."""
+        if self._is_reported(include):
+            self.ledger.lost.add(ANY)
+            return True
+        return False
+
+    def load_yaml(self, filename: str) -> Any:
+        """The value of a YAML file; the counterpart of ``xacro.load_yaml``."""
+        from urdfkit.xacro import yaml_files
+
+        xacro = load_engine().xacro
+        filename = xacro.abs_filename_spec(filename)
+        source = self.reader.yaml(filename)
+        self.budget.charge(10 * len(source.data))  # it takes so much longer than other text
+        xacro.filestack.append(filename)
+        try:
+            value = yaml_files.load(
+                source,
+                lambda e: xacro.safe_eval(e, xacro._global_symbols),
+                placed=self.tracer is not None,
+            )
+        except SyntaxError as error:
+            raise xacro.XacroException(f"invalid expression: {error.text}") from error
+        finally:
+            xacro.filestack.pop()
+            self.dependencies.append(filename)
+        return xacro.YamlListWrapper.wrap(value)
+
+    # ---------------------------------------------------------------- $(...)
+
+    def substitute(self, content: str, symbols: Any) -> str:
+        """The value of ``$(content)``; the counterpart of ``xacro.eval_extension``."""
+        xacro = load_engine().xacro
+        context = Context(
+            self._find_package,
+            lambda name: self.argument(name, symbols),
+            os.path.dirname(xacro.filestack[-1] or ""),
+            self.root_dir,
+            os.environ,
+            None if self.trust else self.fence,
+            {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
+        )
+        try:
+            return substitute(content, context)
+        except MissingArgument as error:
+            text = "Undefined substitution argument"
+            raise xacro.XacroException(text, exc=error) from error
+        except (SubstitutionError, PackageNotFound) as error:
+            raise xacro.XacroException(exc=error) from error
+        except Exception as error:
+            raise xacro.XacroException(f"{type(error)}: {error}", exc=error) from error
+
+    def _find_package(self, name: str) -> str:
+        near = load_engine().xacro.filestack[-1] or self.source.path
+        return self.resolver.package(name, self._from_root(near))
+
+    def _from_root(self, path: str) -> str:
+        return os.path.join(self.root_dir, path)
+
+    def argument(self, name: str, symbols: Any) -> str:
+        """The value of an argument.
+
+        Raises:
+            MissingArgument: it has none.
+        """
+        values = load_engine().xacro.substitution_args_context["arg"]
+        if name not in values:
+            values[name] = self._later_default(name, symbols)
+        if self.tracer is not None:
+            self.tracer.argument(name, values[name])
+        return str(values[name])
+
+    def _later_default(self, name: str, symbols: Any) -> str:
+        """The default of an argument that is declared after its first use.
+
+        xacro gives up here, which is told; ``<robot name="$(arg name)">`` above the declaration
+        is common, and the rest of the robot can be checked with the default.
+        """
+        for node in self._declared_nodes:
+            if node.getAttribute("name") != name or not node.hasAttribute("default"):
+                continue
+            if name in self._defaulting:
+                break  # its default needs the argument itself
+            self._defaulting.add(name)
+            try:
+                from urdfkit.xacro import diagnosis
+
+                self.ledger.add(diagnosis.used_too_early(name, node, _caller()))
+                return str(load_engine().xacro.eval_text(node.getAttribute("default"), symbols))
+            finally:
+                self._defaulting.discard(name)
+        raise MissingArgument(name)
+
+    def known_arguments(self) -> dict[str, str]:
+        """The arguments that the files declare, with their defaults as written."""
+        defaults: dict[str, str] = {}
+        for argument in self.declared:
+            defaults.setdefault(argument.name, argument.attributes.get("default", ""))
+        return defaults
+
+    # ------------------------------------------------------------ definitions
+
+    def enter_call(self, depth: int) -> None:
+        """A macro call begins.
+
+        Args:
+            depth: of the macros that called it.
+        """
+        self._calls += 1
+        if depth > MAX_MACRO_DEPTH:
+            raise TooMuch(f"macros call each other more than {MAX_MACRO_DEPTH} levels deep")
+        if self._calls > MAX_CALLS:
+            raise TooMuch(f"more than {MAX_CALLS} macro calls")
+
+    def note_macro(self, node: Node) -> None:
+        """A macro is defined."""
+        name = node.getAttribute("name").removeprefix("xacro:")
+        self.macros.append(_definition(node)._replace(name=name))
+
+    def note_definition(self, table: Any, key: str, definer: Any) -> None:
+        """A property or a macro parameter gets a value."""
+        if not isinstance(definer, Node):
+            return
+        notes = notes_of(table)
+        if definer.tagName == "xacro:property":
+            self.properties.append(_definition(definer)._replace(name=key))
+            if key not in notes.used and not key.startswith("**"):
+                self._note_redefinition(key, definer, notes.definers.get(key))
+        notes.definers[key] = definer
+        notes.used.discard(key)
+
+    def note_use(self, table: Any, key: str) -> None:
+        """A name is looked up."""
+        notes_of(table).used.add(key)
+
+    def _note_redefinition(self, key: str, node: Node, earlier: Node | None) -> None:
+        if earlier is None:
+            return
+        one, other = earlier.tag_at, node.tag_at
+        same_block = one.source is other.source and earlier.around == node.around
+        same_value = _attributes(earlier).get("value") == _attributes(node).get("value")
+        if same_block and not same_value and earlier.tagName == node.tagName and one != other:
+            message = f"property '{key}' is defined again before its first value is used"
+            from urdfkit.xacro import diagnosis
+
+            related = diagnosis.related(earlier.tag_at.span, "first defined here")
+            span = node.tag_at.attribute_spans().get("name", node.tag_at.span)
+            self.ledger.add(Problem("XAC008", span, message, frame=node.frame, related=related))
+
+    def shadows(self, key: str) -> None:
+        """A property or parameter takes the name of something that expressions already have."""
+        self.warn(f"redefining global symbol: {key}")
+
+    # --------------------------------------------------------------- messages
+
+    def warn(self, text: str) -> None:
+        """xacro warns."""
+        from urdfkit.xacro import diagnosis  # which most runs do without
+
+        node, local = diagnosis.node_in(_caller())
+        self.ledger.say(Message("warning", text, node.tag_at.span if node else None))
+        if node is not None:
+            problem = diagnosis.warning(text, node, local)
+            if problem is not None:
+                self.ledger.add(problem)
+
+    def say(self, kind: str, text: str) -> None:
+        """The model speaks to the user."""
+        self.ledger.say(Message(kind, text, None))
+
+    # ----------------------------------------------------------------- errors
+
+    def locate(self, text: str, offset: int, token: str) -> None:
+        """Note where an error arose; the innermost property and its outermost text count."""
+        here = Located(text, offset, token, tuple(self.resolving))
+        before = self._location
+        if before is None or len(before.resolving) == len(here.resolving):
+            self._location = here
+
+    def report(self, error: Exception, used: Located, frame: FrameType) -> None:
+        """An expression failed: note it with its place, and go on.
+
+        Args:
+            error: what is wrong, there or in a property that it needs.
+            used: the expression.
+            frame: of the function that evaluates it.
+        """
+        located, self._location = self._location, None
+        if isinstance(root_cause(error), (TooMuch, RecursionError, MemoryError)):
+            raise error
+        from urdfkit.xacro import diagnosis
+
+        ledger = self.ledger
+        ledger.first_error = ledger.first_error or str(error) or repr(error)
+        if not ledger.is_full and not ledger.is_consequence(error):
+            ledger.add(diagnosis.problem(self, error, located or used, used, frame))
+
+
+def _tracer(run: Run) -> Tracer:
+    from urdfkit.xacro.trace import Tracer
+
+    return Tracer(run)
+
+
+def _definition(node: Node) -> Definition:
+    return Definition(node.getAttribute("name"), node.tag_at, node.frame, _attributes(node))
+
+
+def _attributes(node: Node) -> dict[str, str]:
+    return dict(zip(node.raw[::2], node.raw[1::2], strict=True))
+
+
+def _caller() -> FrameType:
+    return sys._getframe(2)

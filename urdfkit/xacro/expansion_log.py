@@ -1,0 +1,112 @@
+"""What all attempts at expanding one file found: problems and messages."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Related
+from urdfkit.text.xml_reader import Problem
+from urdfkit.xacro.errors import MissingArgument, root_cause
+from urdfkit.xacro.evaluation import POISON, Tainted
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from urdfkit.text.source import Span
+
+MAX_PROBLEMS = 500
+MAX_MESSAGES = 1000
+MAX_MESSAGE = 1000
+#: Uses of one failing property that are worth naming.
+MAX_RELATED = 5
+#: Stands among the lost names for those that a missing file would have defined.
+ANY = "*"
+
+_UNDEFINED = r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
+
+
+class Message(Record):
+    """What xacro or the model itself says while it is expanded."""
+
+    kind: str
+    text: str
+    span: Span | None
+
+
+class Ledger:
+    """Problems and messages, as they are met.
+
+    Attributes:
+        first_error: as stock xacro words it; None without one.
+        messages: of xacro and of the model in the last attempt, in order.
+        lost: names that nothing defines any more, because what did so failed.
+    """
+
+    def __init__(self) -> None:
+        self.first_error: str | None = None
+        self.messages: list[Message] = []
+        self.lost: set[str] = set()
+        self._problems: dict[object, Problem] = {}
+
+    def begin(self, lost: Iterable[str]) -> None:
+        """Another attempt begins, in which some names lack."""
+        self.messages = []
+        self.lost = set(lost)
+
+    @property
+    def problems(self) -> list[Problem]:
+        """Errors and warnings, each with its place, in the order of the expansion."""
+        return list(self._problems.values())
+
+    @property
+    def is_full(self) -> bool:
+        """True if no other problem will be kept."""
+        return len(self._problems) >= MAX_PROBLEMS
+
+    def say(self, message: Message) -> None:
+        """Keep a message."""
+        if len(self.messages) < MAX_MESSAGES:
+            self.messages.append(message)
+
+    def add(self, problem: Problem) -> None:
+        """Keep a problem; the same one met again only adds the place that met it."""
+        if len(problem.message) > MAX_MESSAGE:  # what the model says may be a novel
+            problem = problem._replace(message=problem.message[: MAX_MESSAGE - 3] + "...")
+        key = _identity(problem)
+        known = self._problems.get(key)
+        if known is None:
+            if not self.is_full:
+                self._problems[key] = problem
+        elif len(known.related) < MAX_RELATED:
+            uses = problem.related
+            if _place(known.span) != _place(problem.span):
+                uses = (Related(problem.span, "needed here"),)
+            together = tuple(dict.fromkeys((*known.related, *uses)))
+            self._problems[key] = known._replace(related=together)
+
+    def is_consequence(self, error: BaseException) -> bool:
+        """True if an error follows from one that was already reported."""
+        cause = root_cause(error)
+        if isinstance(cause, Tainted) or POISON in str(error):
+            return True
+        if not self.lost:
+            return False
+        if isinstance(cause, MissingArgument):
+            return bool(self.lost & {ANY, str(cause)})
+        undefined = re.search(_UNDEFINED, str(cause))
+        return undefined is not None and bool(self.lost & {ANY, *undefined.groups()})
+
+
+def _identity(problem: Problem) -> object:
+    """What two problems have in common that are one; not the objects of one attempt."""
+    if problem.code == "XAC010":  # an argument without a value, wherever it is used
+        return problem.message
+    way = problem.frame.steps() if problem.frame else ()
+    places = tuple(_place(span) for span in (problem.span, *(step.span for step in way)))
+    return problem.code, problem.message, places
+
+
+def _place(span: Span) -> tuple[str, int, int]:
+    return span.source.path, span.start, span.end

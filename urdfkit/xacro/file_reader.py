@@ -1,0 +1,130 @@
+"""The files of all attempts at one expansion, within the workspace and within bounds."""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import re
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from urdfkit.text.source import MAX_BYTES, Source
+from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
+from urdfkit.xacro.errors import EscapesRoots
+from urdfkit.xacro.sandbox import MAX_LENGTH, TooLarge
+
+if TYPE_CHECKING:
+    from urdfkit.workspace.resolve import Resolver
+
+_WILDCARD = r"[*?[]"
+
+
+class Reader:
+    """Reads files; every xacro file once.
+
+    Args:
+        source: the checked file.
+        resolver: knows which files may be read, and where those of an installed package are.
+        near: path of the checked file, from the working directory.
+        trust: True to read any file.
+
+    Attributes:
+        sources: the xacro files by path, the checked one first.
+        data_files: the YAML files.
+    """
+
+    def __init__(self, source: Source, resolver: Resolver, *, near: str, trust: bool) -> None:
+        self.sources: dict[str, Source] = {source.path: source}
+        self.data_files: list[str] = []
+        self._near = near
+        self._resolver = resolver
+        self._trust = trust
+
+    def xacro(self, path: str) -> Source:
+        """A xacro file.
+
+        Raises:
+            OSError: it cannot be read.
+            ValueError: its name is none.
+            EscapesRoots: it is outside.
+            TooLarge: no robot needs one of that size.
+        """
+        path = self._admitted(path)
+        if path not in self.sources:
+            self.sources[path] = Source(path, self._read(path, MAX_BYTES))
+        return self.sources[path]
+
+    def yaml(self, path: str) -> Source:
+        """A YAML file.
+
+        Raises:
+            OSError, ValueError, EscapesRoots, TooLarge: as of ``xacro``.
+        """
+        path = self._admitted(path)
+        self.data_files.append(path)
+        data = self._read(path, MAX_LENGTH)
+        data.decode("utf-8")  # as strictly as xacro does
+        return Source(path, data)
+
+    def _read(self, path: str, most: int) -> bytes:
+        data = self._resolver.text(path)
+        if data is None:
+            with open(path, "rb") as file:
+                data = file.read(most + 1)
+        if len(data) > most:
+            raise TooLarge(f"the file {path} of more than {most} bytes")
+        return data
+
+    def _admitted(self, path: str) -> str:
+        """The path to open: as installed if it is not in the source tree, and not outside."""
+        if not os.path.exists(path):
+            path = self._resolver.installed(path) or path
+        if os.path.lexists(path):  # else opening it will say that there is no such file
+            self._refuse_outside(path)
+        return path
+
+    def _refuse_outside(self, path: str) -> None:
+        if self._trust or self._resolver.allows(path, self._near):
+            return
+        if os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path):
+            raise EscapesRoots(f"{path} is no file but a device or a pipe")
+        raise EscapesRoots(f"{path} is outside the workspace and the packages of this model")
+
+    def glob(self, pattern: str, budget: Budget) -> Iterator[str]:
+        """The paths that ``glob.glob`` gives, searched for in admitted folders only.
+
+        Args:
+            pattern: with wildcards.
+            budget: that the search is charged to.
+
+        Raises:
+            EscapesRoots: the pattern leads outside.
+            TooMuch: it takes too long; links that lead in circles multiply the paths.
+        """
+        folder, name = os.path.split(pattern)
+        if not re.search(_WILDCARD, pattern):
+            if os.path.lexists(pattern) if name else os.path.isdir(folder):
+                yield pattern
+            return
+        folders: Iterable[str] = [folder]
+        if re.search(_WILDCARD, folder) and folder != pattern:
+            folders = self.glob(folder, budget)
+        for inside in folders:
+            if re.search(_WILDCARD, name):
+                yield from self._matching(inside, name, budget)
+            elif os.path.lexists(path := os.path.join(inside, name)):
+                yield path
+
+    def _matching(self, folder: str, pattern: str, budget: Budget) -> Iterator[str]:
+        budget.charge(ELEMENT_SIZE)  # it takes as long
+        if not os.path.isdir(folder or os.curdir):
+            return
+        self._refuse_outside(folder or os.curdir)
+        try:
+            names = os.listdir(folder or os.curdir)
+        except OSError:
+            return
+        budget.charge(len(names))
+        for name in fnmatch.filter(names, pattern):
+            if pattern.startswith(".") or not name.startswith("."):
+                yield os.path.join(folder, name)

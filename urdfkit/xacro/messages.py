@@ -1,0 +1,223 @@
+"""What xacro's errors mean and what to do, in words for people who did not write xacro."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.text.schema import XACRO_TAGS
+from urdfkit.text.source import Span, shown
+from urdfkit.xacro.dom import Node
+from urdfkit.xacro.errors import BrokenYaml
+
+if TYPE_CHECKING:
+    from urdfkit.xacro.expansion import Run
+
+#: How like a tag of xacro the name of a macro must be to be taken for a slip of it.
+_SLIP = 0.8
+#: How like another file's name a name must be for that file to be offered.
+_LIKE = 0.7
+#: Folders that a help lists.
+_FEW = 10
+
+_UNDEFINED = re.compile(r"name '(\w+)' is not defined")
+_UNKNOWN_MACRO = re.compile(r"unknown macro name: (?:xacro:)?(\S+)")
+_PARAMETER = re.compile(r'Invalid parameter "([^"]*)"')
+_WITHOUT_VALUE = re.compile(r"Undefined parameters \[([^\]]*)\]")
+_BLOCK_TOO_MANY = re.compile(r'Unused block "([^"]*)"')
+_NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
+_CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
+_UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
+_BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
+_BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
+_DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
+_OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
+
+
+class Words(Record):
+    """A message and a help; the rule's own help if empty."""
+
+    message: str
+    help: str = ""
+
+
+def words(run: Run, error: BaseException, cause: BaseException) -> Words:
+    """An error of an expression, a call or a tag.
+
+    Args:
+        run: the expansion.
+        error: as it was raised.
+        cause: the innermost one.
+    """
+    if isinstance(cause, FileNotFoundError) and cause.filename:
+        path = os.fspath(cause.filename)
+        return Words(f"file not found: {shown(path)}", _nearest_file(path))
+    if isinstance(cause, OSError) and cause.filename:
+        return Words(f"{cause.filename}: {cause.strerror}")
+    if isinstance(cause, SyntaxError):
+        return Words(f"not an expression: {cause.msg}", "write it as Python would read it")
+    if isinstance(cause, BrokenYaml):
+        where = cause.span.source.path
+        return Words(f"{where} is no YAML: {cause.reason}", "correct the file")
+    if isinstance(cause, KeyError):
+        return Words(f"there is no key {cause}", "correct the key, or what the key comes from")
+    text = str(cause).split("\nwhen evaluating expression")[0].strip()
+    if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
+        return _undefined_name(run, text, found.group(1))
+    if isinstance(cause, AttributeError) and "'_setitem'" in text:
+        message = 'scope="parent" stands outside of every macro, where there is no parent'
+        return Words(message, "delete the scope")
+    if found := _UNKNOWN_MACRO.search(text):
+        return _unknown_macro(run, found.group(1))
+    if isinstance(cause, TypeError) and (help := _help_with_types(text)):
+        return Words(text, help)
+    return _of_call(text, macro_of(error)) or Words(
+        text.replace("\n", "; ") or type(cause).__name__
+    )
+
+
+def _help_with_types(text: str) -> str:
+    """What to do where an expression calculates with text; empty where it does something else."""
+    if " for ^: " in text:
+        return "write ** for a power; ^ is none in Python"
+    if "operand" in text and "'str'" in text:
+        return (
+            "a value in it is text: correct its definition (a number has a decimal point, and no "
+            "comma or unit), or write float(...)"
+        )
+    return ""
+
+
+def macro_of(error: BaseException) -> Any:
+    """The macro whose call failed, or None."""
+    macros = getattr(error, "macros", None) or [None]
+    return macros[0] if isinstance(getattr(macros[0], "body", None), Node) else None
+
+
+def _of_call(text: str, macro: Any) -> Words | None:
+    """Calls with other parameters or blocks than the macro has, and the like."""
+    who = f"macro '{macro.body.getAttribute('name')}'" if macro is not None else "the macro"
+    params: list[str] = list(macro.params) if macro is not None else []
+    if found := _PARAMETER.search(text):
+        name = found.group(1)
+        has = ", ".join(params) or "none"
+        return Words(
+            f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"
+        )
+    if found := _WITHOUT_VALUE.search(text):
+        names = found.group(1).replace(",", ", ")
+        return Words(f"{who} is called without {names}", "give every parameter without a default")
+    if text.startswith("Not enough blocks"):
+        blocks = ", ".join(param for param in params if param.startswith("*"))
+        what = f"put an element for each of {blocks} into the call"
+        return Words(f"{who} is called without an element for {blocks or 'its block'}", what)
+    if found := _BLOCK_TOO_MANY.search(text):
+        what = "delete it, or give the macro a parameter with * for it"
+        return Words(f"{who} has no block parameter for <{found.group(1)}>", what)
+    if found := _NO_BLOCK.search(text):
+        what = "insert_block takes the name of a parameter with *, or of a property with elements"
+        return Words(f"block '{found.group(1)}' is not defined", what)
+    if found := _CONDITION.search(text):
+        value = found.group(2)[:60]
+        return Words(f"the condition is '{value}', neither true nor false", "write true or false")
+    if found := _UNCLOSED.search(text):
+        bracket = "}" if found.group(1)[1] == "{" else ")"
+        return Words(f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'")
+    return None
+
+
+def _unknown_macro(run: Run, name: str) -> Words:
+    known = [macro.name for macro in run.macros]
+    if tag := nearest(name, XACRO_TAGS, _SLIP):
+        known.append(tag)
+    if defined := _defined_elsewhere(run, "macro", name):
+        return Words(f"macro '{name}' is not defined", defined)
+    help = "define the macro above its call, or include the file that does"
+    if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
+        help = "write <xacro:include>: xacro passes over an <include> without the prefix"
+    return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+
+
+def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
+    """The name that an expression lacks, and the ``<property>`` without prefix that has it."""
+    found = _UNDEFINED.search(str(cause)) if isinstance(cause, NameError) else None
+    if found is None:
+        return None
+    pattern = re.compile(_BARE_PROPERTY % re.escape(found.group(1)).encode())
+    for source in run.reader.sources.values():
+        # Blanks for comments, so that places stay.
+        text = _COMMENT.sub(lambda comment: b" " * len(comment[0]), source.data)
+        if tag := pattern.search(text):
+            return found.group(1), Span(source, tag.start(), tag.end())
+    return None
+
+
+def _undefined_name(run: Run, text: str, name: str) -> Words:
+    if defined := _defined_elsewhere(run, "property", name):
+        return Words(text, defined)
+    later = [named for _, named in _definitions(run, "property")]
+    help = f"define the property '{name}' above its use, or correct the name"
+    return Words(text, help + did_you_mean(name, later))
+
+
+def _defined_elsewhere(run: Run, kind: str, name: str) -> str:
+    """How a name is defined where xacro has not come, or not for this use; empty if nowhere."""
+    span = next((span for span, named in _definitions(run, kind) if named == name), None)
+    if span is None:
+        return ""
+    place = f"{shown(span.source.path)}:{span.line}:{span.column}"
+    within = _innermost(span.source.data[: span.start])
+    if within == "macro":
+        return f"'{name}' is defined at {place}, and known in that macro only"
+    if within:
+        return (
+            f"'{name}' is defined at {place}, but the <xacro:{within}> around it does not hold, or "
+            "comes after the use"
+        )
+    return f"'{name}' is defined further down, at {place}: move its definition above the use"
+
+
+def _definitions(run: Run, kind: str) -> Iterator[tuple[Span, str]]:
+    """Places and names of the definitions in all files."""
+    for source in run.reader.sources.values():
+        for found in _DEFINED.finditer(source.data):
+            if found[1].decode() == kind:
+                yield Span(source, found.start(), found.end()), found[2].decode()
+
+
+def _innermost(before: bytes) -> str:
+    """The condition or macro that is open at the end of a text; empty if none is."""
+    opened: list[str] = []
+    for found in _OPENED.finditer(before):
+        if found[1]:
+            opened.append(found[1].decode())
+        elif opened:
+            opened.pop()
+    return opened[-1] if opened else ""
+
+
+def _nearest_file(path: str) -> str:
+    """What there is instead of a missing file: a folder that is missing, or a file like it."""
+    folder, name = os.path.split(os.path.normpath(path))
+    last = name
+    while folder and not os.path.isdir(folder) and folder != os.path.dirname(folder):
+        folder, name = os.path.split(folder)
+    try:
+        beside = os.listdir(folder or os.curdir)
+    except OSError:
+        return ""
+    stem, dot, suffix = name.partition(".")
+    alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
+    meant = nearest(stem, alike, _LIKE)
+    hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
+    if name == last:
+        return hint or "correct the path; a relative one starts at the file that it stands in"
+    there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))
+    if not hint and 0 < len(there) <= _FEW:  # often the values that an argument may have
+        hint = f"there {'is' if len(there) == 1 else 'are'} {', '.join(there)}"
+    return f"there is no folder '{name}' in {shown(folder)}" + (f"; {hint}" if hint else "")

@@ -1,0 +1,46 @@
+"""Guards for regular expressions of xacro that a hostile text would keep busy for years."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
+
+#: Characters of all parameters of a macro; real ones have 1 000.
+_MAX_PARAMETERS = 10_000
+#: Characters among which xacro's pattern may try all ways to read a default.
+_MAX_TRIED = 24
+_WITH_DEFAULT = r"\s*[^\s:=]+?\s*:?=\s*"
+#: xacro's pattern of a default, in which every character can be read in one way only.
+_DEFAULT = r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
+
+
+def macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
+    """xacro's ``parse_macro_arg`` in bounded time.
+
+    Its pattern reads ``a:=xxxxx'``, a default with an unmatched quote, in 2^5 ways.
+    """
+
+    def parse_macro_arg(text: str) -> Any:
+        if len(text) > _MAX_PARAMETERS:
+            raise TooLarge(f"parameters of {len(text)} characters")
+        start = len(text) > _MAX_TRIED and re.match(_WITH_DEFAULT, text)
+        default = text[start.end() :] if start else ""
+        if len(default) > _MAX_TRIED and not re.match(_DEFAULT, default):
+            raise TooLarge("a long default with an unmatched quote")
+        return stock(text)
+
+    return parse_macro_arg
+
+
+def tokenize(stock: Callable[..., Any]) -> Callable[..., Any]:
+    """xacro's ``tokenize``, whose separators may not end the set of characters they stand in."""
+
+    def tokenize(s: str, sep: str = ",; ", skip_empty: bool = True) -> Any:
+        if "]" in sep[1:]:
+            raise UnsafeExpression("']' among separators is not allowed in expressions")
+        return stock(s, sep, skip_empty)
+
+    return tokenize

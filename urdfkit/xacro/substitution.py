@@ -1,0 +1,149 @@
+"""``$(find pkg)``, ``$(arg name)`` and the other commands in round brackets.
+
+They mean what they mean in stock xacro, which needs a ROS installation for them; here packages
+are found by the Resolver, and environment variables pass an allow-list.
+"""
+
+from __future__ import annotations
+
+import builtins
+import os
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.xacro.errors import MissingArgument
+from urdfkit.xacro.expressions import evaluate
+from urdfkit.xacro.sandbox import UnsafeExpression
+
+if TYPE_CHECKING:
+    from urdfkit.xacro.sandbox import Fence
+
+#: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
+ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")
+
+COMMANDS = ("find", "env", "optenv", "dirname", "arg", "eval", "cwd")
+
+
+class SubstitutionError(Exception):
+    """The command cannot be carried out; the text is for users."""
+
+
+class EnvironmentRefused(SubstitutionError):
+    """A variable that is not on the allow-list, but set."""
+
+
+class Context(Record):
+    """What the commands refer to.
+
+    Attributes:
+        find: folder of a package by name.
+        argument: value of a xacro argument; raises KeyError.
+        folder: that of the file being processed.
+        working_directory: for ``$(cwd)``.
+        environment: the variables.
+        fence: for expressions; None if every variable and expression is allowed.
+        functions: what expressions may call.
+    """
+
+    find: Callable[[str], str]
+    argument: Callable[[str], str]
+    folder: str
+    working_directory: str
+    environment: Mapping[str, str]
+    fence: Fence | None
+    functions: Mapping[str, Any]
+
+
+def substitute(content: str, context: Context) -> str:
+    """The value of ``$(content)``.
+
+    Raises:
+        KeyError: an argument without a value.
+        SubstitutionError: anything else that is wrong with the command.
+    """
+    if content == "cwd":
+        return os.path.abspath(context.working_directory)
+    if content.startswith("eval "):
+        return str(_evaluate(content[len("eval ") :], context))
+    words = [word for word in content.split(" ") if word]
+    if not words:
+        return f"$({content})"
+    command, arguments = words[0], words[1:]
+    if command == "arg":
+        return context.argument(_only(command, arguments))
+    if command == "find":
+        return context.find(_only(command, arguments))
+    if command == "env":
+        return _variable(_only(command, arguments), context)
+    if command == "optenv" and arguments:
+        return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
+    if command == "dirname":
+        return os.path.abspath(context.folder)
+    raise SubstitutionError(f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}")
+
+
+def _only(command: str, arguments: list[str]) -> str:
+    if len(arguments) != 1:
+        raise SubstitutionError(f"$({command} ...) takes one name, not {len(arguments)}")
+    return arguments[0]
+
+
+def may_read(name: str, context: Context) -> bool:
+    """True if the model may see an environment variable."""
+    return context.fence is None or name.startswith(ENVIRONMENT_PREFIXES)
+
+
+def _variable(name: str, context: Context) -> str:
+    if name not in context.environment:
+        raise SubstitutionError(f"environment variable '{name}' is not set")
+    if not may_read(name, context):
+        raise EnvironmentRefused(f"environment variable '{name}' is not on the allow-list")
+    return context.environment[name]
+
+
+def _optional_variable(name: str, default: str, context: Context) -> str:
+    if may_read(name, context):
+        return context.environment.get(name, default)
+    return default
+
+
+def _evaluate(expression: str, context: Context) -> Any:
+    if "__" in expression:
+        raise UnsafeExpression("$(eval ...) may not contain double underscores")
+    names = _EvalNames(context)
+    if context.fence is None:
+        return eval(expression, {}, names)
+    return evaluate(expression.strip(), names, context.fence)
+
+
+class _EvalNames(dict[str, Any]):
+    """The names of a ``$(eval ...)``: functions, then arguments as numbers where they are."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__(context.functions)
+        self.context = context
+        self.update(
+            true=True,
+            false=False,
+            arg=lambda name: _convert(context.argument(name)),
+            find=context.find,
+            env=lambda name: _variable(name, context),
+            optenv=lambda name, default="": _optional_variable(name, default, context),
+            dirname=lambda: os.path.abspath(context.folder),
+        )
+
+    def __missing__(self, name: str) -> Any:
+        try:
+            return _convert(self.context.argument(name))
+        except MissingArgument:
+            if self.context.fence is not None and hasattr(builtins, name):
+                raise UnsafeExpression(f"{name} is not allowed in expressions") from None
+            raise KeyError(name) from None
+
+
+def _convert(text: str) -> Any:
+    try:
+        return float(text) if "." in text else int(text)
+    except ValueError:
+        return {"true": True, "false": False}.get(text.lower(), text)

@@ -1,0 +1,172 @@
+"""Where a value comes from: through expressions, macro arguments, properties and YAML files.
+
+Tracing is an expansion of its own, run when somebody asks: it notes which names every expression
+looks up, and how each of them got its value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Related
+from urdfkit.text.document import Attribute, Element
+from urdfkit.text.source import Span
+from urdfkit.xacro.annotations import notes_of
+from urdfkit.xacro.dom import ELEMENT, Dom, Node
+
+if TYPE_CHECKING:
+    from urdfkit.text.source import Source
+    from urdfkit.xacro.expansion import Run
+
+
+class Origin(Record):
+    """How a name got its value.
+
+    Attributes:
+        name: of the property, parameter or argument; the key in a YAML file.
+        value: as text.
+        kind: ``property``, ``argument``, ``default``, ``xacro:arg``, ``command line`` or ``YAML``.
+        span: where it is given; None for the command line.
+        text: what is written there.
+        inputs: the names that the text looks up.
+    """
+
+    name: str
+    value: str
+    kind: str
+    span: Span | None
+    text: str
+    inputs: tuple[Origin, ...]
+
+
+class Tracer:
+    """Notes what expressions look up while a Run expands."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self._collected: list[dict[str, Origin]] = []
+        self._last: tuple[Origin, ...] = ()
+
+    def begin(self) -> None:
+        """An expression's evaluation begins."""
+        self._collected.append({})
+
+    def end(self, text: str, frame: FrameType) -> None:
+        """It ends; what it looked up belongs to the attribute that xacro is evaluating."""
+        self._last = tuple(self._collected.pop().values())
+        local = frame.f_locals
+        node = local.get("node")
+        if isinstance(node, Node) and local.get("value") is text and "name" in local:
+            node.traces = {**(node.traces or {}), local["name"]: self._last}
+
+    def defined(self, table: Any, key: str) -> None:
+        """A name got the value of the text that was evaluated last."""
+        notes = notes_of(table)
+        definer = notes.definers.get(key)
+        if definer is not None and "$" in _definition(definer, key)[2]:
+            notes.inputs[key] = self._last
+
+    def looked_up(self, table: Any, key: str, value: Any) -> None:
+        """An expression used a name."""
+        if not self._collected or key.startswith("*"):
+            return
+        notes = notes_of(table)
+        definer = notes.definers.get(key)
+        if definer is None:
+            return  # built in
+        inputs = notes.inputs.get(key, ())
+        kind, span, text = _definition(definer, key)
+        self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
+
+    def argument(self, name: str, value: str) -> None:
+        """An expression used ``$(arg name)``."""
+        if not self._collected:
+            return
+        kind, text = "command line", f"{name}:={value}"
+        span: Span | None = None
+        if name not in self.run.arguments:
+            for declared in self.run.declared:
+                if declared.name == name:
+                    span = declared.tag.attribute_spans().get("default", declared.tag.span)
+                    kind, text = "xacro:arg", span.text
+        self._collected[-1][f"$(arg {name})"] = Origin(name, value, kind, span, text, ())
+
+    def yaml_value(self, value: Any) -> None:
+        """An expression took a value out of a YAML file."""
+        span: Span | None = getattr(value, "span", None)
+        if span is None or not self._collected:
+            return
+        line = span.source.line(span.line).strip()
+        key = line.partition(":")[0].strip("- ") or "value"
+        self._collected[-1][str(span)] = Origin(key, str(value), "YAML", span, line, ())
+
+
+def data_places(dom: Dom, at: Element | Attribute) -> tuple[Related, ...]:
+    """Where in YAML files the values of an attribute, or of those of an element, stand.
+
+    One place for each file, that of the first value.
+
+    Args:
+        dom: the expanded DOM of a traced run.
+        at: of the Document made from it, or from another expansion of the same.
+    """
+    attributes = at.attributes.values() if isinstance(at, Element) else (at,)
+    found: dict[Source, list[tuple[Span, str]]] = {}
+    for attribute in attributes:
+        for span in _in_yaml(inputs_of(dom, attribute.element, attribute.name)):
+            found.setdefault(span.source, []).append((span, attribute.name))
+    return tuple(Related(*_first(places)) for places in found.values())
+
+
+def _in_yaml(origins: tuple[Origin, ...]) -> Iterator[Span]:
+    """The places in YAML files at which the ways of values end."""
+    for origin in origins:
+        if origin.kind == "YAML" and origin.span is not None:
+            yield origin.span
+        yield from _in_yaml(origin.inputs)
+
+
+def _first(places: list[tuple[Span, str]]) -> tuple[Span, str]:
+    names = list(dict.fromkeys(name for _, name in places))
+    span = min((span for span, _ in places), key=lambda span: span.start)
+    if len(names) == 1:
+        return span, f"{names[0]} is given here"
+    return span, f"{', '.join(names[:-1])} and {names[-1]} are given here"
+
+
+def _definition(definer: Node, key: str) -> tuple[str, Span, str]:
+    """Kind, place and text of what gave a name its value."""
+    spans = definer.tag_at.attribute_spans()
+    if definer.tagName == "xacro:property":
+        span = spans.get("value", spans.get("default", definer.tag_at.span))
+        return "property", span, span.text
+    if key in spans:
+        return "argument", spans[key], spans[key].text
+    return "default", definer.tag_at.span, definer.tag_at.span.text
+
+
+def _short(value: Any) -> str:
+    text = str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def inputs_of(dom: Dom, element: Element, name: str) -> tuple[Origin, ...]:
+    """What the expression of an attribute looked up.
+
+    Args:
+        dom: the expanded DOM of a traced run.
+        element: of the Document made from it.
+        name: of the attribute.
+    """
+    way: list[int] = []
+    while element.parent is not None:
+        way.append(next(i for i, c in enumerate(element.parent.children) if c is element))
+        element = element.parent
+    node = dom.documentElement
+    for index in reversed(way):
+        node = [child for child in node.childNodes if child.nodeType == ELEMENT][index]
+    traces: dict[str, tuple[Origin, ...]] = node.traces or {}
+    return traces.get(name, ())

@@ -1,0 +1,69 @@
+"""Which names the expressions of xacro files mention, whether or not they were evaluated."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.text.source import Source
+
+_COMMENT = rb"(?s)<!--.*?(?:-->|\Z)"
+_EXPRESSION = rb"\$\{([^}]*)\}"
+_COMMAND = rb"\$\(([^)]*)\)"
+_WORD = rb"[A-Za-z_]\w*"
+_NAME_BEFORE = rb"(\w+)\s*:?=\s*\Z"
+_INSERTED = rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)"""
+_TAG = rb"<xacro:([\w.]+)"
+
+
+#: Bytes before a forwarding that are searched for its name.
+_NEAR = 200
+
+
+class Usage(Record):
+    """What the files mention.
+
+    Attributes:
+        names: every word in an expression, forwarded parameters and inserted blocks.
+        calls: the last parts of all ``<xacro:...>`` tags; ``call`` for a dynamic call.
+        includes: places of the include tags, as (path, offset).
+    """
+
+    names: frozenset[str]
+    calls: frozenset[str]
+    includes: frozenset[tuple[str, int]]
+
+
+def usage(sources: Iterable[Source]) -> Usage:
+    """What some xacro files mention outside comments."""
+    names: set[bytes] = set()
+    calls: set[bytes] = set()
+    includes: set[tuple[str, int]] = set()
+    for source in sources:
+        data = re.sub(_COMMENT, lambda match: b" " * len(match.group()), source.data)
+        # Not behind the last bracket: there every opening one is searched for to the end.
+        expressions = re.findall(_EXPRESSION, data[: data.rfind(b"}") + 1])
+        expressions += re.findall(_COMMAND, data[: data.rfind(b")") + 1])
+        names.update(re.findall(_WORD, b" ".join(expressions)))
+        names.update(_forwarded(data))
+        names.update(re.findall(_INSERTED, data))
+        for tag in re.finditer(_TAG, data):
+            calls.add(tag.group(1).rpartition(b".")[2])
+            if tag.group(1) == b"include":
+                includes.add((source.path, tag.start()))
+    return Usage(
+        frozenset(name.decode() for name in names),
+        frozenset(call.decode() for call in calls),
+        frozenset(includes),
+    )
+
+
+def _forwarded(data: bytes) -> Iterator[bytes]:
+    """The names in ``name:=^``; from the sign backwards, for words are everywhere."""
+    sign = data.find(b"^")
+    while sign >= 0:
+        name = re.search(_NAME_BEFORE, data[max(0, sign - _NEAR) : sign])
+        if name:
+            yield name.group(1)
+        sign = data.find(b"^", sign + 1)
