@@ -5,7 +5,7 @@ from collections import Counter
 import pytest
 
 from tests.told import messages, told
-from urdfkit.checks.tre009_deep_chain import MAX_DEPTH
+from urdfkit.checks.tree.tre009_deep_chain import MAX_DEPTH
 from urdfkit.lint.runner import MAX_FINDINGS
 from urdfkit.robot.tree import MAX_LOOPS
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.checks.test_rct009_command_range_wider_than_limit import commanded
+from tests.checks.ros2_control.test_rct009_command_range_wider_than_limit import commanded
 from tests.controls import NEXT, ROBOT, control
 from tests.told import messages, places, told
 

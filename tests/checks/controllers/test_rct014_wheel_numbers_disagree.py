@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.test_rct013_controllers_name_unknown_joint import controller
+from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import controller
 from tests.controls import plugin
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot

@@ -4,7 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.test_rct013_controllers_name_unknown_joint import TRAJECTORY, controller
+from tests.checks.controllers.test_rct013_controllers_name_unknown_joint import (
+    TRAJECTORY,
+    controller,
+)
 from tests.controls import GZ, ROBOT, control, driven, plugin, transmission
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot

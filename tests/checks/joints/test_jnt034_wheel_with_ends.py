@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.checks.test_jnt033_wheel_axis_across import robot
+from tests.checks.joints.test_jnt033_wheel_axis_across import robot
 from tests.told import messages, places
 
 

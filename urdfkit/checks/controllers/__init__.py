@@ -1,0 +1,17 @@
+"""Controllers of ros2_control: their parameter files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if a launch file or a plugin names a parameter file."""
+    return bool(subject.parameters) or any(
+        plugin.child("parameters")
+        for block in subject.model.gazebo
+        for plugin in block.all("plugin")
+    )

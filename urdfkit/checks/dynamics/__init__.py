@@ -1,0 +1,18 @@
+"""Dynamics: gravity torques, stability, the mass matrix."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.robot.model import DEGREES_OF_FREEDOM
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if a joint moves and a link has a mass."""
+    model = subject.model
+    return any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints) and any(
+        link.mass for link in model.links
+    )

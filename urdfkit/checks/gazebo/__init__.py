@@ -1,0 +1,13 @@
+"""The ``<gazebo>`` elements: references, tags, materials."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if there are ``<gazebo>`` elements."""
+    return bool(subject.model.gazebo)

@@ -1,0 +1,13 @@
+"""The grammar of URDF: elements, attributes, values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True where the document deviates from the grammar."""
+    return bool(subject.deviations)

@@ -1,0 +1,18 @@
+"""The package.xml and setup.py around a robot or a launch file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.text.xml_reader import is_launch
+from urdfkit.workspace.package_references import are_in
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if a launch file, or a description that mentions packages, is in a package."""
+    if subject.resolver.packages.enclosing(subject.source.path) is None:
+        return False
+    return is_launch(subject.source.path) or are_in(subject.document.sources)

@@ -1,0 +1,13 @@
+"""Names of links, joints and materials, and references to them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True for a document with a robot in it."""
+    return bool(subject.model.links or subject.model.joints)

@@ -1,0 +1,15 @@
+"""The package of a robot: what it mentions and what its build installs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.workspace.package_references import are_in
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if the description mentions packages."""
+    return are_in(subject.document.sources)

@@ -1,0 +1,17 @@
+"""``<ros2_control>`` and the interfaces of its joints."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if there are transmissions, ros2_control or plugins that run controllers."""
+    model = subject.model
+    if model.transmissions or model.ros2_controls or subject.parameters:
+        return True
+    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
+    return any("control" in (plugin.get("filename") or "") for plugin in plugins)

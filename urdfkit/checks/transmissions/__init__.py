@@ -1,0 +1,13 @@
+"""``<transmission>`` elements."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if there are transmissions."""
+    return bool(subject.model.transmissions)

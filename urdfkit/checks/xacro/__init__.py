@@ -1,0 +1,13 @@
+"""xacro: macros, properties, arguments, expressions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True for a xacro, and for a plain file that looks like one."""
+    return subject.reading.xacro is not None or bool(subject.reading.problems)

@@ -1,0 +1,13 @@
+"""The text: encoding and well-formedness."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if reading met a problem."""
+    return bool(subject.reading.problems)
