@@ -61,7 +61,8 @@ def example(rule: Rule, which: str) -> str:
 def test_the_file_is_named_after_the_rule(code: str) -> None:
     rule = rules.get(code)
     assert rule.code == code
-    assert rule.module == f"urdfkit.checks.{code.lower()}_{rule.name.replace('-', '_')}"
+    name = f"{code.lower()}_{rule.name.replace('-', '_')}"
+    assert rule.module == f"urdfkit.checks.{rules.family_of(code)}.{name}"
 
 
 def test_the_rule_has_tests_of_its_own(code: str) -> None:

@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.hand_made_rules import run_only
 from urdfkit.cli import main
-from urdfkit.lint import engine, runner
+from urdfkit.lint import engine
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rules import Finding, Need, Rule
 from urdfkit.text.diagnostic import Severity
@@ -85,7 +86,7 @@ def fake(severity: Severity) -> Rule:
 def test_fail_on(
     severity: Severity, fails: set[str | None], check: Screen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(runner, "applicable", lambda *_: [fake(severity)])
+    run_only(monkeypatch, [fake(severity)])
     for level in ("error", "warning", "info", None):
         words = ["--fail-on", level] if level else []
         assert check(GOOD, *words)[0] == int(level in fails)
@@ -99,7 +100,7 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
         raise ValueError("boom")
 
     rules = [fake(Severity.INFO)._replace(check=crash, code="ABC001"), fake(Severity.ERROR)]
-    monkeypatch.setattr(runner, "applicable", lambda *_: rules)
+    run_only(monkeypatch, rules)
     monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
     code, out, err = check(bad, "--exit-zero")
     assert (code, err) == (3, "")

@@ -25,7 +25,7 @@ def test_the_file_name_is_code_and_name(code: str) -> None:
     rule = rules.get(code)
     assert rule.code == code
     name = rule.name.replace("-", "_")
-    assert rule.module == f"urdfkit.checks.{rule.code.lower()}_{name}"
+    assert rule.module == f"urdfkit.checks.{rules.family_of(code)}.{code.lower()}_{name}"
     assert code in rules.names()[rule.name]
 
 
@@ -91,8 +91,8 @@ def test_the_rule_about_unchecked_robots_is_chosen_unless_it_is_ignored() -> Non
 
 def test_listing_the_rules_imports_none() -> None:
     program = (
-        "import sys; from urdfkit import rules; rules.codes(); rules.names();"
-        "print(*[name for name in sys.modules if name.startswith('urdfkit.checks')])"
+        "import sys; from urdfkit.lint import rules; rules.codes(); rules.names();"
+        "print(*[name for name in sys.modules if name.startswith('urdfkit.checks.')])"
     )
     done = subprocess.run(
         [sys.executable, "-c", program], cwd=ROOT, capture_output=True, check=True, text=True

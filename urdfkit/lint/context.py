@@ -48,6 +48,10 @@ class Unavailable(Exception):
     """A part that a rule needs is not to be had for this description; the text says why."""
 
 
+class NotApplicable(Unavailable):
+    """A description is of another kind than a rule is about; nothing is missing."""
+
+
 class Reading(Record):
     """A description as it was read.
 
@@ -141,10 +145,11 @@ class Subject:
         """What the expansion met.
 
         Raises:
-            Unavailable: the description is plain XML, or did not expand.
+            NotApplicable: the description is plain XML.
+            Unavailable: it did not expand.
         """
         if self.reading.xacro is None:
-            raise Unavailable("not a xacro")
+            raise NotApplicable("not a xacro")
         if self.reading.document is None:
             raise Unavailable("the xacro does not expand")
         return self.reading.xacro
@@ -157,7 +162,8 @@ class Subject:
             Unavailable: it could not be read.
         """
         if self.reading.document is None:
-            raise Unavailable("the description cannot be read")
+            what = "xacro does not expand" if self.reading.xacro else "description cannot be read"
+            raise Unavailable(f"the {what}")
         return self.reading.document
 
     @property
@@ -342,12 +348,12 @@ class Subject:
         """What the launch file needs.
 
         Raises:
-            Unavailable: the file is no launch file.
+            NotApplicable: the file is no launch file.
         """
         from urdfkit.ros.launch import read_launch
 
         if not is_launch(self.source.path):
-            raise Unavailable("not a launch file")
+            raise NotApplicable("not a launch file")
         return read_launch(self.source, self.resolver, self.arguments)
 
     def beside(self, path: str, arguments: Mapping[str, str]) -> Subject:

@@ -171,7 +171,7 @@ class Plan:
             found: it was found in a folder, whose robots are checked anyway. What is left is a
                 robot with the arguments that the launch file gives it, and its controllers.
         """
-        from urdfkit.lint.glance import ABOUT_PARAMETERS
+        from urdfkit.lint import rules
         from urdfkit.ros.launch import read_launch
 
         self.jobs.append(Job(source, "", self.arguments, False))
@@ -191,7 +191,7 @@ class Plan:
             common = self.config.arguments if self.config else {}
             arguments = {**common, **one.arguments}
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
-            self.jobs.append(job if is_new else job._replace(codes=ABOUT_PARAMETERS))
+            self.jobs.append(job if is_new else job._replace(codes=rules.of_family("controllers")))
 
     def _is_other(self, description: Description) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""

@@ -27,40 +27,6 @@ if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Placed
 
-#: Rules that only tell what reading met; they are imported when there is something to tell.
-TOLD_BY_READING = frozenset(
-    "XML001 XML002 XML003 XML004 XML006 XML007 "
-    "XAC001 XAC008 XAC009 XAC010 XAC011 XAC012 XAC013 XAC015 XAC016 XAC017 XAC018 "
-    "XAC019 XAC020".split()
-)
-
-#: Rules that only tell where the document deviates from the grammar; imported likewise.
-TOLD_BY_GRAMMAR = frozenset(
-    "URD001 URD002 URD003 URD004 URD005 URD006 URD007 URD008 URD009 URD010 URD011 URD012 "
-    "URD013 URD014 URD015 URD016 URD017".split()
-)
-
-#: Rules that only tell what is wrong with the mesh files; imported likewise.
-TOLD_BY_FILES = frozenset(
-    "MSH001 MSH002 MSH003 MSH004 MSH005 MSH006 MSH007 MSH008 MSH009 MSH010 MSH011 MSH013 MSH014 "
-    "MSH018 MSH036 MSH024 MSH025 MSH026 MSH027 MSH030 MSH035".split()
-)
-
-#: Rules that only tell what is doubtful about the triangles of meshes; imported likewise.
-TOLD_BY_MESHES = frozenset(
-    "MSH012 MSH015 MSH016 MSH017 MSH019 MSH020 MSH021 MSH022 MSH023 MSH028 MSH029 MSH031 MSH032 "
-    "MSH033 MSH034 MSH037 MSH038".split()
-)
-
-#: Rules that only tell what is doubtful about masses and inertias; imported likewise.
-TOLD_BY_MASSES = frozenset((*(f"INE{number:03}" for number in range(1, 21)), "XAC014"))
-
-#: Rules that only tell where collisions and visuals are unlike; imported likewise.
-TOLD_BY_LIKENESSES = frozenset(("GEO004", "GEO016", "GEO017"))
-
-#: Rules that look at collisions, and need coal for it.
-TOLD_BY_COAL = frozenset("COL001 COL002 COL003 COL004 COL006".split())
-
 #: The rule about robots that are found and cannot be checked: it runs whatever is selected, unless
 #: it is ignored by name.
 NOT_CHECKED = "CFG003"
@@ -253,10 +219,33 @@ _foreign: set[str] = set()
 def codes() -> list[str]:
     """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
     if not _modules:
-        for file in sorted(os.listdir(checks.__path__[0])):
-            if file.endswith(".py") and (code := code_of(file[:-3])):
-                _modules[code] = f"urdfkit.checks.{file[:-3]}"
+        folder = checks.__path__[0]
+        found: dict[str, str] = {}
+        for family in os.listdir(folder):
+            if family.isidentifier() and not family.startswith("_"):
+                for file in os.listdir(os.path.join(folder, family)):
+                    if file.endswith(".py") and (code := code_of(file[:-3])):
+                        found[code] = f"urdfkit.checks.{family}.{file[:-3]}"
+        _modules.update(sorted(found.items()))
     return [code for code in _modules if code not in _foreign]
+
+
+def family_of(code: str) -> str:
+    """The package of a rule: a folder of ``urdfkit/checks``, or another package of rules."""
+    codes()
+    return _modules[code].rpartition(".")[0].removeprefix("urdfkit.checks.")
+
+
+def of_family(family: str) -> frozenset[str]:
+    """The codes of the rules of a family."""
+    return frozenset(code for code in codes() if family_of(code) == family)
+
+
+def applies(family: str, subject: Subject) -> bool:
+    """True if the rules of a family may have something to report of a description."""
+    if not os.path.isdir(os.path.join(checks.__path__[0], family)):
+        return True  # of another package
+    return bool(load(f"urdfkit.checks.{family}").applies(subject))
 
 
 def code_of(module: str) -> str | None:

@@ -2,29 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from urdfkit.core import libraries
 from urdfkit.core.record import Record
-from urdfkit.lint import glance, rules
-from urdfkit.lint.context import WITHOUT_COAL, Outcome, Subject, Unavailable
+from urdfkit.lint import rules
+from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.rules import Finding, Rule, Written
 from urdfkit.text.diagnostic import Call, Crashed, Diagnostic, Related, Severity, Skipped
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Span, shown_text
 from urdfkit.text.xml_reader import is_launch
-from urdfkit.workspace.siblings import other_srdf_files, srdf_files
 
 if TYPE_CHECKING:
     from urdfkit.lint.config import Config
     from urdfkit.lint.suppress import Ignore
-    from urdfkit.robot.model import Body
     from urdfkit.ros.targets import Targets
-    from urdfkit.text.source import Source
-    from urdfkit.xacro import Xacro
-
-    Guard = Callable[[Callable[[], set[str]], set[str]], set[str]]
 
 T = TypeVar("T")
 
@@ -36,11 +29,11 @@ _OF_HIDDEN_PARTS = frozenset(
     "REF001 REF003 REF004 SRD001 SRD003 SRD012 SRD014 SRD025 TRE001 TRE002 XAC005".split()
 )
 
-#: Families of rules that look at the document or the robot in it.
-_OF_THE_DOCUMENT = frozenset("COL URD REF NAM TRE JNT INE GEO MSH DYN GAZ RCT SRD PKG".split())
+#: The family of the rules about the checking itself.
+OWN_FAMILY = "checking"
 
-#: Rules about a package as such, whether a robot or a launch file lies in it.
-_OF_PACKAGES = frozenset(("PKG005", "PKG006"))
+#: Families of rules that apply to launch files.
+LAUNCH_FAMILIES = frozenset(("checking", "launch", "manifest"))
 
 #: Findings of one rule in one file; more help nobody.
 MAX_FINDINGS = 1000
@@ -80,21 +73,18 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
         config: changes severities and leaves rules out for single files.
     """
     run = _Run(subject, config)
-    run.skipped += unread(subject, chosen)
-    run.skipped += run.guarded(lambda: unmeasured(subject, chosen), [])
-    run.skipped += run.guarded(lambda: without_library(subject, chosen), [])
     # The rules about the checking itself look at what the others found.
-    own = [code for code in chosen if code.startswith("CFG")]
-    run.rules(applicable(subject, [code for code in chosen if code not in own], run.guarded))
+    own = [code for code in chosen if rules.family_of(code) == OWN_FAMILY]
+    run.rules([code for code in chosen if code not in own])
     subject.outcome = Outcome(tuple(run.diagnostics), frozenset(chosen))
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rules.NOT_CHECKED in own:
         own.remove(rules.NOT_CHECKED)
-        if unread(subject, chosen) and not run.has_errors():
-            run.rules([rules.get(rules.NOT_CHECKED)])
+        if run.skipped and not is_readable(subject) and not run.has_errors():
+            run.rules([rules.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
-        run.rules([rules.get(code) for code in own])
+        run.rules(own)
     return run.verdict()
 
 
@@ -123,16 +113,40 @@ class _Run:
             self.crashed.append(crash("", self.subject.source.path, error))
             return otherwise
 
-    def rules(self, chosen: Iterable[Rule]) -> None:
-        for rule in chosen:
-            findings = self._findings(rule)
-            try:
-                findings = self._undisputed(findings)
-                targets = _targets(rule, findings, self.subject)
-                self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
-            except Exception as error:
-                self.ran.discard(rule.code)
-                self.crashed.append(crash(rule.code, self.subject.source.path, error))
+    def rules(self, chosen: Iterable[str]) -> None:
+        """Run those of some rules whose family applies to the subject."""
+        families: dict[str, list[str]] = {}
+        for code in chosen:
+            families.setdefault(rules.family_of(code), []).append(code)
+        for family, codes in families.items():
+            if self._applies(family, codes):
+                for code in codes:
+                    self._rule(rules.get(code))
+
+    def _rule(self, rule: Rule) -> None:
+        findings = self._findings(rule)
+        try:
+            findings = self._undisputed(findings)
+            targets = _targets(rule, findings, self.subject)
+            self.diagnostics += map(self._configured, diagnose(rule, findings, targets))
+        except Exception as error:
+            self.ran.discard(rule.code)
+            self.crashed.append(crash(rule.code, self.subject.source.path, error))
+
+    def _applies(self, family: str, codes: list[str]) -> bool:
+        """True if rules of a family may have something to report."""
+        path = self.subject.source.path
+        if is_launch(path) and family not in LAUNCH_FAMILIES:
+            return False
+        try:
+            return rules.applies(family, self.subject)
+        except NotApplicable:
+            return False
+        except Unavailable as reason:
+            self.skipped += [Skipped(code, path, str(reason)) for code in codes]
+        except Exception as error:
+            self.crashed += [crash(code, path, error) for code in codes]
+        return False
 
     def _findings(self, rule: Rule) -> list[Finding]:
         path = self.subject.source.path
@@ -143,6 +157,8 @@ class _Run:
                 if len(findings) >= MAX_FINDINGS:
                     break
             self.ran.add(rule.code)
+        except NotApplicable:
+            pass
         except Unavailable as reason:
             self.skipped.append(Skipped(rule.code, path, str(reason)))
         except Exception as error:  # a bug in a rule must not hide the other rules
@@ -213,243 +229,6 @@ class _Run:
     def _left_out(self, diagnostic: Diagnostic) -> bool:
         config = self.config
         return config is not None and config.ignores(diagnostic.code, diagnostic.span.source.path)
-
-
-def _unguarded(look: Callable[[], set[str]], otherwise: set[str]) -> set[str]:
-    return look()
-
-
-def applicable(subject: Subject, chosen: Collection[str], guard: Guard = _unguarded) -> list[Rule]:
-    """The rules that may have something to say; the others need not even be imported.
-
-    Args:
-        subject: the description.
-        chosen: codes of the rules.
-        guard: calls what looks at the robot; the rules that it would decide on run if it fails.
-    """
-    if is_launch(subject.source.path):
-        return [rules.get(code) for code in chosen if code[:3] == "LAU" or code in _OF_PACKAGES]
-    reading = subject.reading
-    told = {problem.code for problem in reading.problems}
-    silent = {"LAU"}
-    waiting = {
-        *rules.TOLD_BY_READING,
-        *rules.TOLD_BY_GRAMMAR,
-        *rules.TOLD_BY_FILES,
-        *rules.TOLD_BY_MESHES,
-        *rules.TOLD_BY_MASSES,
-        *rules.TOLD_BY_LIKENESSES,
-    }
-    if reading.xacro is None:
-        silent.add("XAC")
-        told.add("XAC003")  # the one among them that is about plain files
-    else:
-        waiting |= _silent_about_xacro(reading.xacro)
-    if reading.document is None:
-        silent |= {"XAC", *_OF_THE_DOCUMENT}
-    else:
-        told |= guard(lambda: _told_of_robot(subject, chosen), set(waiting))
-        waiting |= guard(lambda: _silent_about_robot(subject, chosen), set())
-        silent |= guard(lambda: _silent_families(subject), set())
-        if "SRD" not in silent and guard(
-            lambda: {"SRD025"} if subject.other_variant else set(), set()
-        ):
-            silent.add("SRD")  # what else it names is not of this robot either
-            told.add("SRD025")
-    return [
-        rules.get(code)
-        for code in chosen
-        if code in told or not (code[:3] in silent or code in waiting)
-    ]
-
-
-def _told_of_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
-    """The rules that tell what the parts of the Subject have found, where they have something."""
-    told = set(subject.deviations)
-    model = subject.model
-    if not model.joints and any(link.at.children for link in model.links):
-        told.add("JNT011")  # which is about the shapes and inertias of links, too
-    if any(shape.filename for shape in model.shapes):
-        told |= _told_by_meshes(subject, chosen)
-    if not rules.TOLD_BY_MASSES.isdisjoint(chosen):
-        told |= subject.masses.told
-    if not rules.TOLD_BY_LIKENESSES.isdisjoint(chosen) and _may_be_unlike(subject):
-        told.update(subject.likenesses.claims)
-    return told
-
-
-def _may_be_unlike(subject: Subject) -> bool:
-    """True if a link may be both seen and touched, as far as its mesh files are there."""
-
-    def may_be_solid(bodies: Iterable[Body]) -> bool:
-        return any(body.shape and not (is_lost and body.shape.filename) for body in bodies)
-
-    links = [link for link in subject.model.links if link.visuals and link.collisions]
-    is_lost = bool(links) and not any(mesh.facts for mesh in subject.files.meshes)
-    return any(may_be_solid(link.visuals) and may_be_solid(link.collisions) for link in links)
-
-
-def _silent_about_robot(subject: Subject, chosen: Collection[str]) -> set[str]:
-    """The rules that a look at the robot and its package makes superfluous."""
-    model = subject.model
-    codes = glance.silent(model, subject.tree)
-    if model.gazebo and any(code.startswith("GAZ") for code in chosen):
-        codes |= _silent_about_gazebo(subject, codes)
-    if not subject.parameters and not glance.names_parameters(model):
-        codes |= glance.ABOUT_PARAMETERS
-    if "PKG004" in chosen and not _may_lose_meshes(subject):
-        codes.add("PKG004")
-    codes |= _silent_about_packages(subject, subject.document.sources)
-    if "DYN004" not in codes and _may_stand_on_what_is_missing(subject):
-        codes.add("DYN004")
-    if "GEO018" not in codes and not _may_be_enclosed(subject):
-        codes.add("GEO018")
-    if "pinocchio" not in subject.given_targets:
-        codes |= {"DYN001", "DYN002"}
-    if not rules.TOLD_BY_COAL.isdisjoint(chosen) and not _can_collide(subject):
-        codes |= rules.TOLD_BY_COAL
-    return codes
-
-
-def _told_by_meshes(subject: Subject, chosen: Iterable[str]) -> set[str]:
-    """The rules that have something to say about the mesh files or what is in them."""
-    told: set[str] = set()
-    if not rules.TOLD_BY_FILES.isdisjoint(chosen):
-        told |= subject.files.told
-    if not rules.TOLD_BY_MESHES.isdisjoint(chosen):
-        try:
-            told |= subject.measured.told
-        except Unavailable:
-            pass  # which `unmeasured` tells
-    return told
-
-
-def _silent_families(subject: Subject) -> set[str]:
-    """The families that speak of something that the model does not have."""
-    model = subject.model
-    there = {
-        "JNT": model.joints,
-        "MSH": any(shape.filename for shape in model.shapes),
-        "RCT": subject.parameters or glance.is_controlled(model),
-        "GAZ": model.gazebo,
-        "SRD": srdf_files(subject.source.path, subject.resolver)
-        or other_srdf_files(subject.source.path, model.name, subject.resolver),
-    }
-    return {family for family, things in there.items() if not things}
-
-
-def _silent_about_gazebo(subject: Subject, silent: set[str]) -> set[str]:
-    """The rules about ``<gazebo>``; of those that are silent anyway nothing need be known."""
-    from urdfkit.ros.gazebo.silence import about_blocks, about_plugins, about_sensors, about_tags
-
-    codes = about_blocks(subject.model)
-    if not silent >= glance.ABOUT_SENSORS:
-        codes |= about_sensors(subject.model, subject.targets)
-    if not silent >= glance.ABOUT_PLUGINS:
-        codes |= about_plugins(subject.plugins, subject.targets, subject.gazebo)
-        codes |= about_tags([found for _, found in subject.unread])
-    return codes
-
-
-def _silent_about_xacro(xacro: Xacro) -> set[str]:
-    about = {"XAC004": xacro.properties, "XAC005": xacro.macros, "XAC006": xacro.arguments}
-    codes = {"XAC003", *(code for code, things in about.items() if not things)}
-    if all(source.data.count(b"{") == source.data.count(b"${") for source in xacro.sources):
-        codes.add("XAC021")
-    # Behind a sign of equality it forwards a value of the caller.
-    if all(source.data.count(b"^") == source.data.count(b"=^") for source in xacro.sources):
-        codes.add("XAC022")
-    return codes
-
-
-def _silent_about_packages(subject: Subject, sources: tuple[Source, ...]) -> set[str]:
-    if not any(b"package://" in source.data or b"$(find" in source.data for source in sources):
-        return {"PKG001", "PKG002", "PKG003", "PKG004", *_OF_PACKAGES}
-    from urdfkit.workspace.package_references import silent  # it compiles a regular expression
-
-    return silent(sources, subject.resolver.packages)
-
-
-def unread(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
-    """The rules that cannot look at a description, because it cannot be read."""
-    path = subject.source.path
-    if is_launch(path) or subject.reading.document is not None:
-        return []
-    reading = subject.reading
-    families, reason = _OF_THE_DOCUMENT, "the description cannot be read"
-    if reading.xacro is not None:
-        families, reason = families | {"XAC"}, "the xacro does not expand"
-    return [
-        Skipped(code, path, reason)
-        for code in chosen
-        if code[:3] in families and code not in rules.TOLD_BY_READING
-    ]
-
-
-def _may_stand_on_what_is_missing(subject: Subject) -> bool:
-    """True if the file of a mesh that may touch the ground is not there."""
-    shapes = (
-        body.shape for link in subject.model.links for body in link.collisions or link.visuals
-    )
-    return any(s and s.filename and subject.files.path(s) is None for s in shapes)
-
-
-def _may_be_enclosed(subject: Subject) -> bool:
-    """True if a link sees, and the shapes that may hide it are not all meshes that are missing."""
-    from urdfkit.ros.gazebo.optical_sensors import eyes
-
-    found = list(eyes(subject.model))
-    bodies = [body for link in subject.model.links for body in link.visuals if found]
-    if any(eye.type == "ray" for eye in found):
-        bodies += [body for link in subject.model.links for body in link.collisions]
-    shapes = (body.shape for body in bodies if body.shape)
-    return any(not shape.filename or subject.files.path(shape) for shape in shapes)
-
-
-def _may_lose_meshes(subject: Subject) -> bool:
-    """True if the robot may be for Gazebo and has meshes that it names by a package."""
-    if not (subject.model.gazebo or subject.given_targets):
-        return False
-    places = (mesh.located for mesh in subject.files.meshes)
-    return any(located.path and located.scheme == "package" for located in places)
-
-
-def unmeasured(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
-    """The rules that cannot look into the meshes, for want of a library."""
-    path = subject.source.path
-    wanted = [code for code in chosen if code in rules.TOLD_BY_MESHES]
-    if is_launch(path) or subject.reading.document is None or not wanted:
-        return []
-    if not any(shape.filename for shape in subject.model.shapes):
-        return []
-    try:
-        _ = subject.measured
-    except Unavailable as reason:
-        return [Skipped(code, path, str(reason)) for code in wanted]
-    return []
-
-
-def _can_collide(subject: Subject) -> bool:
-    """True if bodies may overlap, and what measures them is installed."""
-    return glance.may_collide(subject.model) and _has_coal() and subject.is_crowded
-
-
-def _has_coal() -> bool:
-    return libraries.find("coal") is not None
-
-
-def without_library(subject: Subject, chosen: Iterable[str]) -> list[Skipped]:
-    """The rules that would look at the robot with a library that is not installed.
-
-    Known without importing them, and asked only where they may have something to say.
-    """
-    path = subject.source.path
-    wanted = [code for code in chosen if code in rules.TOLD_BY_COAL]
-    if not wanted or is_launch(path) or subject.reading.document is None:
-        return []
-    if not glance.may_collide(subject.model) or _has_coal():
-        return []
-    return [Skipped(code, path, WITHOUT_COAL) for code in wanted]
 
 
 def _bounded(finding: Finding) -> Finding:

@@ -7,58 +7,13 @@ import pytest
 
 from tests.conftest import manifest, model_id, needs_corpus
 from tests.massive import BALL, MESH, inertial, joint, link, masses, part, shape, subject
-from urdfkit.lint import engine, rule_examples, rules
-from urdfkit.lint.context import Subject
-from urdfkit.lint.rules import TOLD_BY_MASSES, codes
+from urdfkit.lint import engine
 from urdfkit.robot.inertials.link_comparison import by_tensor
 from urdfkit.robot.inertials.masses import unlike
-from urdfkit.text.source import Source
-from urdfkit.workspace.resolve import Resolver
 
 PLAIN = [entry for entry in manifest() if entry[1]["kind"] == "urdf"]
 EXPANDABLE = [entry for entry in manifest() if "mujoco_prepared" in entry[1].get("expect", ())]
 BALANCED = (0.004, 0.004, 0.004)
-
-
-def overlooked(one: Subject) -> set[str]:
-    """The codes of rules that were not called for and have something to say."""
-    if one.reading.document is None:
-        return set()
-    waiting = TOLD_BY_MASSES.intersection(codes()) - one.masses.told
-    return {code for code in waiting if any(rules.get(code).check(one))}
-
-
-def test_the_rules_about_masses_wait_to_be_called() -> None:
-    of_masses = {code for code in codes() if code.startswith("INE")}
-    assert of_masses | {"XAC014"} == TOLD_BY_MASSES
-
-
-@pytest.mark.parametrize("code", codes())
-@pytest.mark.parametrize("which", ["BAD", "GOOD"])
-def test_no_rule_is_overlooked_that_would_speak_of_an_example(code: str, which: str) -> None:
-    text = rules.get(code).example(which)
-    assert text
-    with rule_examples.laid_out(rules.get(code), text) as source:
-        assert overlooked(Subject(source, Resolver(environment={}))) == set()
-
-
-@needs_corpus
-@pytest.mark.parametrize("entry", PLAIN, ids=model_id)
-def test_no_rule_is_overlooked_that_would_speak_of_a_real_robot(
-    entry: tuple[Path, dict[str, Any]],
-) -> None:
-    folder, model = entry
-    assert (
-        overlooked(Subject(Source.read(folder / model["path"]), Resolver(environment={}))) == set()
-    )
-
-
-@pytest.mark.parametrize(("mass", "is_told"), [(-1, True), (0, True), (1e-9, False)])
-def test_a_mass_that_is_none_calls_its_rules(mass: float, is_told: bool) -> None:
-    robot = part("base", 1, BALANCED, BALL) + part("arm", mass, BALANCED, BALL)
-    told = masses(robot + joint("base", "arm", "revolute")).told
-    assert told.issuperset(("INE001", "INE016")) == is_told
-    assert told.isdisjoint(("INE001", "INE016")) != is_told
 
 
 @pytest.mark.parametrize(
@@ -77,17 +32,6 @@ def test_a_body_is_singular_if_it_has_no_moment_about_one_axis(
     robot = link("base", inertial(1, (1, 1, 1))) + link("rod", inertial(1, moments))
     assert bool(masses(robot + joint("base", "rod", "revolute")).singular) == found
     assert not masses(robot + joint("base", "rod")).singular
-
-
-def test_a_good_robot_calls_no_rule() -> None:
-    robot = (
-        part("base", 1, BALANCED, BALL)
-        + part("arm", 0.5, (0.002, 0.002, 0.002), BALL)
-        + link("tip")
-        + joint("base", "arm", "revolute")
-        + joint("arm", "tip")
-    )
-    assert masses(robot).told == set()
 
 
 def test_the_moments_of_a_body_and_what_matters() -> None:

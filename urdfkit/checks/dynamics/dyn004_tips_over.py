@@ -70,7 +70,7 @@ _TOLERANCE = 1e-3
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    if subject.is_part or not subject.tree.is_sound:
+    if subject.is_part or not subject.tree.is_sound or _is_serial(subject.tree):
         return
     standing = stand(subject, meshes=False)
     if not _falls(subject, standing):
@@ -93,6 +93,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         f"of what it stands on, {', '.join(standing.links)}",
         related=tuple(Related(links[name].at.span, f"link '{name}'") for name in standing.links),
     )
+
+
+def _is_serial(tree: KinematicTree) -> bool:
+    """True for a chain of links, which is bolted down."""
+    return all(len(joints) < 2 for joints in tree.children.values())
 
 
 def _falls(subject: Subject, standing: Stability | None) -> bool:

@@ -63,7 +63,9 @@ _GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
     by_target=dict.fromkeys(("classic-ros2", *_GZ), Severity.WARNING),
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    if not subject.targets.any_of(("classic-ros2", *_GZ)) or subject.is_part:
+    if not (subject.model.gazebo or subject.given_targets) or subject.is_part:
+        return
+    if not subject.targets.any_of(("classic-ros2", *_GZ)):
         return
     packages = subject.resolver.packages
     found = _of_packages(subject)

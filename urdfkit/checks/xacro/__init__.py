@@ -9,5 +9,7 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True for a xacro, and for a plain file that looks like one."""
-    return subject.reading.xacro is not None or bool(subject.reading.problems)
+    """True for a xacro, and for a plain file with expressions."""
+    return subject.reading.xacro is not None or any(
+        sign in subject.source.data for sign in (b"${", b"$(")
+    )

@@ -215,11 +215,6 @@ class Measured:
 
         return claims(self)
 
-    @property
-    def told(self) -> set[str]:
-        """The codes of the rules that have something to say."""
-        return {*self.claims, *(("MSH034",) if self.unmeasured else ())}
-
     def _use(self, link: Link, role: str, body: Body) -> Use | Unmeasured | None:
         """A use of a mesh; None for what is no mesh, and for files that other rules tell of."""
         shape = body.shape

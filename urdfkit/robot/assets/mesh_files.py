@@ -152,32 +152,6 @@ class Files:
         )
 
     @cached_property
-    def told(self) -> set[str]:
-        """The codes of the rules that may have something to say about these files."""
-        codes = {"MSH001", "MSH002"} if self.missing else set()
-        if self.without_package:
-            codes.add("MSH005")
-        for mesh in self.meshes:
-            if mesh.located.scheme == "absolute":
-                codes.add("MSH003")
-            if "\\" in mesh.at.value:
-                codes.add("MSH004")
-            scheme, is_written, _ = mesh.at.value.partition("://")
-            if is_written and scheme not in ("package", "model", "file"):
-                codes.add("MSH036")
-            if ".." in mesh.located.relative:
-                codes.add("MSH006")
-            if mesh.facts and mesh.located.path:
-                codes |= _codes(mesh.facts, mesh.located.path)
-        found = {
-            "MSH024": self.copies,
-            "MSH025": self.ignored,
-            "MSH027": self.case_collisions,
-            "MSH030": self.unreferenced,
-        }
-        return codes.union(code for code, meshes in found.items() if meshes)
-
-    @cached_property
     def copies(self) -> list[tuple[MeshReference, MeshReference]]:
         """The references to a file with the content of an earlier one, and the latter."""
         by_size: dict[int, list[MeshReference]] = {}

@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, Weighed, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor, number
-from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
+from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
 from urdfkit.robot.shapes import Lump
 from urdfkit.robot.symmetry import numbered_pairs, pairs
 from urdfkit.robot.tree import KinematicTree
@@ -96,30 +96,6 @@ class Masses:
         return claims(self)
 
     @cached_property
-    def told(self) -> set[str]:
-        """The codes of the rules that may have something to say."""
-        codes = set(self.claims)
-        inertials = [link.inertial for link in self.model.links if link.inertial]
-        massless = any(inertial.mass and inertial.mass.value <= 0 for inertial in inertials)
-        if massless:
-            codes |= {"INE001", "INE016"}
-        if self.total <= 0:
-            codes.add("INE019")
-        else:
-            codes |= self._told_of_massless()
-        if any(body.joint and 0 < body.mass <= NO_MASS for body in self.bodies):
-            codes.add("INE017")
-        found = {
-            "INE005": self.without_inertia,
-            "INE012": self.unlike_twins,
-            "INE013": self.copies,
-            "INE014": self.overloaded,
-            "INE018": self.singular,
-            "XAC014": self.shared_by_macro,
-        }
-        return codes.union(code for code, findings in found.items() if findings)
-
-    @cached_property
     def wrong_as_a_whole(self) -> list[Weighed]:
         """The links with implausible densities, if they are most and all too high, or too low.
 
@@ -132,21 +108,6 @@ class Masses:
             return []
         are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
         return dense if len(are_high) == 1 else []
-
-    def _told_of_massless(self) -> set[str]:
-        """The rules about links that Gazebo leaves out, if there may be such a link."""
-        preserving = any(
-            child.tag in KEEPING_TAGS for element in self.model.gazebo for child in element.children
-        )
-        codes = {"INE004"} if preserving else set()
-        for body in self.bodies:
-            if body.mass <= 0 and (body.joint or len(self.bodies) > 1):
-                codes.add("INE004")
-            for link, _ in body.links[1:]:
-                joints = self.tree.children[link.name]
-                if link.mass <= 0 and any(joint.kind != "fixed" for joint in joints):
-                    codes.add("INE020")
-        return codes
 
     def moments_of(self, body: RigidBody) -> tuple[float, float, float]:
         """The principal moments of a rigid body as a whole, smallest first, in kg m^2."""
