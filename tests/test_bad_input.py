@@ -23,7 +23,8 @@ from tests.xacro import stock
 from tests.xacros import NAMESPACE, xacro
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import engine
-from urdfkit.text.diagnostic import Report, Severity
+from urdfkit.lint.report import Report
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_xacro
 from urdfkit.xacro import expansion

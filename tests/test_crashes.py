@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -15,15 +16,12 @@ from tests.conftest import MODELS
 from tests.xacros import xacro
 from urdfkit import Source, check
 from urdfkit.cli import main
-from urdfkit.lint import glance, rule_examples, rules, runner
+from urdfkit.lint import rule_examples, rules, runner
 from urdfkit.lint.context import Subject
+from urdfkit.lint.report import Report
 from urdfkit.output import formats
-from urdfkit.robot.assets.measured_meshes import Measured
-from urdfkit.robot.assets.mesh_files import Files
 from urdfkit.robot.assets.visual_collision import Likenesses
 from urdfkit.robot.inertials.masses import Masses
-from urdfkit.ros.gazebo import silence
-from urdfkit.text.diagnostic import Report
 
 #: Something to say for rules of many kinds: a tensor, a mesh, a plugin, an unlike collision.
 ROBOT = """\
@@ -61,12 +59,9 @@ def robots(tmp_path: Path) -> list[Path]:
 
 #: What is broken, and the beginnings of the codes of the rules that cannot do without it.
 PARTS = [
-    (Masses, "told", ()),
     (Masses, "weighed", ("INE", "XAC014", "GEO", "DYN", "TRE")),
     (Subject, "masses", ("INE", "XAC014", "DYN", "TRE", "GEO")),
-    (Files, "told", ()),
     (Subject, "files", ("MSH", "GEO", "PKG", "INE", "COL", "DYN")),
-    (Measured, "told", ()),
     (Subject, "likenesses", ("GEO",)),
     (Subject, "deviations", ("URD", "XAC002")),
     (Subject, "plugins", ("GAZ", "RCT")),
@@ -97,28 +92,16 @@ def test_a_part_that_fails_costs_its_rules(
     assert [one for one in kept if one not in told(report)] == []
 
 
-LOOKS = [
-    (glance, "silent"),
-    (silence, "about_blocks"),
-    (silence, "about_plugins"),
-    (silence, "about_sensors"),
-    (silence, "about_tags"),
-    (runner, "_silent_families"),
-    (runner, "unmeasured"),
-    (runner, "without_library"),
-]
-
-
-@pytest.mark.parametrize(("module", "name"), LOOKS, ids=str)
-def test_a_look_that_fails_costs_nothing_but_is_told(
-    module: object, name: str, robots: list[Path], monkeypatch
+@pytest.mark.parametrize("family", ["geometry", "gazebo_plugins", "inertia", "joints", "meshes"])
+def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
+    family: str, robots: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = told(check(*robots))
-    monkeypatch.setattr(module, name, fail)
+    monkeypatch.setattr(import_module(f"urdfkit.checks.{family}"), "applies", fail)
     report = check(*robots)
-    assert told(report) == before
-    assert [(c.code, c.path) for c in report.crashed] == [("", str(path)) for path in robots]
-    assert report.exit_code() == 3
+    lost = rules.of_family(family)
+    assert told(report) == [one for one in before if one[1] not in lost]
+    assert {(c.code, c.path) for c in report.crashed} == {(c, str(p)) for c in lost for p in robots}
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
@@ -144,7 +127,7 @@ def test_a_robot_that_fails_costs_no_other_robot(
 def test_every_format_tells_of_a_check_that_fails(
     name: str, robots: list[Path], monkeypatch
 ) -> None:
-    monkeypatch.setattr(glance, "silent", fail)
+    monkeypatch.setattr(Subject, "model", property(fail))
     text = formats.get(name)(check(*robots))
     if name not in ("gitlab", "rdjson", "rdjsonl", "statistics"):  # which hold findings only
         assert "ZeroDivisionError: planted" in text

@@ -15,7 +15,7 @@ from typing import Any
 
 from tests.conftest import CORPUS, manifest, model_id
 from urdfkit.lint import engine
-from urdfkit.text.diagnostic import Report
+from urdfkit.lint.report import Report
 
 FILE = Path(__file__).with_name("corpus_findings.json")
 

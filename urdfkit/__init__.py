@@ -67,6 +67,7 @@ if TYPE_CHECKING:
     from urdfkit.lint.fix import Fixes, fix
     from urdfkit.lint.formatting import Formatted, format_files
     from urdfkit.lint.loading import expand, load, read
+    from urdfkit.lint.report import Report
     from urdfkit.lint.rules import Rule, all_rules, find_rule
     from urdfkit.output.comparison import Comparison, compare
     from urdfkit.output.comparison.differences import Tolerances
@@ -81,23 +82,14 @@ if TYPE_CHECKING:
     from urdfkit.robot.kinematics import frames, transform
     from urdfkit.robot.model import RobotModel
     from urdfkit.robot.stability import stand
-    from urdfkit.text.diagnostic import (
-        Call,
-        Confidence,
-        Diagnostic,
-        Edit,
-        Fix,
-        Related,
-        Report,
-        Severity,
-    )
+    from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Edit, Fix, Related, Severity
     from urdfkit.text.source import Source, Span
     from urdfkit.xacro import Xacro
 
 _HOMES = {
     "physics.collision.sampling": "collisions",
     "output.comparison": "Comparison compare",
-    "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Report Severity",
+    "text.diagnostic": "Call Confidence Diagnostic Edit Fix Related Severity",
     "output.comparison.differences": "Tolerances",
     "physics.dynamics.robot": "Dynamics",
     "physics.dynamics.statics": "statics",
@@ -115,6 +107,7 @@ _HOMES = {
     "output.overview": "summarise",
     "output.report.writing": "report",
     "physics.poses": "pose",
+    "lint.report": "Report",
     "lint.rules": "Rule all_rules find_rule",
     "text.source": "Source Span",
     "lint.context": "Subject",

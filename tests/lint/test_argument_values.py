@@ -8,8 +8,8 @@ import pytest
 
 from urdfkit import check
 from urdfkit.lint.fix import fix
+from urdfkit.lint.report import Report
 from urdfkit.ros.launch.robot_arguments import MAX_GIVEN
-from urdfkit.text.diagnostic import Report
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: A link whose mass is read from a file of the model.

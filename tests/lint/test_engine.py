@@ -13,9 +13,9 @@ from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import engine
 from urdfkit.lint.config import Config, ConfigError, Robot
 from urdfkit.lint.context import Subject
+from urdfkit.lint.report import Report
 from urdfkit.lint.runner import Verdict
 from urdfkit.ros.targets import Targets, UnknownTarget
-from urdfkit.text.diagnostic import Report
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'

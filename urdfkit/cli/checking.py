@@ -11,8 +11,9 @@ from urdfkit.cli import options, output, stdin
 from urdfkit.core import atomic
 from urdfkit.lint.engine import check
 from urdfkit.lint.plan import planned
+from urdfkit.lint.report import Report
 from urdfkit.output import formats
-from urdfkit.text.diagnostic import Report, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import printable
 from urdfkit.workspace.resolve import Resolver

@@ -16,16 +16,12 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound, UnreadableFile
-from urdfkit.lint.rules import get
 from urdfkit.ros.launch.robot_arguments import MAX_GIVEN, declared, given
-from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import Problem
-from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Reading
     from urdfkit.xacro import Xacro
 
 #: Values of one argument that a message names.
@@ -78,36 +74,6 @@ def told(found: Values) -> str:
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""
     verb = "has" if os.path.isdir(found.origin) else "gives"
     return f"{shown(found.origin)} {verb} {few}{more}"
-
-
-def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
-    """Why a description that cannot be read is not checked, and what to do about it.
-
-    Args:
-        reading: of the description.
-        source: its file.
-        resolver: finds packages, and reads files.
-    """
-    names = tuple(dict.fromkeys(filter(None, map(missing_argument, reading.problems))))
-    if not names or reading.xacro is None:
-        errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
-        first = next(errors, None)
-        what = "cannot be read" if reading.xacro is None else "does not expand"
-        why = f"it {what}" + (f": {first.message} ({first.code})" if first else "")
-        return why, f"urdfkit check {shown(source.path)} --select XML,XAC tells what is wrong"
-    found = {name: found_values(name, reading.xacro, resolver) for name in names}
-    known = "; ".join(f"{name}: {told(one)}" for name, one in found.items() if one)
-    quoted = ", ".join(f"'{name}'" for name in names)
-    why = f"it needs the {'argument' if len(names) == 1 else 'arguments'} {quoted}"
-    why += f" (found for {known}, with which it does not expand)" if known else ""
-    config = nearest(source.path)
-    folder = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
-    file = os.path.relpath(source.path, folder).replace(os.sep, "/")
-    values = {name: one.values[0] if one else "VALUE" for name, one in found.items()}
-    words = " ".join(f"{name}:={value}" for name, value in values.items())
-    lines = ["[[robot]]", f'file = "{file}"']
-    lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]
-    return why, f"pass {words}, or add to urdfkit.toml: {', '.join(lines)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> Values | None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
+from urdfkit.lint.reading import Reading
 from urdfkit.text.document import Attribute, Document, Element, Frame, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
@@ -50,20 +51,6 @@ class Unavailable(Exception):
 
 class NotApplicable(Unavailable):
     """A description is of another kind than a rule is about; nothing is missing."""
-
-
-class Reading(Record):
-    """A description as it was read.
-
-    Attributes:
-        document: after expansion; None if it could not be read.
-        problems: what is wrong with the text.
-        xacro: what the expansion met; None for plain XML.
-    """
-
-    document: Document | None
-    problems: tuple[Problem, ...]
-    xacro: Xacro | None
 
 
 class Outcome(Record):
@@ -134,6 +121,11 @@ class Subject:
 
             met = tuple(with_values(met, xacro, self.resolver))
         return Reading(xacro.document, met, xacro)
+
+    @property
+    def is_readable(self) -> bool:
+        """False for a description that cannot be read, on which hardly any rule can run."""
+        return is_launch(self.source.path) or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
         """What reading met that a rule explains, in a description or a launch file."""

@@ -14,8 +14,9 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rules as catalogue
 from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
-from urdfkit.lint.runner import Verdict, crash, diagnose, is_readable, judge
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity, Skipped
+from urdfkit.lint.report import Report, Skipped
+from urdfkit.lint.runner import Verdict, crash, diagnose, judge
+from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
@@ -326,9 +327,9 @@ def _skipped_as_one(verdict: Verdict, subject: Subject) -> Verdict:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
     errors = {d.code for d in verdict.diagnostics if d.severity is Severity.ERROR}
     is_part = bool(subject.problems("XAC019"))
-    if is_readable(subject) or is_part or not errors <= {catalogue.NOT_CHECKED}:
+    if subject.is_readable or is_part or not errors <= {catalogue.NOT_CHECKED}:
         return verdict
-    from urdfkit.lint.argument_values import why_unchecked
+    from urdfkit.lint.unchecked import why_unchecked
 
     why, _ = why_unchecked(subject.reading, subject.source, subject.resolver)
     return verdict._replace(skipped=(Skipped("", subject.source.path, why),))

@@ -27,7 +27,8 @@ from urdfkit.lint.fix_guard import (
     subjects_of,
     useless,
 )
-from urdfkit.text.diagnostic import Diagnostic, Edit, Fixable, Report, Severity
+from urdfkit.lint.report import Fixable, Report
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.editing.rewriting import Rewrite, on_disk

@@ -16,7 +16,8 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check, subjects
-from urdfkit.text.diagnostic import Diagnostic, Edit, Report, Severity
+from urdfkit.lint.report import Report
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -34,7 +35,7 @@ Place = tuple[str, int, int, str]
 Robots = Callable[[], Iterable[Subject | None]]
 
 #: Rules that simulate the robot and so take long; they know no error, and have no fix.
-SLOW = rules.TOLD_BY_COAL | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
+SLOW = rules.of_family("collision") | frozenset("SRD009 SRD010 DYN002 DYN003 DYN004 DYN005".split())
 
 
 def harm(before: Report, after: Report, old: Robots, new: Robots) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile, UrdfkitError
-from urdfkit.text.diagnostic import Launched, Skipped
+from urdfkit.lint.report import Launched, Skipped
 from urdfkit.text.source import Source, shown
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver

@@ -14,7 +14,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from urdfkit import checks
 from urdfkit.core.libraries import load
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
@@ -112,6 +111,9 @@ def told(subject: Subject, code: str) -> Iterator[Finding]:
 
 
 Check = Callable[["Subject"], Iterator[Finding]]
+
+#: The folder with a folder for each family of rules.
+_CHECKS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "checks")
 
 #: Bytes of a file that a page shows whole.
 _SHORT = 500
@@ -219,7 +221,7 @@ _foreign: set[str] = set()
 def codes() -> list[str]:
     """The codes of urdfkit's rules, sorted; read from the file names, nothing is imported."""
     if not _modules:
-        folder = checks.__path__[0]
+        folder = _CHECKS
         found: dict[str, str] = {}
         for family in os.listdir(folder):
             if family.isidentifier() and not family.startswith("_"):
@@ -243,7 +245,7 @@ def of_family(family: str) -> frozenset[str]:
 
 def applies(family: str, subject: Subject) -> bool:
     """True if the rules of a family may have something to report of a description."""
-    if not os.path.isdir(os.path.join(checks.__path__[0], family)):
+    if not os.path.isdir(os.path.join(_CHECKS, family)):
         return True  # of another package
     return bool(load(f"urdfkit.checks.{family}").applies(subject))
 

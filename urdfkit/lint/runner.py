@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, TypeVar
 from urdfkit.core.record import Record
 from urdfkit.lint import rules
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
+from urdfkit.lint.report import Crashed, Skipped
 from urdfkit.lint.rules import Finding, Rule, Written
-from urdfkit.text.diagnostic import Call, Crashed, Diagnostic, Related, Severity, Skipped
+from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Span, shown_text
 from urdfkit.text.xml_reader import is_launch
@@ -80,17 +81,12 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rules.NOT_CHECKED in own:
         own.remove(rules.NOT_CHECKED)
-        if run.skipped and not is_readable(subject) and not run.has_errors():
+        if run.skipped and not subject.is_readable and not run.has_errors():
             run.rules([rules.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:
         run.rules(own)
     return run.verdict()
-
-
-def is_readable(subject: Subject) -> bool:
-    """False for a description that cannot be read, on which hardly any rule can run."""
-    return is_launch(subject.source.path) or subject.reading.document is not None
 
 
 class _Run:

@@ -20,8 +20,8 @@ from urdfkit.robot.model import DEGREES_OF_FREEDOM, number, numbers
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.robot.tree import KinematicTree
+    from urdfkit.ros import RosDescription
     from urdfkit.ros.moveit.srdf import Srdf
 
 #: Larger files are no poses.
@@ -35,7 +35,9 @@ class PoseError(UrdfkitError):
 
 
 def pose(
-    subject: Subject, joints: Mapping[str, str | float] | None = None, name: str | None = None
+    description: RosDescription,
+    joints: Mapping[str, str | float] | None = None,
+    name: str | None = None,
 ) -> dict[str, float]:
     """The positions that a pose gives to joints, in rad or m; the other joints are at 0.
 
@@ -45,7 +47,7 @@ def pose(
     {'elbow': 1.5707963267948966}
 
     Args:
-        subject: the robot.
+        description: the robot.
         joints: positions by joint, numbers or text such as ``90deg``; they win over ``name``.
         name: a pose file; or a state of the SRDF beside the robot (``ready``, ``arm/ready``), or
             of another one (``arm.srdf:ready``).
@@ -53,8 +55,8 @@ def pose(
     Raises:
         PoseError: there is no such file, state or joint, or a value is no position.
     """
-    found = _named(subject, name) if name else {}
-    return found | _positions(subject.tree, joints or {})
+    found = _named(description, name) if name else {}
+    return found | _positions(description.tree, joints or {})
 
 
 def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]:
@@ -71,24 +73,24 @@ def outside_limits(tree: KinematicTree, given: Mapping[str, float]) -> list[str]
     return found
 
 
-def _named(subject: Subject, name: str) -> dict[str, float]:
+def _named(description: RosDescription, name: str) -> dict[str, float]:
     if os.path.exists(name):
-        return _positions(subject.tree, _read(name))
+        return _positions(description.tree, _read(name))
     path, _, state = name.rpartition(":")
-    srdf = _srdf(subject, path) if os.path.exists(path) else subject.srdf
+    srdf = _srdf(description, path) if os.path.exists(path) else description.srdf
     if srdf is None:
         raise PoseError(f"there is no pose file '{name}', nor an SRDF with such a state")
     states = _states(srdf)
     if state not in states:
         hint = did_you_mean(state, states) or f"; there are {', '.join(states) or 'none'}"
         raise PoseError(f"there is no pose file '{name}', nor such a state in {srdf.path}{hint}")
-    return _positions(subject.tree, states[state])
+    return _positions(description.tree, states[state])
 
 
-def _srdf(subject: Subject, path: str) -> Srdf:
+def _srdf(description: RosDescription, path: str) -> Srdf:
     from urdfkit.ros.moveit.srdf import read
 
-    srdf = read(path, subject.tree, subject.resolver, trust=subject.trust)
+    srdf = read(path, description.tree, description.resolver, trust=description.trust)
     if srdf is None:
         raise PoseError(f"{path}: it is no SRDF")
     return srdf

@@ -1,1 +1,49 @@
-"""What mechanics alone tells of a model: tree, frames, rigid bodies, shapes, loads."""
+"""A robot: its model, tree, frames, inertias, shapes and meshes; what computations on it take."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from urdfkit.mesh.measures import Measures
+    from urdfkit.robot.assets.mesh_files import Files
+    from urdfkit.robot.assets.triangles import Meshes
+    from urdfkit.robot.model import RobotModel, Shape
+    from urdfkit.robot.tree import KinematicTree
+    from urdfkit.text.document import Tag
+    from urdfkit.text.source import Source
+    from urdfkit.workspace.resolve import Resolver
+    from urdfkit.xacro import Xacro
+
+
+class Robot(Protocol):
+    """A robot with its meshes."""
+
+    @property
+    def model(self) -> RobotModel: ...
+
+    @property
+    def tree(self) -> KinematicTree: ...
+
+    @property
+    def files(self) -> Files: ...
+
+    @property
+    def meshes(self) -> Meshes: ...
+
+    def measures(self, shape: Shape) -> Measures | str: ...
+
+
+class Description(Robot, Protocol):
+    """A robot with the text that describes it."""
+
+    source: Source
+    resolver: Resolver
+
+    @property
+    def xacro(self) -> Xacro: ...
+
+    @property
+    def uses(self) -> Mapping[Tag, int]: ...

@@ -11,7 +11,7 @@ from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Box, solid
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.robot import Robot
 
 #: Why a mesh is not measured where numpy or the readers of meshes are not installed.
 WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
@@ -31,31 +31,31 @@ class Extent(Record):
     left_out: dict[str, str]
 
 
-def extent_of(subject: Subject, placed: Mapping[str, Frame]) -> Extent:
+def extent_of(robot: Robot, placed: Mapping[str, Frame]) -> Extent:
     """The box around all visuals and collisions of one tree; of primitives it is exact.
 
     How the trees of several roots stand to one another, nobody says: the first one with shapes
     counts.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         placed: where each link is, as `mechanics.kinematics.frames` tells it.
     """
     boxes: list[Box] = []
     measured: set[str] = set()
     left_out: dict[str, str] = {}
     root = ""
-    for name, link in subject.model.links_by_name.items():
+    for name, link in robot.model.links_by_name.items():
         if name not in placed or not (link.visuals or link.collisions):
             continue  # a link of a loop that no root leads to is nowhere
-        root = root or subject.tree.root_of[name]
-        if subject.tree.root_of[name] != root:
+        root = root or robot.tree.root_of[name]
+        if robot.tree.root_of[name] != root:
             left_out[name] = f"they do not hang on {root}"
             continue
         for body in (*link.visuals, *link.collisions):
             if body.shape is None:
                 continue
-            found = box_of(subject, body, placed[name])
+            found = box_of(robot, body, placed[name])
             if isinstance(found, str):
                 left_out.setdefault(name, found)
             else:
@@ -73,11 +73,11 @@ def around(boxes: list[Box]) -> Box | None:
     return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
-def box_of(subject: Subject, body: Body, link: Frame) -> Box | str:
+def box_of(robot: Robot, body: Body, link: Frame) -> Box | str:
     """The box around a visual or collision of a link, or why there is none.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         body: with a shape.
         link: the frame of the link, in which the box is wanted.
     """
@@ -87,11 +87,11 @@ def box_of(subject: Subject, body: Body, link: Frame) -> Box | str:
         primitive = solid([body._replace(origin=link @ body.origin)])
         return primitive.bounds if primitive else f"a {shape.kind} without positive sizes"
     try:
-        vertices = subject.meshes.vertices(shape)
+        vertices = robot.meshes.vertices(shape)
     except ImportError:
         return WITHOUT_MESHES
     if vertices is None:
-        return subject.meshes.reason(shape)
+        return robot.meshes.reason(shape)
     rotation, position = link @ body.origin
     low: list[float] = []
     high: list[float] = []

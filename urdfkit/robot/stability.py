@@ -18,7 +18,7 @@ from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.shapes import Primitive, primitive
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.robot import Robot
     from urdfkit.robot.tree import KinematicTree
 
 Point = tuple[float, float]
@@ -111,7 +111,7 @@ class Standing(Record):
 
 
 def standing(
-    subject: Subject,
+    robot: Robot,
     pose: Mapping[str, float] | None = None,
     contacts: Collection[str] | None = None,
     *,
@@ -121,27 +121,27 @@ def standing(
     """The verdict on a robot at a pose; without the readers of meshes, by its primitives alone.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
         visuals: a link without collision stands on its visual.
     """
-    tree = subject.tree
+    tree = robot.tree
     root = rigid_bodies(tree)[0]
     if root.is_ground:
         return Standing("fixed")
     placed = frames(tree, pose or {})
     meshes = True
     try:
-        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=True))
+        seen = _touching(_reaching(robot, placed, contacts, visuals=True, meshes=True))
     except ImportError:
         meshes = False
-        seen = _touching(_reaching(subject, placed, contacts, visuals=True, meshes=False))
+        seen = _touching(_reaching(robot, placed, contacts, visuals=True, meshes=False))
     by_name = tree.model.links_by_name
-    links = tuple(_touching(_reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)))
+    links = tuple(_touching(_reaching(robot, placed, contacts, visuals=visuals, meshes=meshes)))
     visual_only = tuple(name for name in seen if not by_name[name].collisions)
-    found = stand(subject, pose, contacts, payload=payload, meshes=meshes, visuals=visuals)
+    found = stand(robot, pose, contacts, payload=payload, meshes=meshes, visuals=visuals)
     if found is not None:
         bolted = "-unless-bolted" if {link.name for link, _ in root.links} >= set(links) else ""
         verdict = f"tips{bolted}" if found.tips else "stands"
@@ -154,7 +154,7 @@ def standing(
 
 
 def stand(
-    subject: Subject,
+    robot: Robot,
     pose: Mapping[str, float] | None = None,
     contacts: Collection[str] | None = None,
     *,
@@ -165,7 +165,7 @@ def stand(
     """How a robot stands at a pose.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
         payload: masses in kg that links carry at their origin.
@@ -178,14 +178,14 @@ def stand(
     Raises:
         ImportError: meshes are to be read, and the libraries are not installed.
     """
-    placed = frames(subject.tree, pose or {})
-    links = subject.model.links_by_name
+    placed = frames(robot.tree, pose or {})
+    links = robot.model.links_by_name
     loads = [(mass, placed[name].position) for name, mass in (payload or {}).items()]
     for name, frame in placed.items():
         if inertial := links[name].inertial:
             loads.append((links[name].mass, frame.apply(inertial.origin.position)))
     mass = sum(load for load, _ in loads)
-    reaching = _reaching(subject, placed, contacts, visuals=visuals, meshes=meshes)
+    reaching = _reaching(robot, placed, contacts, visuals=visuals, meshes=meshes)
     if mass <= 0 or not reaching:
         return None
     touching = _touching(reaching)
@@ -266,7 +266,7 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 
 
 def _reaching(
-    subject: Subject,
+    robot: Robot,
     placed: Mapping[str, Frame],
     contacts: Collection[str] | None,
     *,
@@ -275,11 +275,11 @@ def _reaching(
 ) -> dict[str, list[Vector]]:
     """Points of each link that may touch the ground, in the frame of the root."""
     found: dict[str, list[Vector]] = {}
-    for name, link in subject.model.links_by_name.items():
+    for name, link in robot.model.links_by_name.items():
         bodies = link.collisions or (link.visuals if visuals else ())
         if name in placed and (contacts is None or name in contacts):
             points = [
-                point for body in bodies for point in _points(subject, body, placed[name], meshes)
+                point for body in bodies for point in _points(robot, body, placed[name], meshes)
             ]
             if points:
                 found[name] = points
@@ -296,11 +296,11 @@ def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
     return {name: found for name, found in touching.items() if found}
 
 
-def _points(subject: Subject, body: Body, frame: Frame, meshes: bool) -> list[Vector]:
+def _points(robot: Robot, body: Body, frame: Frame, meshes: bool) -> list[Vector]:
     """What of a shape may touch the ground.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         body: a collision or visual.
         frame: of its link.
         meshes: take meshes into account.
@@ -308,7 +308,7 @@ def _points(subject: Subject, body: Body, frame: Frame, meshes: bool) -> list[Ve
     if body.shape is None:
         return []
     if body.shape.filename is not None:
-        return _of_mesh(subject, body, frame) if meshes else []
+        return _of_mesh(robot, body, frame) if meshes else []
     part = primitive(body)
     return [*map(frame.apply, _of(part)), *_lowest(part, frame)] if part else []
 
@@ -346,10 +346,10 @@ def _lowest(part: Primitive, frame: Frame) -> list[Vector]:
     return [at.apply((down[0], down[1], z)) for _, _, z in ends]
 
 
-def _of_mesh(subject: Subject, body: Body, frame: Frame) -> list[Vector]:
+def _of_mesh(robot: Robot, body: Body, frame: Frame) -> list[Vector]:
     """The lowest vertices of a mesh."""
     assert body.shape is not None
-    vertices = subject.meshes.vertices(body.shape)
+    vertices = robot.meshes.vertices(body.shape)
     if vertices is None or not len(vertices):
         return []
     at = frame @ body.origin

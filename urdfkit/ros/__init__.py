@@ -1,1 +1,33 @@
 """What ROS, Gazebo and MoveIt make of a robot, and the files that they read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from urdfkit.robot import Description
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from urdfkit.ros.launch.contents import FileUse
+    from urdfkit.ros.moveit.srdf import Srdf
+    from urdfkit.ros.targets import Targets
+
+
+class RosDescription(Description, Protocol):
+    """A description with its launch file's parameter files and its SRDF."""
+
+    parameters: tuple[FileUse, ...]
+    trust: bool
+    arguments: dict[str, str]
+
+    @property
+    def is_readable(self) -> bool: ...
+
+    @property
+    def srdf(self) -> Srdf | None: ...
+
+    @property
+    def targets(self) -> Targets: ...
+
+    def beside(self, path: str, arguments: Mapping[str, str]) -> RosDescription: ...

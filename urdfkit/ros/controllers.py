@@ -23,7 +23,7 @@ from urdfkit.text.located_yaml import Key, Node, Value, load, slip
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.ros import RosDescription
     from urdfkit.text.document import Element
 
 _MANAGER = "controller_manager"
@@ -91,45 +91,45 @@ class ParameterFile(Record):
         return Related(self.span, "the file is named here")
 
 
-def parameter_files(subject: Subject) -> list[ParameterFile]:
+def parameter_files(description: RosDescription) -> list[ParameterFile]:
     """The files of the launch file, and those that control plugins name by an absolute path."""
     files = {
         use.path: ParameterFile(use.span, use.path, use.path)
-        for use in subject.parameters
+        for use in description.parameters
         if os.path.isfile(use.path)
     }
-    for plugin in () if _runs_on_hardware(subject) else control_plugins(subject.model):
+    for plugin in () if _runs_on_hardware(description) else control_plugins(description.model):
         for element in plugin.at.all("parameters"):
             path = element.text.strip()
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
-            found = path if os.path.isfile(path) else subject.resolver.installed(path)
+            found = path if os.path.isfile(path) else description.resolver.installed(path)
             files.setdefault(path, ParameterFile(element.span, path, found, element))
     return list(files.values())
 
 
-def _runs_on_hardware(subject: Subject) -> bool:
+def _runs_on_hardware(description: RosDescription) -> bool:
     """True if a launch file starts the robot on hardware that is no simulator's.
 
     The control plugin is in the description then, but no Gazebo runs it, and its controllers may
     be those of another variant of the robot.
     """
-    hardware = [component.hardware for component in components(subject.model)]
+    hardware = [component.hardware for component in components(description.model)]
     is_real = bool(hardware) and simulators().keys().isdisjoint(hardware)
-    return bool(subject.parameters) and is_real
+    return bool(description.parameters) and is_real
 
 
-def controllers(subject: Subject) -> Iterator[tuple[ParameterFile, list[Controller]]]:
+def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, list[Controller]]]:
     """The controllers of each file of parameters that can be read."""
-    for file, source in _sources(subject):
+    for file, source in _sources(description):
         yield file, read(source)
 
 
-def _sources(subject: Subject) -> Iterator[tuple[ParameterFile, Source]]:
-    for file in parameter_files(subject):
-        if file.found and subject.resolver.allows(file.found, subject.source.path):
+def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Source]]:
+    for file in parameter_files(description):
+        if file.found and description.resolver.allows(file.found, description.source.path):
             try:
-                source = subject.resolver.read(file.found)
+                source = description.resolver.read(file.found)
             except UrdfkitError:
                 continue
             yield file, source
@@ -157,18 +157,18 @@ def read(source: Source) -> list[Controller]:
     ]
 
 
-def managers(subject: Subject) -> Iterator[tuple[ParameterFile, Section]]:
+def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:
     """The parameters of the controller managers themselves, in ROS 2."""
-    for file, source in _sources(subject):
+    for file, source in _sources(description):
         for path, section in _sections(load(source)).items():
             if path[-1] == _MANAGER:
                 yield file, section
 
 
-def named_sections(subject: Subject) -> dict[str, Section]:
+def named_sections(description: RosDescription) -> dict[str, Section]:
     """The parameters of each node in ROS 2, in all files together."""
     found: dict[str, Section] = {}
-    for _, source in _sources(subject):
+    for _, source in _sources(description):
         for path, section in _sections(load(source)).items():
             whole = found.setdefault(path[-1], Section({}, {}, section.at))
             whole.given.update(section.given)
@@ -225,16 +225,18 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             stack += node.items()
 
 
-def unparsed(subject: Subject) -> Iterator[tuple[ParameterFile, Span, str]]:
+def unparsed(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
     """The files of parameters that are no YAML, with the place and the reason."""
-    for file, source in _sources(subject):
+    for file, source in _sources(description):
         if found := slip(source):
             yield file, *found
 
 
-def lost(subject: Subject) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
+def lost(
+    description: RosDescription,
+) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
     """Of each file the keys under which nobody looks: place, message and remedy."""
-    for file, source in _sources(subject):
+    for file, source in _sources(description):
         yield file, list(_lost(load(source)))
 
 

@@ -18,12 +18,13 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint.config import Config, load
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
+from urdfkit.lint.report import Report
 from urdfkit.lint.rules import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames
 from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.diagnostic import Report, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 from urdfkit.workspace.config_file import nearest
 from urdfkit.workspace.resolve import Resolver

@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
+    from urdfkit.lint.report import Report
     from urdfkit.physics.dynamics.robot import Dynamics
     from urdfkit.robot.assets.measured_meshes import Use
     from urdfkit.robot.model import RobotModel
     from urdfkit.testing import Description
-    from urdfkit.text.diagnostic import Report
 
 _MARKER = "urdf"
 _SEVERITIES = ("error", "warning", "info")

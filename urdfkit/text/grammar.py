@@ -12,10 +12,10 @@ from math import inf, isfinite
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.ros.catalog.urdf_extensions import has_attribute, has_element
 from urdfkit.text import schema
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.schema import AttributeRule, Grammar
+from urdfkit.text.urdf_extensions import has_attribute, has_element
 
 #: How like a needed element an unknown one must be to be its misspelling: one slip in five letters.
 LIKENESS = 0.8

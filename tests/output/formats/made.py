@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Report, Severity
+from urdfkit.lint.report import Report
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Source, Span
 

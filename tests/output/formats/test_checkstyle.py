@@ -10,8 +10,9 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, report, span
+from urdfkit.lint.report import Crashed
 from urdfkit.output.formats.checkstyle import render
-from urdfkit.text.diagnostic import Crashed, Severity
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
 ONE = Source("one.urdf", '<robot name="轮">\n  <link name="arm"/>\n</robot>\n'.encode())

@@ -7,8 +7,9 @@ import re
 import pytest
 
 from tests.output.formats.made import diagnostic, report, span
+from urdfkit.lint.report import Crashed
 from urdfkit.output.formats.github import render
-from urdfkit.text.diagnostic import Crashed, Diagnostic, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source
 
 PLAIN = Source("urdf/robot.urdf", b'<robot name="r">\n  <link name="arm"/>\n</robot>\n')

@@ -11,19 +11,10 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS, ROOT
 from tests.output.formats.made import diagnostic, macro, report, span
+from urdfkit.lint.report import Crashed, Launched, Skipped
 from urdfkit.output.formats.json import VERSION, render
 from urdfkit.ros.targets import Targets
-from urdfkit.text.diagnostic import (
-    Call,
-    Confidence,
-    Crashed,
-    Edit,
-    Fix,
-    Launched,
-    Related,
-    Severity,
-    Skipped,
-)
+from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.source import Source, shown
 
 SCHEMA = json.loads(

@@ -9,8 +9,9 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, report, span
+from urdfkit.lint.report import Crashed, Skipped
 from urdfkit.output.formats.junit import render
-from urdfkit.text.diagnostic import Crashed, Severity, Skipped
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
 junitparser = pytest.importorskip("junitparser")

@@ -11,8 +11,9 @@ import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, report, span
 from urdfkit.lint.grouping import gathered
+from urdfkit.lint.report import Crashed, Report
 from urdfkit.output.formats.markdown import MAX_ROWS, render
-from urdfkit.text.diagnostic import Call, Crashed, Report, Severity
+from urdfkit.text.diagnostic import Call, Severity
 from urdfkit.text.markdown import MAX_TEXT
 from urdfkit.text.source import Source
 

@@ -15,8 +15,9 @@ import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, macro, report, span
 from urdfkit.lint import rules
+from urdfkit.lint.report import Crashed, Skipped
 from urdfkit.output.formats.sarif import render
-from urdfkit.text.diagnostic import Call, Confidence, Crashed, Edit, Fix, Related, Severity, Skipped
+from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Source, Span
 

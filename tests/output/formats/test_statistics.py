@@ -1,8 +1,9 @@
 from __future__ import annotations
 
 from tests.output.formats.made import diagnostic, report, span
+from urdfkit.lint.report import Skipped
 from urdfkit.output.formats.statistics import render
-from urdfkit.text.diagnostic import Severity, Skipped
+from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
 AT = span(Source("robot.urdf", b"<robot/>"), "robot")

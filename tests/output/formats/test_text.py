@@ -6,19 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.output.formats.made import diagnostic, macro, report, span
+from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.output.formats.text import render, summary
 from urdfkit.ros.targets import Targets
-from urdfkit.text.diagnostic import (
-    Call,
-    Confidence,
-    Crashed,
-    Edit,
-    Fix,
-    Related,
-    Report,
-    Severity,
-    Skipped,
-)
+from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Source, Span
 

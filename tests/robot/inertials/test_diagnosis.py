@@ -5,6 +5,7 @@ from itertools import product
 import pytest
 
 from tests.massive import BALL, BOX, MESH, WHEEL, inertial, joint, link, masses, part, shape
+from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding
 from urdfkit.robot.inertials.diagnosis import (
     UNITS,
@@ -12,7 +13,6 @@ from urdfkit.robot.inertials.diagnosis import (
     of_impossible,
     of_unlike_shape,
     replacement,
-    together,
     values,
     written,
 )

@@ -46,7 +46,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     # A part of a robot is checked through the file that includes it, which XAC019 names.
     if subject.reading.document is not None or subject.problems("XAC019"):
         return
-    from urdfkit.lint.argument_values import missing_argument, why_unchecked
+    from urdfkit.lint.argument_values import missing_argument
+    from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(subject.reading, subject.source, subject.resolver)
     start = subject.source.data.find(b"<robot")

@@ -24,6 +24,7 @@ from urdfkit.text.diagnostic import Related, Severity
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import RobotModel, Shape
+    from urdfkit.robot.tree import KinematicTree
 
 _WHEEL = """
 <link name="{0}">

@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.gazebo_plugins.unknown_references import unknown
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.ros.gazebo.lookups import unknown
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:

@@ -17,8 +17,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, together, values
+from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:

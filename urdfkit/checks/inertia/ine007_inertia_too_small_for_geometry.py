@@ -17,15 +17,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.diagnosis import (
-    advice,
-    as_solid,
-    of_unlike_shape,
-    replacement,
-    together,
-)
+from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement
 from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:

@@ -15,9 +15,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.inertials.diagnosis import together, values
+from urdfkit.robot.inertials.diagnosis import values
 from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:

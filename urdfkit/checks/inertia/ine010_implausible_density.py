@@ -16,10 +16,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.diagnoses import HEAVIEST, LIGHTEST, implausible_density, unit_slip
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, and_more, replacement, together
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
 

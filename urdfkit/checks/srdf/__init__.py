@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True if an SRDF is near the robot."""
+    """True if an SRDF of this robot is near it."""
     path = subject.source.path
-    return bool(
-        srdf_files(path, subject.resolver)
-        or other_srdf_files(path, subject.model.name, subject.resolver)
+    is_there = srdf_files(path, subject.resolver) or other_srdf_files(
+        path, subject.model.name, subject.resolver
     )
+    return bool(is_there) and not subject.other_variant

@@ -11,7 +11,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import described
-from urdfkit.text.diagnostic import Report
+from urdfkit.lint.report import Report
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver

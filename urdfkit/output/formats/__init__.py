@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Protocol
 from urdfkit.core.libraries import load
 
 if TYPE_CHECKING:
-    from urdfkit.text.diagnostic import Report
+    from urdfkit.lint.report import Report
 
 
 class Render(Protocol):

@@ -8,9 +8,9 @@ from __future__ import annotations
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import xml_text
-from urdfkit.text.diagnostic import Report
 
 #: Of Checkstyle; readers tell by it that the report is one of Checkstyle's.
 _VERSION = "4.3"

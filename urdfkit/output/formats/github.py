@@ -5,8 +5,9 @@ Source of the form: GitHub's documentation of workflow commands.
 
 from __future__ import annotations
 
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 

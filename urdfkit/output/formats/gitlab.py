@@ -9,8 +9,9 @@ import json
 from typing import Any
 
 from urdfkit.lint.baseline import fingerprints
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
 

@@ -10,8 +10,9 @@ import json
 from typing import Any
 
 from urdfkit import __version__
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span
 

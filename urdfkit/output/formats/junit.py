@@ -9,10 +9,11 @@ from __future__ import annotations
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
+from urdfkit.lint.report import Report
 from urdfkit.lint.rules import NOT_CHECKED
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import xml_text
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:

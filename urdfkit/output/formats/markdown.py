@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from urdfkit.lint.grouping import gathered
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats.text import summary
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.markdown import escape
 
 #: Findings of one table. GitHub takes 1 MiB for all steps of a job.

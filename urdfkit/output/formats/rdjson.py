@@ -9,8 +9,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, Span
 
 SOURCE = {"name": "urdfkit"}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 
+from urdfkit.lint.report import Report
 from urdfkit.output.formats.rdjson import SOURCE, as_json
-from urdfkit.text.diagnostic import Report
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:

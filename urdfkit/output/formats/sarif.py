@@ -15,8 +15,9 @@ from typing import Any
 from urdfkit import __version__
 from urdfkit.lint import rules
 from urdfkit.lint.baseline import fingerprints
+from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
-from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Report, Severity
+from urdfkit.text.diagnostic import Call, Diagnostic, Fix, Severity
 from urdfkit.text.source import Source, Span
 
 _SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/os/schemas/sarif-schema-2.1.0.json"

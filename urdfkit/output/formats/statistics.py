@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from urdfkit.lint.report import Report
 from urdfkit.output.formats.text import summary
-from urdfkit.text.diagnostic import Report
 
 
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:

@@ -6,8 +6,9 @@ import os
 from collections.abc import Iterator, Sequence
 
 from urdfkit.lint.grouping import gathered
+from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rules import NOT_CHECKED, foreign
-from urdfkit.text.diagnostic import Call, Confidence, Crashed, Diagnostic, Related, Report, Severity
+from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Span, shown
 from urdfkit.text.terminal import columns, frame, printable, wrap

@@ -21,13 +21,14 @@ from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
 from urdfkit.lint.grouping import gathered
 from urdfkit.lint.loading import described
+from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
 from urdfkit.output.report import physics, tables
 from urdfkit.output.report.findings import findings
 from urdfkit.robot.element_lookup import Places
 from urdfkit.ros.gazebo.rejection import rejecting
 from urdfkit.ros.targets import TARGETS
-from urdfkit.text.diagnostic import Diagnostic, Report, Severity
+from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, shown, without_folder
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from urdfkit.physics.collision.sampled_poses import Still
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.physics.collision.matrix import Matrix
+    from urdfkit.ros import RosDescription
 
 
 class Collisions:
@@ -19,7 +19,7 @@ class Collisions:
         robot: with its meshes.
     """
 
-    def __init__(self, robot: Subject) -> None:
+    def __init__(self, robot: RosDescription) -> None:
         self._robot = robot
 
     @cached_property

@@ -19,7 +19,7 @@ from urdfkit.physics.collision.worker_pool import CollisionError, Crew
 from urdfkit.robot.adjacency import Adjacency
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.ros import RosDescription
 
 #: Samples in which the collisions of all pairs are counted; later, only pairs that have none
 #: are looked at.
@@ -40,7 +40,7 @@ Progress = Callable[[int, int], None]
 
 
 def collisions(
-    robot: Subject,
+    robot: RosDescription,
     *,
     samples: int = 10_000,
     seed: int = 0,
@@ -95,7 +95,7 @@ def collisions(
     )
 
 
-def _units(robot: Subject) -> dict[str, float]:
+def _units(robot: RosDescription) -> dict[str, float]:
     """The meshes that state another unit than the metre, as they are named."""
     found: dict[str, float] = {}
     for link in robot.model.links:
@@ -129,7 +129,7 @@ class _Sampling:
     """The rounds of one run: the default, samples to count in, then twice as many each time."""
 
     def __init__(
-        self, robot: Subject, crew: Crew, samples: int, seed: int, progress: Progress | None
+        self, robot: RosDescription, crew: Crew, samples: int, seed: int, progress: Progress | None
     ) -> None:
         self._crew = crew
         self._chain: Chain = chain(robot.tree)

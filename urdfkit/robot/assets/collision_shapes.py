@@ -20,9 +20,9 @@ from urdfkit.text.editing.edits import from_macro, insert_after, remove_elements
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.mesh.fitting import Fits
     from urdfkit.mesh.geometry import Mesh
+    from urdfkit.robot import Robot
     from urdfkit.text.source import Source
 
 #: How far a shape may stick out, as a part of the diagonal of the mesh.
@@ -74,7 +74,7 @@ class Edited(Record):
 
 
 def propose(
-    subject: Subject,
+    robot: Robot,
     *,
     error: float | None = None,
     links: Collection[str] = (),
@@ -84,7 +84,7 @@ def propose(
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         error: how far a shape may stick out, in m; a twentieth of each mesh if not given.
         links: these links instead, whatever their collision is.
         most: convex pieces at most, of a visual.
@@ -93,7 +93,7 @@ def propose(
     Raises:
         UnknownLink: one of the links is not in the robot.
     """
-    known = subject.model.links_by_name
+    known = robot.model.links_by_name
     for name in links:
         if name not in known:
             raise UnknownLink(f"the robot has no link '{name}'")
@@ -105,7 +105,7 @@ def propose(
     fitted: dict[tuple[object, ...], Fits] = {}
     proposals = []
     for number, link in enumerate(chosen):
-        proposals.append(_proposal(subject, link, error, most, fitted))
+        proposals.append(_proposal(robot, link, error, most, fitted))
         if progress:
             progress(number + 1, len(chosen))
     return tuple(proposals)
@@ -127,7 +127,7 @@ def _filename(body: Body) -> str:
 
 
 def _proposal(
-    subject: Subject,
+    robot: Robot,
     link: Link,
     error: float | None,
     most: int,
@@ -140,9 +140,9 @@ def _proposal(
 
     fits, bounds = [], []
     for body in link.visuals:
-        mesh = body_mesh(subject, body)
+        mesh = body_mesh(robot, body)
         if mesh is None or body.shape is None:
-            why = subject.meshes.reason(body.shape) if body.shape else ""
+            why = robot.meshes.reason(body.shape) if body.shape else ""
             return Proposal(link, link.visuals, (), (), why or "a visual cannot be read")
         bound = RELATIVE * soup_of(mesh).size if error is None else error
         key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
@@ -151,7 +151,7 @@ def _proposal(
                 fitted[key] = fit(mesh, bound, most=most)
         except NoHull as reason:
             return Proposal(link, link.visuals, (), (), str(reason))
-        axle = _axle(subject, link, body)
+        axle = _axle(robot, link, body)
         fits.append(rolling(fitted[key], mesh, *axle) if axle else fitted[key])
         bounds.append(bound)
     if not fits:
@@ -159,9 +159,9 @@ def _proposal(
     return Proposal(link, link.visuals, tuple(fits), tuple(bounds))
 
 
-def _axle(subject: Subject, link: Link, body: Body) -> tuple[Vector, Vector] | None:
+def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
     """The axis of the continuous joint of a link, and a point of it, in the frame of a shape."""
-    joints = subject.tree.parents.get(link.name, [])
+    joints = robot.tree.parents.get(link.name, [])
     turning = [joint for joint in joints if joint.kind == "continuous"]
     if not turning:
         return None
@@ -174,20 +174,20 @@ def _axle(subject: Subject, link: Link, body: Body) -> tuple[Vector, Vector] | N
     return rotate(back, (x / length, y / length, z / length)), rotate(back, (-a, -b, -c))
 
 
-def edited(subject: Subject, proposals: Iterable[Proposal]) -> Edited:
+def edited(robot: Robot, proposals: Iterable[Proposal]) -> Edited:
     """The robot's files and the mesh files that the proposals need; nothing is written."""
     changes: dict[Source, list[Edit]] = {}
     meshes: dict[str, Mesh] = {}
     left: dict[str, str] = {}
     for proposal in proposals:
-        reason = _why_not(subject, proposal)
+        reason = _why_not(robot, proposal)
         if reason:
             left[proposal.link.name] = reason
             continue
         lines: list[str] = []
         needed: dict[str, Mesh] = {}
         for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
-            lines += _collision(subject, body, fits, needed)
+            lines += _collision(robot, body, fits, needed)
         if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
             left[proposal.link.name] = f"{taken} is there already, and is another mesh"
             continue
@@ -213,21 +213,21 @@ def _is_other(path: str, mesh: Mesh) -> bool:
     return there is not None and there != encode(mesh, name)[name]
 
 
-def _why_not(subject: Subject, proposal: Proposal) -> str:
+def _why_not(robot: Robot, proposal: Proposal) -> str:
     """Why a proposal cannot be written; empty if it can."""
     if proposal.reason:
         return proposal.reason
     if from_macro(proposal.link.at):
         return "a macro wrote it; put the collision into the macro"
     for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
-        if fits.best.kind in ("hull", "pieces") and _beside(subject, body) is None:
+        if fits.best.kind in ("hull", "pieces") and _beside(robot, body) is None:
             return "its shape needs a mesh file, and there is no mesh to put it beside"
     return ""
 
 
-def _beside(subject: Subject, body: Body) -> tuple[str, str] | None:
+def _beside(robot: Robot, body: Body) -> tuple[str, str] | None:
     """The reference of the visual mesh, as XML has it, and its path, both without the suffix."""
-    path = subject.files.path(body.shape) if body.shape else None
+    path = robot.files.path(body.shape) if body.shape else None
     if path is None or body.shape is None or body.shape.filename is None:
         return None
     at, (stem, suffix) = body.shape.filename.at, os.path.splitext(body.shape.filename.value)
@@ -238,14 +238,14 @@ def _beside(subject: Subject, body: Body) -> tuple[str, str] | None:
     return reference.replace('"', "&quot;"), os.path.splitext(path)[0]
 
 
-def _collision(subject: Subject, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:
+def _collision(robot: Robot, body: Body, fits: Fits, meshes: dict[str, Mesh]) -> list[str]:
     """The lines of a visual's collisions; mesh files that they need are added."""
     from urdfkit.mesh.geometry import Mesh
 
     best = fits.best
     if best.kind not in ("hull", "pieces"):
         return _element(body.origin @ best.frame, _primitive(best.kind, best.size))
-    beside = _beside(subject, body)
+    beside = _beside(robot, body)
     assert beside is not None
     reference, path = beside
     lines: list[str] = []

@@ -8,15 +8,15 @@ from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.mesh.geometry import Mesh
+    from urdfkit.robot import Robot
 
 
-def body_mesh(subject: Subject, body: Body, *, unit: bool = True) -> Mesh | None:
+def body_mesh(robot: Robot, body: Body, *, unit: bool = True) -> Mesh | None:
     """The triangles of a shape in m, in the frame of its visual or collision.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         body: a visual or collision of it.
         unit: apply the unit of length that a COLLADA file states.
 
@@ -28,7 +28,7 @@ def body_mesh(subject: Subject, body: Body, *, unit: bool = True) -> Mesh | None
     part = primitive(body)
     if part is not None:
         return _primitive(part)
-    mesh = subject.meshes.mesh(body.shape)
+    mesh = robot.meshes.mesh(body.shape)
     if mesh is None or not all(body.shape.scale):
         return None
     from urdfkit.mesh.transforms import scaled

@@ -194,7 +194,7 @@ class Files:
         package = self.resolver.packages.enclosing(os.path.abspath(self.top))
         if package is None or not self._used:
             return []
-        from urdfkit.workspace.unreferenced import unreferenced
+        from urdfkit.robot.assets.unreferenced import unreferenced
 
         workspace = self.resolver.packages.workspace(self.top)
         return unreferenced(self._used, package[1], workspace, self.resolver.folders)

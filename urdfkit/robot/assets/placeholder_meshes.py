@@ -28,9 +28,9 @@ from urdfkit.robot.assets.target_bounds import (
 from urdfkit.robot.model import Body, Link
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
     from urdfkit.mesh.geometry import Mesh, Part
     from urdfkit.mesh.parts import RealPart
+    from urdfkit.robot import Robot
 
 #: A broken file is salvaged if this part of its triangles is left.
 _ENOUGH = 0.5
@@ -97,18 +97,18 @@ class NoSuchSize(UrdfkitError):
     """No part has such edges."""
 
 
-def generate_missing(subject: Subject) -> StandIns:
+def generate_missing(robot: Robot) -> StandIns:
     """Make a mesh for every file that a robot names and that is missing, empty or broken.
 
     Nothing is written: see `StandIn.write`.
 
     Args:
-        subject: the robot.
+        robot: the robot.
     """
     made: list[StandIn] = []
     undone: list[Undone] = []
-    for path, references, defect in unusable(subject):
-        made_here = _make(subject, path, references, defect)
+    for path, references, defect in unusable(robot):
+        made_here = _make(robot, path, references, defect)
         if isinstance(made_here, StandIn):
             made.append(made_here)
         else:
@@ -117,7 +117,7 @@ def generate_missing(subject: Subject) -> StandIns:
 
 
 def generate(
-    subject: Subject,
+    robot: Robot,
     reference: str,
     *,
     part: RealPart | None = None,
@@ -127,7 +127,7 @@ def generate(
     """Make a mesh for one file that a robot names.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         reference: as its ``filename`` says.
         part: what to make; chosen by the names if not given.
         size: edges in m, along the axes of the visual or collision; by the link if not given.
@@ -139,18 +139,18 @@ def generate(
         GoodMesh: the file is good, and not to be replaced.
     """
     _require_buildable(size)
-    references = tuple(mesh for mesh in subject.files.meshes if mesh.at.value == reference)
+    references = tuple(mesh for mesh in robot.files.meshes if mesh.at.value == reference)
     if not references:
         from urdfkit.core.suggest import nearest
 
-        known = [mesh.at.value for mesh in subject.files.meshes]
+        known = [mesh.at.value for mesh in robot.files.meshes]
         near = nearest(reference, known)
         hint = f"; did you mean '{near}'?" if near else ""
         raise NoSuchMesh(f"no shape of the robot names '{reference}'{hint}")
     path, defect = _place(references[0])
     if not force:
         refuse_good(path)
-    return _make(subject, path, references, defect or "is to be replaced", part, size)
+    return _make(robot, path, references, defect or "is to be replaced", part, size)
 
 
 def generate_part(
@@ -188,11 +188,11 @@ def _require_buildable(size: Vector | None) -> None:
         raise NoSuchSize(f"{edges}: every edge must be from {least:g} to {most:g} m")
 
 
-def unusable(subject: Subject) -> Iterator[tuple[str, tuple[MeshReference, ...], str]]:
+def unusable(robot: Robot) -> Iterator[tuple[str, tuple[MeshReference, ...], str]]:
     """The files that are missing or broken: path, references, and what is wrong."""
     grouped: dict[str, list[MeshReference]] = {}
     defects: dict[str, str] = {}
-    for mesh in subject.files.meshes:
+    for mesh in robot.files.meshes:
         path, defect = _place(mesh)
         if defect:
             grouped.setdefault(path, []).append(mesh)
@@ -210,7 +210,7 @@ def _place(mesh: MeshReference) -> tuple[str, str]:
 
 
 def _make(
-    subject: Subject,
+    robot: Robot,
     path: str,
     references: tuple[MeshReference, ...],
     defect: str,
@@ -237,7 +237,7 @@ def _make(
             lost = f" ({'; '.join(left.mesh.losses)})" if left.mesh.losses else ""
             reason = f"what is left of it: {left}{lost}"
             return StandIn(path, references, defect, left.mesh, reason)
-    made = _generated(subject, references, part, size)
+    made = _generated(robot, references, part, size)
     if made is None:
         reason = "neither its name nor its link tells what it is, or how large"
         return Undone(path, references, defect, reason)
@@ -246,7 +246,7 @@ def _make(
 
 
 def _generated(
-    subject: Subject,
+    robot: Robot,
     references: tuple[MeshReference, ...],
     part: RealPart | None,
     size: Vector | None,
@@ -255,8 +255,8 @@ def _generated(
     from urdfkit.mesh.parts import choose
     from urdfkit.mesh.transforms import scaled
 
-    link, body = _home(subject, references[0])
-    here = room(subject, link, body)
+    link, body = _home(robot, references[0])
+    here = room(robot, link, body)
     why = "as asked for"
     if part is None and not _has_mesh(link, body):
         names = {
@@ -268,11 +268,11 @@ def _generated(
             part, why = choice
     made: tuple[Mesh, str] | None
     if part is not None:
-        made = _part_in_room(subject, link, body, part, size, why)
+        made = _part_in_room(robot, link, body, part, size, why)
     elif size is not None:
         made = _block(size, here.frame if here else Frame(), "of the size asked for")
     else:
-        made = _copied(subject, link, body)
+        made = _copied(robot, link, body)
         if made is None and here is not None:
             made = _block(here.size, here.frame, f"fitted to {here.source} of link '{link.name}'")
     if made is None:
@@ -284,9 +284,9 @@ def _generated(
     return made
 
 
-def _home(subject: Subject, reference: MeshReference) -> tuple[Link, Body]:
+def _home(robot: Robot, reference: MeshReference) -> tuple[Link, Body]:
     """The link and the shape that hold a reference."""
-    for link in subject.model.links:
+    for link in robot.model.links:
         for body in (*link.visuals, *link.collisions):
             filename = body.shape.filename if body.shape else None
             if filename is not None and filename.at is reference.at.at:
@@ -301,13 +301,13 @@ def _has_mesh(link: Link, body: Body) -> bool:
 
 
 def _part_in_room(
-    subject: Subject, link: Link, body: Body, part: RealPart, size: Vector | None, why: str
+    robot: Robot, link: Link, body: Body, part: RealPart, size: Vector | None, why: str
 ) -> tuple[Mesh, str]:
     """A real part, turned as the link wants it and fitted to the room there is."""
     from urdfkit.mesh.transforms import moved
 
-    axes = _axes(subject, link, body, part)
-    here = room(subject, link, body, axes)
+    axes = _axes(robot, link, body, part)
+    here = room(robot, link, body, axes)
     if size is not None:
         wanted = transposed(axes)
         edges = [sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in wanted]
@@ -324,12 +324,12 @@ def _part_in_room(
     return moved(part.build(fitted, names), frame), f"{part.name}, {text}: {why}; {how}"
 
 
-def _axes(subject: Subject, link: Link, body: Body, part: RealPart) -> Rotation:
+def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
     """The axes of a part as columns, in the frame of the shape."""
     if part.turns:
-        axis = turning_axis(subject, link, body)
+        axis = turning_axis(robot, link, body)
         if axis is None:
-            here = room(subject, link, body)
+            here = room(robot, link, body)
             if here is None:
                 return IDENTITY
             shortest = here.size.index(min(here.size))
@@ -387,7 +387,7 @@ def _block(size: Vector, frame: Frame, how: str) -> tuple[Mesh, str]:
     return moved(block.build(size), frame), f"block, {text}: {how}"
 
 
-def _copied(subject: Subject, link: Link, body: Body) -> tuple[Mesh, str] | None:
+def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
     """The other shapes of the link as one mesh; None if there are none, or one is not known."""
     from urdfkit.mesh.geometry import Mesh
     from urdfkit.mesh.transforms import moved
@@ -399,7 +399,7 @@ def _copied(subject: Subject, link: Link, body: Body) -> tuple[Mesh, str] | None
     inverse = Frame(back.rotation, (-x, -y, -z))
     parts: list[Part] = []
     for other in others:
-        mesh = body_mesh(subject, other)
+        mesh = body_mesh(robot, other)
         if mesh is None:
             return None
         parts += moved(mesh, inverse @ other.origin).parts

@@ -12,7 +12,7 @@ from urdfkit.robot.model import Body, Link
 from urdfkit.robot.shapes import Primitive, Solid, solid
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.robot import Robot
 
 #: Edges in m outside this range, out of an inertia tensor, say that the tensor is wrong.
 _SHORTEST, _LONGEST = 0.001, 3.0
@@ -38,18 +38,18 @@ class Room(Record):
     measured: bool
 
 
-def room(subject: Subject, link: Link, body: Body, axes: Rotation = IDENTITY) -> Room | None:
+def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> Room | None:
     """The room of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         link: of it.
         body: the visual or collision whose room is wanted.
         axes: of the room, as columns, in the frame of that body.
     """
     others, source = counterparts(link, body)
     measured = [
-        box for box in (_reaches(subject, other, body.origin, axes) for other in others) if box
+        box for box in (_reaches(robot, other, body.origin, axes) for other in others) if box
     ]
     if measured and len(measured) == len(others):
         low = [min(box[0][i] for box in measured) for i in range(3)]
@@ -75,7 +75,7 @@ def is_buildable(size: Vector) -> bool:
     return all(least <= edge <= most for edge in size)
 
 
-def turning_axis(subject: Subject, link: Link, body: Body) -> Vector | None:
+def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
     """The direction that a wheel turns about, in the frame of one of its shapes.
 
     That of the only cylinder among its shapes, else of the joint that turns it.
@@ -84,7 +84,7 @@ def turning_axis(subject: Subject, link: Link, body: Body) -> Vector | None:
     if len(others) == 1 and others[0].shape and others[0].shape.kind in ("cylinder", "capsule"):
         direction = rotate(others[0].origin.rotation, (0.0, 0.0, 1.0))
     else:
-        joints = subject.tree.parents.get(link.name, [])
+        joints = robot.tree.parents.get(link.name, [])
         turning = [joint for joint in joints if joint.kind in ("continuous", "revolute")]
         if not turning:
             return None
@@ -108,13 +108,13 @@ def _room(
 
 
 def _reaches(
-    subject: Subject, other: Body, frame: Frame, axes: Rotation
+    robot: Robot, other: Body, frame: Frame, axes: Rotation
 ) -> tuple[list[float], list[float]] | None:
     """How far a shape reaches along some axes of another one's frame; None if it is not known."""
     whole = solid((other,))
     if whole is not None:
         return _bounds(whole, frame, axes)
-    vertices = subject.meshes.vertices(other.shape) if other.shape else None
+    vertices = robot.meshes.vertices(other.shape) if other.shape else None
     if vertices is None or not len(vertices):
         return None
     inverse = transposed(frame.rotation)

@@ -16,7 +16,7 @@ from urdfkit.text.source import Span
 from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.robot import Description
     from urdfkit.robot.model import Body, Link
     from urdfkit.text.document import Attribute, Element, Frame, Tag
 
@@ -60,11 +60,11 @@ class _Call(Record):
     arguments: tuple[tuple[str, str], ...]
 
 
-def computing(subject: Subject, links: list[Link], tensor: Tag) -> Fix | None:
+def computing(description: Description, links: list[Link], tensor: Tag) -> Fix | None:
     """Macros for the shapes of some links, and calls of these in the place of one.
 
     Args:
-        subject: the description.
+        description: the description.
         links: those that the macro gives the tensor.
         tensor: the ``<inertia>`` in the macro.
     """
@@ -82,11 +82,11 @@ def computing(subject: Subject, links: list[Link], tensor: Tag) -> Fix | None:
     good = [call for call in calls.values() if call.at not in refused]
     if not good or definition is None:
         return None
-    names = _names(subject, {call.kind for call in good})
+    names = _names(description, {call.kind for call in good})
     if names is None:
         return None
     lines = [line for kind, name in names.items() for line in ("", *_macro(kind, name))]
-    is_complete = not refused and _is_only_use(subject, tensor, links)
+    is_complete = not refused and _is_only_use(description, tensor, links)
     edits = (*_defined(definition, lines, instead=is_complete), *(_edit(c, names) for c in good))
     # Nobody but its author can tell what in a comment holds for the new macros, so it stays.
     stale = is_complete and _has_comment_above(definition)
@@ -186,9 +186,9 @@ def _text(attribute: Attribute | None) -> str | None:
     return " ".join(attribute.span.text.split())
 
 
-def _names(subject: Subject, kinds: set[str]) -> dict[str, str] | None:
+def _names(description: Description, kinds: set[str]) -> dict[str, str] | None:
     """Names for the macros by the kind of their shape; None if all are taken."""
-    taken = {macro.name.removeprefix("xacro:") for macro in subject.xacro.macros}
+    taken = {macro.name.removeprefix("xacro:") for macro in description.xacro.macros}
     for name in ("{}_inertial", "solid_{}_inertial"):
         names = {kind: name.format(kind) for kind in _MOMENTS if kind in kinds}
         if taken.isdisjoint(names.values()):
@@ -196,13 +196,13 @@ def _names(subject: Subject, kinds: set[str]) -> dict[str, str] | None:
     return None
 
 
-def _is_only_use(subject: Subject, tensor: Tag, links: list[Link]) -> bool:
+def _is_only_use(description: Description, tensor: Tag, links: list[Link]) -> bool:
     """True if nothing but these links uses a macro, which nobody else can know."""
-    is_private = tensor.source is subject.source and subject.xacro.is_complete
+    is_private = tensor.source is description.source and description.xacro.is_complete
     return (
-        subject.uses[tensor] == len(links)
+        description.uses[tensor] == len(links)
         and is_private
-        and not is_included(subject.source.path, subject.resolver.packages)
+        and not is_included(description.source.path, description.resolver.packages)
     )
 
 

@@ -28,7 +28,7 @@ from urdfkit.text.editing.edits import (
 from urdfkit.text.editing.rewriting import Rewrite, on_disk
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.robot import Robot
     from urdfkit.text.document import Element
     from urdfkit.text.source import Source
 
@@ -122,7 +122,7 @@ class UnknownLink(UrdfkitError):
 
 
 def propose(
-    subject: Subject,
+    robot: Robot,
     *,
     source: str = "auto",
     mass: float | None = None,
@@ -133,7 +133,7 @@ def propose(
     """Declared against computed, for every link that has a shape or an inertia.
 
     Args:
-        subject: the robot.
+        robot: the robot.
         source: what to compute from, one of `urdfkit.robot.inertials.shape_mass.SOURCES`.
         mass: of each link in kg, instead of the declared one.
         density: in kg/m^3, that gives the mass instead.
@@ -143,19 +143,19 @@ def propose(
     Raises:
         UnknownLink: one of the links is not in the robot.
     """
-    known = subject.model.links_by_name
+    known = robot.model.links_by_name
     for name in links:
         if name not in known:
             raise UnknownLink(f"there is no link '{name}'{did_you_mean(name, known)}")
     if lump:
-        groups = [body.links for body in rigid_bodies(subject.tree)]
+        groups = [body.links for body in rigid_bodies(robot.tree)]
     else:
         groups = [((link, Frame()),) for link in known.values()]
     proposals = []
     for group in groups:
         if links and group[0][0].name not in links:
             continue
-        each = [_proposal(subject, link, source, mass, density) for link, _ in group]
+        each = [_proposal(robot, link, source, mass, density) for link, _ in group]
         proposal = _lumped(each, [frame for _, frame in group])
         if proposal.declared or proposal.matter:
             proposals.append(proposal)
@@ -163,10 +163,10 @@ def propose(
 
 
 def _proposal(
-    subject: Subject, link: Link, source: str, mass: float | None, density: float | None
+    robot: Robot, link: Link, source: str, mass: float | None, density: float | None
 ) -> Proposal:
     declared = _declared(link.inertial)
-    found = matter(link, source, subject.measures)
+    found = matter(link, source, robot.measures)
     if isinstance(found, str):
         return Proposal(link, (link.name,), declared, None, None, found)
     if mass is None:

@@ -16,7 +16,7 @@ from urdfkit.robot.model import number
 from urdfkit.text.located_yaml import Key, Value, load
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.ros import RosDescription
 
 _FILE = "joint_limits.yaml"
 _ON = ("true", "yes", "on", "1")
@@ -50,13 +50,13 @@ class PlannedLimit(Record):
         return radians(found) if found is not None and value.tag == "!degrees" else found
 
 
-def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:
+def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     """The limits that MoveIt plans with, in the order of the file; nothing where there is none."""
-    path = _find(subject)
-    if path is None or not subject.resolver.allows(path, subject.source.path):
+    path = _find(description)
+    if path is None or not description.resolver.allows(path, description.source.path):
         return
     try:
-        root = load(subject.resolver.read(path))
+        root = load(description.resolver.read(path))
     except UrdfkitError:
         return
     limits = root.get("joint_limits") if isinstance(root, dict) else None
@@ -67,11 +67,11 @@ def planned_limits(subject: Subject) -> Iterator[PlannedLimit]:
             yield PlannedLimit(name, name.at, given)
 
 
-def _find(subject: Subject) -> str | None:
+def _find(description: RosDescription) -> str | None:
     """Beside the SRDF, or in ``config`` of its package."""
-    if subject.srdf is None:
+    if description.srdf is None:
         return None
-    folder = os.path.dirname(os.path.abspath(subject.srdf.path))
+    folder = os.path.dirname(os.path.abspath(description.srdf.path))
     for place in (folder, os.path.join(os.path.dirname(folder), "config")):
         path = os.path.join(place, _FILE)
         if os.path.isfile(path):

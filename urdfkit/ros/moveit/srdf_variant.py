@@ -13,7 +13,7 @@ from urdfkit.text.xml_reader import is_xacro
 from urdfkit.workspace.file_head import peek
 
 if TYPE_CHECKING:
-    from urdfkit.lint.context import Subject
+    from urdfkit.ros import RosDescription
     from urdfkit.ros.moveit.srdf import Srdf
 
 #: The part of the names in an SRDF that must be unknown to a robot for it to be of another one,
@@ -25,7 +25,7 @@ _MAX_FOLDERS, _MAX_FILES, _MAX_XACROS = 200, 60, 10
 _MAX_BYTES = 4 * 1024 * 1024
 
 
-def other_variant(subject: Subject, srdf: Srdf) -> str:
+def other_variant(description: RosDescription, srdf: Srdf) -> str:
     """What is wrong if the SRDF is for another variant of the robot; empty if it is not.
 
     That takes more than names that nobody knows, which an outdated SRDF has, too: with a prefix
@@ -42,7 +42,7 @@ def other_variant(subject: Subject, srdf: Srdf) -> str:
     prefix = _prefix(known - srdf.named, unknown)
     if prefix:
         return f"{told}; they begin with '{prefix}'"
-    other = next(_robots_with(unknown, subject), "")
+    other = next(_robots_with(unknown, description), "")
     return f"{told}; they are in {shown(other)}" if other else ""
 
 
@@ -59,13 +59,13 @@ def _prefix(bare: set[str], prefixed: set[str]) -> str:
     return min(fitting, key=len, default="")
 
 
-def _robots_with(names: set[str], subject: Subject) -> Iterator[str]:
+def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     """The other descriptions of the package that have nearly all of some links and joints."""
-    package = subject.resolver.packages.enclosing(subject.source.path)
+    package = description.resolver.packages.enclosing(description.source.path)
     if package is None:
         return
-    own = os.path.realpath(subject.source.path)
-    below = subject.resolver.folders.files_below(package[1], _MAX_FOLDERS)
+    own = os.path.realpath(description.source.path)
+    below = description.resolver.folders.files_below(package[1], _MAX_FOLDERS)
     paths = [path for path in below if path.endswith((".urdf", ".xacro"))]
     robots = [path for path in paths if os.path.realpath(path) != own and _is_robot(path)]
     xacros = 0
@@ -73,10 +73,10 @@ def _robots_with(names: set[str], subject: Subject) -> Iterator[str]:
         data = peek(path, _MAX_BYTES)
         if _fits(names, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}):
             yield path
-        elif xacros < _MAX_XACROS and is_xacro(subject.resolver.read(path)):
+        elif xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
-            other = subject.beside(path, subject.arguments)
-            if other.reading.document is not None:
+            other = description.beside(path, description.arguments)
+            if other.is_readable:
                 model = other.model
                 if _fits(names, {*model.links_by_name, *model.joints_by_name}):
                     yield path

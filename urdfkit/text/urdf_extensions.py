@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache
-
-from urdfkit.ros.catalog import data
 
 
 @cache
 def _read(kind: str) -> frozenset[tuple[str, str]]:
     """Pairs of a tag and an element or attribute that a program reads in it."""
+    from json import load  # most models need no facts
+
+    path = os.path.join(os.path.dirname(__file__), "urdf_extensions.json")
+    with open(path, encoding="utf-8") as file:
+        extensions = load(file)["extensions"]
     return frozenset(
-        (extension["in"], name)
-        for extension in data("urdf_extensions")["extensions"]
-        for name in extension.get(kind, ())
+        (extension["in"], name) for extension in extensions for name in extension.get(kind, ())
     )
 
 

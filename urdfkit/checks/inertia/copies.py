@@ -1,0 +1,55 @@
+"""Findings about copies of one tensor, reported as one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from urdfkit.lint.rules import Finding
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED
+from urdfkit.robot.inertials.link_comparison import Weighed
+from urdfkit.text.diagnostic import Fix, Related
+from urdfkit.text.editing.edits import from_macro
+
+
+def together(
+    findings: Iterable[tuple[Weighed, Finding]],
+    by: Callable[[Weighed], object] = lambda weighed: weighed.tensor,
+) -> Iterator[Finding]:
+    """Findings about copies of one tensor as one, the worst first.
+
+    ``by`` gives what the copies have in common, where that is less than the whole tensor.
+    What a macro wrote stays apart: the engine makes one finding of it, with its calls.
+    """
+    groups: dict[object, list[tuple[Weighed, Finding]]] = {}
+    for weighed, finding in findings:
+        if from_macro(weighed.at):
+            yield finding
+        else:
+            groups.setdefault(by(weighed), []).append((weighed, finding))
+    for group in groups.values():
+        group.sort(key=lambda pair: -pair[1].weight)
+        (_, worst), *others = group
+        if not others:
+            yield worst
+            continue
+        yield worst._replace(
+            message=f"{worst.message} ({and_more(others)})",
+            related=tuple(Related(one.at.span, one.message) for _, one in others[:MAX_RELATED]),
+            fix=_merged([finding.fix for _, finding in group if finding.fix]),
+        )
+
+
+def _merged(fixes: list[Fix]) -> Fix | None:
+    """Several fixes as one."""
+    if len(fixes) < 2:
+        return fixes[0] if fixes else None
+    edits = tuple(edit for fix in fixes for edit in fix.edits)
+    return Fix(f"write the tensors of {len(fixes)} shapes", edits)
+
+
+def and_more(others: list[tuple[Weighed, Finding]]) -> str:
+    """Such as ``and likewise 'b', 'c' and 3 more``."""
+    names = [f"'{weighed.link.name}'" for weighed, _ in others]
+    if len(names) > 3:
+        names = [*names[:2], f"{len(names) - 2} more"]
+    return "and likewise " + " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))

@@ -1,0 +1,19 @@
+"""Whether the SRDF near a robot is that of this robot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.workspace.siblings import other_srdf_files, srdf_files
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Subject
+
+
+def applies(subject: Subject) -> bool:
+    """True if an SRDF is near the robot."""
+    path = subject.source.path
+    return bool(
+        srdf_files(path, subject.resolver)
+        or other_srdf_files(path, subject.model.name, subject.resolver)
+    )

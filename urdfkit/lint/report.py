@@ -1,0 +1,112 @@
+"""The outcome of a check: findings, what was skipped, what failed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from urdfkit.core.record import Record
+from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
+
+if TYPE_CHECKING:
+    from urdfkit.ros.targets import Targets
+
+
+class Skipped(Record):
+    """A rule that did not run, and why."""
+
+    code: str
+    path: str
+    reason: str
+
+
+class Launched(Record):
+    """A robot that was checked with values for arguments that it lacks by itself.
+
+    Attributes:
+        path: of the robot.
+        launch: of the launch file that gives them, or of the xacro file or folder they are from.
+        arguments: those that the robot lacks by itself.
+    """
+
+    path: str
+    launch: str
+    arguments: dict[str, str]
+
+
+class Crashed(Record):
+    """A rule that failed: a bug of urdfkit, never of the robot.
+
+    The code is empty where what failed is a part of the check that is no rule.
+    """
+
+    code: str
+    path: str
+    error: str
+    traceback: str = ""
+
+
+class Fixable(Record):
+    """What ``urdfkit fix`` would do about the findings of a report.
+
+    Attributes:
+        safe: how many it fixes.
+        unsafe: how many more it may fix with ``--unsafe-fixes``.
+        infos: the codes of infos that it fixes where they are selected.
+        left: why others are left though they carry a fix, each with their number.
+    """
+
+    safe: int
+    unsafe: int
+    infos: tuple[str, ...]
+    left: tuple[tuple[str, int], ...]
+
+
+class Report(Record):
+    """The outcome of a check.
+
+    Attributes:
+        files: that were checked, as the user named them.
+        diagnostics: sorted by file, place and code.
+        skipped: rules that did not run.
+        crashed: rules that failed.
+        rules: the codes that ran.
+        targets: per file, the consumers that severities were weighed for.
+        tolerated: how many findings a baseline holds.
+        suppressed: how many findings ignore comments or the configuration leave out.
+        errors: those of each description, in the order of the check; what several have in common
+            is one diagnostic, but an error of each.
+        proposals: the edits that the fixes of each description ask for.
+        launched: the robots that have their arguments from launch files, or from elsewhere.
+        unknown_arguments: those given that no description mentions, each with the one that was
+            meant, or nothing.
+        fixable: what ``urdfkit fix`` would do; None where nobody asked.
+    """
+
+    files: tuple[str, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    skipped: tuple[Skipped, ...]
+    crashed: tuple[Crashed, ...]
+    rules: tuple[str, ...]
+    targets: tuple[tuple[str, Targets], ...] = ()
+    suppressed: int = 0
+    tolerated: int = 0
+    errors: tuple[tuple[Diagnostic, ...], ...] = ()
+    proposals: tuple[tuple[Edit, ...], ...] = ()
+    launched: tuple[Launched, ...] = ()
+    unknown_arguments: tuple[tuple[str, str], ...] = ()
+    fixable: Fixable | None = None
+
+    def count(self, severity: Severity) -> int:
+        """How many diagnostics have this severity."""
+        return sum(1 for diagnostic in self.diagnostics if diagnostic.severity is severity)
+
+    @property
+    def ok(self) -> bool:
+        """True if there is no error and no warning, and no rule crashed."""
+        return self.exit_code() == 0
+
+    def exit_code(self, fail_on: Severity = Severity.WARNING) -> int:
+        """0 clean, 1 findings of ``fail_on`` or worse, 3 a bug of urdfkit."""
+        if self.crashed:
+            return 3
+        return int(any(d.severity.rank <= fail_on.rank for d in self.diagnostics))
