@@ -66,8 +66,8 @@ def test_the_file_is_named_after_the_rule(code: str) -> None:
 
 
 def test_the_rule_has_tests_of_its_own(code: str) -> None:
-    file = rules.get(code).module.rpartition(".")[2]
-    assert (HERE / f"test_{file}.py").is_file()
+    family, _, file = rules.get(code).module.removeprefix("urdfkit.checks.").rpartition(".")
+    assert (HERE / family / f"test_{file}.py").is_file()
 
 
 def test_the_explanation_begins_with_one_sentence(code: str) -> None:

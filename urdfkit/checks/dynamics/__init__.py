@@ -11,8 +11,10 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True if a joint moves and a link has a mass."""
+    """True if a joint moves and a link has a mass, or Pinocchio is a target."""
     model = subject.model
+    if "pinocchio" in subject.given_targets:
+        return True
     return any(joint.kind in DEGREES_OF_FREEDOM for joint in model.joints) and any(
         link.mass for link in model.links
     )

@@ -10,4 +10,4 @@ if TYPE_CHECKING:
 
 def applies(subject: Subject) -> bool:
     """True for a document with a robot in it."""
-    return bool(subject.model.links or subject.model.joints)
+    return subject.document.root.tag == "robot"

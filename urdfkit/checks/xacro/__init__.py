@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True for a xacro, and for a plain file with expressions."""
+    """True for a xacro, and for a plain file with expressions or tags of xacro."""
     return subject.reading.xacro is not None or any(
-        sign in subject.source.data for sign in (b"${", b"$(")
+        sign in subject.source.data for sign in (b"${", b"$(", b"<xacro:")
     )
