@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import urdfkit
-from docs import generate, transcripts
+from docs import generate, layers, transcripts
 from tests.conftest import ROOT
 from urdfkit.cli.group import COMMANDS
 from urdfkit.lint import rules
@@ -104,11 +104,15 @@ def test_the_rules_that_are_named_exist(document: Path) -> None:
     assert named <= set(rules.codes())
 
 
-def test_the_architecture_names_every_module() -> None:
+def test_the_architecture_names_every_package() -> None:
     folder = ROOT / "urdfkit"
-    modules = {path.name for path in folder.glob("*.py")} - {"__init__.py", "__main__.py"}
     packages = {f"{path.parent.name}/" for path in folder.glob("*/__init__.py")}
-    inner = {path.name for path in folder.glob("*/*.py")}
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    named = set(re.findall(r"`([a-z_]+(?:\.py|/))`", text))
-    assert modules | packages <= named <= modules | packages | inner
+    named = set(re.findall(r"`([a-z_]+/)`", text.partition("\n## ")[0]))
+    assert packages <= named
+
+
+def test_the_drawing_of_the_layers_shows_every_package() -> None:
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    drawn = re.findall(r"^  (\w+)\[", text, re.MULTILINE)
+    assert drawn == [name for layer in layers.layers() for name in layer]
