@@ -1,5 +1,7 @@
 """A hook of mkdocs: what the pages need to become a site.
 
+The pages of the rules are generated from the rules, into ``docs/rules``.
+
 Pages link to files of the repository that are no pages; on the site such a link is its text.
 Commands that the navigation of ``mkdocs.yml`` does not name follow those that it does, so that a
 new command needs no edit there; public names that ``api.md`` does not sort in end its page.
@@ -12,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import urdfkit
+from docs import generate
 
 DOCS = Path(__file__).resolve().parent
 
@@ -27,6 +30,11 @@ def on_config(config: Any) -> Any:
         if path not in listed:
             commands.append({page.stem.replace("-", " "): path})
     return config
+
+
+def on_pre_build(**_: Any) -> None:
+    """Write the pages of the rules, which the repository does not hold."""
+    generate.main()
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
