@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.robot.inertials.link_comparison import Weighed
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -62,7 +62,7 @@ def masses(text: str) -> Masses:
     return subject(text).masses
 
 
-def weighed(text: str) -> Weighed:
+def weighed(text: str) -> LinkInertia:
     """The only link with a mass in the pieces of a robot."""
     (found,) = masses(text).weighed
     return found

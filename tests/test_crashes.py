@@ -20,7 +20,7 @@ from urdfkit.lint import rule_examples, rules, runner
 from urdfkit.lint.context import Subject
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
-from urdfkit.robot.assets.visual_collision import Likenesses
+from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 from urdfkit.robot.inertials.masses import Masses
 
 #: Something to say for rules of many kinds: a tensor, a mesh, a plugin, an unlike collision.
@@ -68,7 +68,7 @@ PARTS = [
     (Subject, "unread", ("GAZ",)),
     (Subject, "ignores", ()),
     (Subject, "targets", ("",)),
-    (Likenesses, "claims", ("GEO",)),
+    (VisualCollisionPairs, "claims", ("GEO",)),
 ]
 
 

@@ -152,7 +152,7 @@ def test_packages_and_trust_of_the_configuration(robot: Path, capsys) -> None:
 
 
 def test_the_viewer(robot: Path, monkeypatch, capsys) -> None:
-    seen: list[state.Wish] = []
+    seen: list[state.ViewRequest] = []
     monkeypatch.setattr(view, "serve", lambda wish, *_, **__: seen.append(wish))
     configure(robot, TWO)
     assert main(["view", str(robot), "--variant", "right", "--no-open"]) == 0

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from urdfkit.core.spatial import (
     IDENTITY,
-    Frame,
     Rotation,
+    Transform,
     cross,
     dot,
     from_rpy,
@@ -27,7 +27,7 @@ angles = st.floats(-2 * pi, 2 * pi)
 lengths = st.floats(-100, 100)
 vectors = st.tuples(lengths, lengths, lengths)
 turns = st.one_of(st.just(IDENTITY), st.builds(from_rpy, angles, angles, angles))
-frames = st.builds(Frame, turns, vectors)
+frames = st.builds(Transform, turns, vectors)
 
 
 def near(expected: object) -> object:
@@ -78,7 +78,7 @@ def test_a_product_is_one_turn_after_the_other(left: Rotation, right: Rotation) 
 
 @given(frames, frames, vectors)
 def test_frames_are_applied_from_the_inside_out(
-    outer: Frame, inner: Frame, point: tuple[float, float, float]
+    outer: Transform, inner: Transform, point: tuple[float, float, float]
 ) -> None:
     assert (outer @ inner).apply(point) == near(outer.apply(inner.apply(point)))
     assert outer.apply((0.0, 0.0, 0.0)) == outer.position

@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from urdfkit.core.suggest import Speller, did_you_mean, is_slip, nearest
+from urdfkit.core.suggest import Suggester, did_you_mean, is_slip, nearest
 
 CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 
@@ -77,22 +77,22 @@ def test_an_endless_word_costs_little() -> None:
 )
 def test_a_sibling_is_not_a_slip(word: str, meant: str) -> None:
     known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg", "roller_b"]
-    assert Speller(known).meant(word) == meant
+    assert Suggester(known).meant(word) == meant
 
 
 def test_a_speller_bounds_its_work() -> None:
-    speller = Speller(["base_link"])
-    slips = [f"bas{'e' * length}_link" for length in range(2, Speller.MAX_WORDS + 12)]
+    speller = Suggester(["base_link"])
+    slips = [f"bas{'e' * length}_link" for length in range(2, Suggester.MAX_WORDS + 12)]
     assert speller.meant(slips[0]) == "base_link"
     for slip in slips:
         speller.meant(slip)
     assert speller.meant("base_lnk") == "", "more words are not looked at"
     assert speller.meant(slips[0]) == "base_link", "a word is looked at once"
-    assert Speller([f"l{n}" for n in range(Speller.MAX_KNOWN + 1)]).meant("l1x") == ""
+    assert Suggester([f"l{n}" for n in range(Suggester.MAX_KNOWN + 1)]).meant("l1x") == ""
 
 
 def test_the_hint_of_a_speller() -> None:
-    speller = Speller(["left_arm", "right_arm"])
+    speller = Suggester(["left_arm", "right_arm"])
     assert speller.hint("left_amr") == "; did you mean 'left_arm'?"
     assert speller.hint("rght_arm") == "; did you mean 'right_arm'?"
     assert speller.hint("head") == ""
@@ -109,4 +109,4 @@ def test_the_hint_of_a_speller() -> None:
     ],
 )
 def test_a_word_in_front_changes_the_meaning(word: str, known: str, meant: str) -> None:
-    assert Speller([known]).meant(word) == meant
+    assert Suggester([known]).meant(word) == meant

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urdfkit import check
-from urdfkit.lint.config import Config, ConfigError, Robot, load, matches
+from urdfkit.lint.config import Config, ConfigError, RobotEntry, load, matches
 from urdfkit.text.diagnostic import Severity
 
 ROBOT = """<robot name="r">
@@ -74,8 +74,8 @@ def test_everything_that_can_be_set(tmp_path):
     assert not config.ignores("JNT001", str(tmp_path / "old" / "x.urdf"))
     file = str(tmp_path / "r.urdf")
     assert config.robots == (
-        Robot(file, "left", {"a": "x", "b": "1"}),
-        Robot(file, "right", {"a": "x", "b": "2"}),
+        RobotEntry(file, "left", {"a": "x", "b": "1"}),
+        RobotEntry(file, "right", {"a": "x", "b": "2"}),
     )
     assert config.trust
 

@@ -6,7 +6,7 @@ import pytest
 
 from urdfkit import check
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.config import Config, Robot
+from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.discovery import affected, discover
 from urdfkit.workspace.resolve import Resolver
 
@@ -134,7 +134,7 @@ def test_a_library_that_nobody_includes_is_told(repository):
 
 def test_a_configuration_of_one_package_does_not_hide_the_others(repository):
     robot = str(repository / "robot" / "urdf" / "robot.xacro")
-    variants = tuple(Robot(robot, name, {}) for name in ("a", "b"))
+    variants = tuple(RobotEntry(robot, name, {}) for name in ("a", "b"))
     config = Config(str(repository / "robot" / "urdfkit.toml"), robots=variants)
     changed = [robot, str(repository / "other" / "urdf" / "other.urdf")]
     found = affected(changed, config, Resolver())
@@ -421,7 +421,7 @@ def test_robots_that_the_configuration_does_not_name_are_told(tmp_path: Path):
     write(tmp_path, "arm.xacro", f'{include("part.urdf")}<link name="a"/>')
     write(tmp_path, "part.urdf", '<link name="b"/>')
     write(tmp_path, "spare.urdf", '<link name="c"/>')
-    config = Config(robots=(Robot(str(tmp_path / "arm.xacro"), "", {}),))
+    config = Config(robots=(RobotEntry(str(tmp_path / "arm.xacro"), "", {}),))
     found = discover(str(tmp_path), config, Resolver())
     assert (names(found), [Path(path).name for path in found.others]) == (
         ["arm.xacro"],

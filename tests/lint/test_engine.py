@@ -11,10 +11,10 @@ import pytest
 from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import engine
-from urdfkit.lint.config import Config, ConfigError, Robot
+from urdfkit.lint.config import Config, ConfigError, RobotEntry
 from urdfkit.lint.context import Subject
 from urdfkit.lint.report import Report
-from urdfkit.lint.runner import Verdict
+from urdfkit.lint.runner import FileResult
 from urdfkit.ros.targets import Targets, UnknownTarget
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -104,7 +104,7 @@ def test_variants_are_checked_under_their_names_with_all_arguments(tmp_path: Pat
         '<xacro:arg name="n" default="x"/><xacro:arg name="m" default=""/>'
         '<link name="$(arg n)"/><link name="$(arg n)$(arg m)"/>',
     )
-    robots = (Robot(str(file), "same", {}), Robot(str(file), "other", {"m": "_2"}))
+    robots = (RobotEntry(str(file), "same", {}), RobotEntry(str(file), "other", {"m": "_2"}))
     config = Config(robots=robots, arguments={"n": "y"})
     (same,) = check(file, select=["NAM001"], config=config).diagnostics
     assert "'y'" in same.message
@@ -121,7 +121,7 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
         <xacro:unless value="$(arg big)"><link name="c"/><link name="c"/></xacro:unless>""",
     )
     robots = tuple(
-        Robot(str(file), name, {"big": value})
+        RobotEntry(str(file), name, {"big": value})
         for name, value in (("s", "false"), ("l", "true"), ("xl", "true"))
     )
     config = Config(robots=robots)
@@ -146,7 +146,7 @@ def test_a_variant_that_is_none_is_an_exception(robots: Path) -> None:
 
 def test_a_shared_file_that_one_robot_has_in_all_variants(robots: Path) -> None:
     one, two = robots / "one.xacro", robots / "two.xacro"
-    config = Config(robots=(Robot(str(one), "a", {}), Robot(str(one), "b", {})))
+    config = Config(robots=(RobotEntry(str(one), "a", {}), RobotEntry(str(one), "b", {})))
     report = check(one, two, select=["TRE006"], config=config)
     assert [d.variants for d in report.diagnostics] == [()]
 
@@ -197,7 +197,10 @@ def test_a_finding_of_one_argument_set_only_stays(tmp_path: Path) -> None:
         f'<xacro:arg name="bad" default="0"/><link name="a"/>'
         f'<xacro:if value="$(arg bad)">{LOOP}</xacro:if>',
     )
-    robots = (Robot(str(file), "good", {"bad": "0"}), Robot(str(file), "bad", {"bad": "1"}))
+    robots = (
+        RobotEntry(str(file), "good", {"bad": "0"}),
+        RobotEntry(str(file), "bad", {"bad": "1"}),
+    )
     assert found(check(file, select=["TRE006"], config=Config(robots=robots))) == [
         ("r.xacro", "TRE006", 2)
     ]
@@ -221,7 +224,7 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     pytest.importorskip("numpy")
     alive: list[int] = []
 
-    def count(*arguments: object, run=engine._run) -> Verdict:
+    def count(*arguments: object, run=engine._run) -> FileResult:
         alive.append(sum(isinstance(one, Subject) for one in gc.get_objects()))
         return run(*arguments)
 

@@ -12,7 +12,7 @@ import pytest
 from tests.conftest import MODELS
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint import rules
-from urdfkit.lint.config import Config, Robot
+from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix as fix_as_configured
 from urdfkit.lint.fix_guard import SLOW
@@ -330,7 +330,7 @@ TYPED = """\
 @pytest.mark.parametrize(("other", "agree"), [("fixed", True), ("continuous", False)])
 def test_variants_must_agree_on_what_they_share(tmp_path: Path, other: str, agree: bool) -> None:
     file = str(write(tmp_path, "r.xacro", TYPED, XACRO))
-    robots = (Robot(file, "one", {}), Robot(file, "two", {"type": other}))
+    robots = (RobotEntry(file, "one", {}), RobotEntry(file, "two", {"type": other}))
     fixes = fix(file, config=Config(robots=robots, severities=SEVERITIES))
     assert [one.code for one in fixes.applied] == ["JNT020"] * agree
     reasons = {left.reason for left in fixes.left if left.diagnostic.code == "JNT020"}

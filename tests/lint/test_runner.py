@@ -11,7 +11,7 @@ from tests.hand_made_rules import run_only
 from urdfkit import Report, Source, check
 from urdfkit.lint import rules, runner
 from urdfkit.lint.context import Subject, Unavailable
-from urdfkit.lint.rules import Finding, Rule, Written
+from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.ros.targets import Targets
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Related, Severity
 from urdfkit.text.document import Element
@@ -95,10 +95,10 @@ def of_links(make: Callable[[str, Element], Finding]) -> Callable[[Subject], Ite
 
 
 @pytest.fixture
-def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.Verdict]:
+def judged(monkeypatch: pytest.MonkeyPatch) -> Callable[..., runner.FileResult]:
     """The verdict of some rules made by hand, and no others."""
 
-    def run(*made: Rule, one: Subject | None = None) -> runner.Verdict:
+    def run(*made: Rule, one: Subject | None = None) -> runner.FileResult:
         run_only(monkeypatch, made)
         return runner.judge(one or subject(), [])
 
@@ -173,7 +173,7 @@ def test_two_rules_are_never_folded(judged) -> None:
 
 def test_a_place_that_is_no_element_has_no_path(judged) -> None:
     def find(one: Subject) -> Iterator[Finding]:
-        yield Finding(Written(Span(one.source, 0, 6)), "here")
+        yield Finding(Location(Span(one.source, 0, 6)), "here")
 
     (found,) = judged(rule(find)).diagnostics
     assert (found.span.text, found.element, found.calls[0].via) == ("<robot", "", ())

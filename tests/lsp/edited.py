@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tests.conftest import MODELS
 from urdfkit.lsp.markup import Page
-from urdfkit.lsp.workspace import Robot, Workspace
+from urdfkit.lsp.workspace import OpenRobot, Workspace
 
 MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'
@@ -35,7 +35,7 @@ class Edited:
         self.workspace.set_text(self.path, (before + after).encode())
 
     @property
-    def robot(self) -> Robot:
+    def robot(self) -> OpenRobot:
         return self.workspace.robot(self.path)
 
     @property

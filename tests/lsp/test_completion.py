@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.lsp.edited import XACRO, Edited
 from urdfkit.lsp import completion
-from urdfkit.lsp.completion import Offer, complete
+from urdfkit.lsp.completion import CompletionItem, complete
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.schema import ROBOT
 
@@ -21,7 +21,7 @@ ARM = (
 )
 
 
-def offers(tmp_path: Path, text: str, name: str = "r.urdf") -> dict[str, Offer]:
+def offers(tmp_path: Path, text: str, name: str = "r.urdf") -> dict[str, CompletionItem]:
     file = Edited(tmp_path / name, text)
     return {offer.text: offer for offer in complete(file.robot, file.page, file.offset)}
 

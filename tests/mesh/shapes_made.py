@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 import trimesh
 
-from urdfkit.mesh.geometry import Material, Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshMaterial, MeshPart
 
 
-def as_mesh(shape: trimesh.Trimesh, material: Material | None = None) -> Mesh:
+def as_mesh(shape: trimesh.Trimesh, material: MeshMaterial | None = None) -> Mesh:
     return Mesh((as_part(shape, material),))
 
 
-def as_part(shape: trimesh.Trimesh, material: Material | None = None) -> Part:
-    return Part(np.array(shape.vertices), np.array(shape.faces, dtype=np.int64), material)
+def as_part(shape: trimesh.Trimesh, material: MeshMaterial | None = None) -> MeshPart:
+    return MeshPart(np.array(shape.vertices), np.array(shape.faces, dtype=np.int64), material)
 
 
 def as_trimesh(mesh: Mesh) -> trimesh.Trimesh:

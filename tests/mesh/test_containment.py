@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull
 from tests.mesh.shapes_made import as_mesh
 from urdfkit.mesh.containment import grown, missing, protrusion
 from urdfkit.mesh.fitting import fit
-from urdfkit.mesh.geometry import Floats, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 from urdfkit.mesh.hull import decompose, hull
 
 TORUS = trimesh.creation.torus(0.1, 0.03)
@@ -54,7 +54,7 @@ def test_pieces_grow_around_any_surface(seed: int) -> None:
     shape = trimesh.Trimesh(random.random((30, 3)), random.integers(0, 30, (40, 3)))
     pieces = [0.2 * random.random((8, 3)) + random.random(3) for _ in range(3)]
     found = grown(pieces, np.asarray(shape.vertices), np.asarray(shape.faces, dtype=np.int64))
-    parts = tuple(Part(corners, np.arange(len(corners)).reshape(1, -1)) for corners in found)
+    parts = tuple(MeshPart(corners, np.arange(len(corners)).reshape(1, -1)) for corners in found)
     assert outside(Mesh(parts), shape) < 1e-8
     for before, after in zip(pieces, found, strict=True):
         planes = ConvexHull(after).equations

@@ -11,7 +11,7 @@ import numpy as np
 import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
-from urdfkit.core.spatial import Frame, from_rpy, rotate
+from urdfkit.core.spatial import Transform, from_rpy, rotate
 from urdfkit.mesh import solids
 from urdfkit.mesh.distance import one_way
 from urdfkit.mesh.fitting import fit
@@ -19,7 +19,7 @@ from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.solids import beyond
 from urdfkit.mesh.transforms import moved
 
-TURNED = Frame(from_rpy(0.4, -0.7, 1.1), (0.1, -0.2, 0.3))
+TURNED = Transform(from_rpy(0.4, -0.7, 1.1), (0.1, -0.2, 0.3))
 
 
 def test_a_box_is_found_wherever_it_lies() -> None:
@@ -42,7 +42,7 @@ def test_a_cylinder() -> None:
     best = fit(mesh, 0.002).best
     assert best.kind == "cylinder"
     assert best.size[:2] == pytest.approx((0.1, 0.5), rel=1e-3)
-    lying = moved(mesh, Frame(from_rpy(np.pi / 2, 0, 0)))
+    lying = moved(mesh, Transform(from_rpy(np.pi / 2, 0, 0)))
     axis = rotate(fit(lying, 0.002).best.frame.rotation, (0.0, 0.0, 1.0))
     assert np.abs(axis) == pytest.approx([0, 1, 0], abs=1e-3)
 

@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
-from urdfkit.mesh.geometry import Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.hull import ENGINES, NoEngine, NoHull, decompose, hull, with_few_corners
 
@@ -36,7 +36,7 @@ def test_all_parts_have_one_hull() -> None:
 
 @pytest.mark.parametrize("make", [hull, decompose])
 def test_what_is_flat_has_none(make: object) -> None:
-    flat = Part(np.eye(3), np.array([[0, 1, 2]]))
+    flat = MeshPart(np.eye(3), np.array([[0, 1, 2]]))
     with pytest.raises(NoHull, match="in a plane"):
         make(Mesh((flat,)))  # type: ignore[operator]
 

@@ -17,7 +17,7 @@ trimesh = pytest.importorskip("trimesh")
 import numpy as np
 
 from tests.conftest import CORPUS, needs_corpus
-from urdfkit.mesh.geometry import Floats, Integers, Material
+from urdfkit.mesh.geometry import Floats, Integers, MeshMaterial
 from urdfkit.mesh.io.load import load
 
 SUFFIXES = {".stl", ".dae", ".obj", ".ply", ".glb"}
@@ -108,7 +108,7 @@ def _look(material: Any) -> object:
     effect = material.effect
     base = effect.emission if effect.shadingtype == "constant" else effect.diffuse
     if base is None:
-        return Material().rgba[:3]
+        return MeshMaterial().rgba[:3]
     if not isinstance(base, tuple):
         return os.path.basename(base.sampler.surface.image.path)
     return tuple(round(min(value, 1), 6) for value in base[:3])

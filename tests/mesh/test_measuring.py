@@ -12,7 +12,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from urdfkit.mesh.geometry import Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.grouping import components
 from urdfkit.mesh.measures import Measures, from_json, to_json
 from urdfkit.mesh.measuring import measure
@@ -27,23 +27,23 @@ CUBE = np.array(
 
 def box(
     size: tuple[float, float, float] = (1, 1, 1), at: tuple[float, float, float] = (0, 0, 0)
-) -> Part:
+) -> MeshPart:
     """A box with its lowest corner at a place."""
-    return Part(CORNERS * size + at, CUBE)
+    return MeshPart(CORNERS * size + at, CUBE)
 
 
-def inverted(part: Part) -> Part:
+def inverted(part: MeshPart) -> MeshPart:
     return part._replace(faces=part.faces[:, ::-1])
 
 
-def soup(part: Part) -> Part:
+def soup(part: MeshPart) -> MeshPart:
     """The same triangles with three vertices each, as in an STL."""
-    return Part(
+    return MeshPart(
         part.vertices[part.faces].reshape(-1, 3), np.arange(3 * len(part.faces)).reshape(-1, 3)
     )
 
 
-def of(*parts: Part) -> Measures:
+def of(*parts: MeshPart) -> Measures:
     return measure(Mesh(parts))
 
 
@@ -53,7 +53,7 @@ def counts(found: Measures) -> tuple[int, ...]:
 
 
 @pytest.mark.parametrize("shape", [box, lambda size, at: soup(box(size, at))])
-def test_a_box(shape: Callable[..., Part]) -> None:
+def test_a_box(shape: Callable[..., MeshPart]) -> None:
     found = of(shape((2, 3, 4), (10, 20, 30)))
     assert (found.triangles, found.vertices, found.bodies) == (12, 8, 1)
     assert (found.low, found.high) == ((10.0, 20.0, 30.0), (12.0, 23.0, 34.0))
@@ -78,7 +78,7 @@ def test_a_turned_prism_has_products_of_inertia() -> None:
     faces = np.array(
         [(0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4), (2, 0, 3), (2, 3, 5)]
     )
-    solid = of(Part(corners, faces)).solid
+    solid = of(MeshPart(corners, faces)).solid
     assert solid is not None
     assert solid.volume == pytest.approx(1 / 2)
     assert solid.center == pytest.approx((1 / 3, 1 / 3, 1 / 2))
@@ -106,7 +106,7 @@ def test_a_ball_is_measured_as_finely_as_it_is_made() -> None:
         for ring in range(number - 2):
             a, b = ring * width + i, ring * width + k
             faces += [(a, a + width, b), (b, a + width, b + width)]
-    found = of(Part(corners, np.array(faces)))
+    found = of(MeshPart(corners, np.array(faces)))
     assert found.is_closed
     assert found.solid is not None
     assert found.solid.volume == pytest.approx(4 / 3 * pi, rel=3e-3)
@@ -143,13 +143,13 @@ def test_one_of_two_bodies_is_inverted() -> None:
 @pytest.mark.parametrize("seed", range(4))  # the volume of some is above zero by rounding
 def test_a_surface_drawn_from_both_sides_looks_nowhere(seed: int) -> None:
     corners = np.random.default_rng(seed).normal(size=(8, 3)) * 0.1 + CORNERS
-    found = of(Part(corners, np.concatenate([CUBE, CUBE[:, ::-1]])))
+    found = of(MeshPart(corners, np.concatenate([CUBE, CUBE[:, ::-1]])))
     assert (found.bodies, found.inverted_bodies, found.inside_out) == (1, 0, False)
 
 
 def test_a_trifle_that_looks_inwards_in_an_open_mesh() -> None:
     whole = box((3, 3, 3))
-    bowl = Part(whole.vertices, whole.faces[2:])
+    bowl = MeshPart(whole.vertices, whole.faces[2:])
     assert of(bowl, inverted(box((0.1, 0.1, 0.1), (5, 0, 0)))).inverted_bodies == 0
     assert of(bowl, inverted(box((1, 1, 1), (5, 0, 0)))).inverted_bodies == 1
 
@@ -162,7 +162,7 @@ def test_bodies_that_touch_at_an_edge_enclose_a_volume() -> None:
 
 
 def test_an_open_box() -> None:
-    found = of(Part(CORNERS, CUBE[2:]))
+    found = of(MeshPart(CORNERS, CUBE[2:]))
     assert counts(found) == (4, 0, 0)
     assert not found.is_closed
     assert found.solid is None
@@ -173,14 +173,14 @@ def test_an_open_box() -> None:
 def test_one_flipped_triangle() -> None:
     faces = CUBE.copy()
     faces[0] = faces[0][::-1]
-    found = of(Part(CORNERS, faces))
+    found = of(MeshPart(CORNERS, faces))
     assert counts(found) == (0, 3, 0)
     assert found.solid is None
 
 
 def test_degenerate_and_duplicate_triangles() -> None:
     faces = np.concatenate([CUBE, [(0, 0, 1), (5, 5, 5), CUBE[3][[1, 2, 0]]]])
-    found = of(Part(CORNERS, faces))
+    found = of(MeshPart(CORNERS, faces))
     assert counts(found) == (3, 0, 2)
 
 
@@ -188,7 +188,7 @@ def test_a_needle_keeps_a_surface_closed() -> None:
     """A vertex in the middle of an edge, filled with a triangle that has no area."""
     corners = np.concatenate([CORNERS, [(0, 0, 0.5)]])
     faces = np.concatenate([CUBE[1:], [(0, 8, 3), (8, 1, 3), (0, 1, 8)]])
-    found = of(Part(corners, faces))
+    found = of(MeshPart(corners, faces))
     assert counts(found) == (0, 0, 1)
     assert found.is_closed
 
@@ -210,7 +210,7 @@ def test_a_gap_is_no_rounding() -> None:
 
 
 def test_flat_pieces() -> None:
-    square = Part(
+    square = MeshPart(
         np.array([(0, 0, 0), (1, 0, 1), (1, 1, 1), (0, 1, 0)], float),
         np.array([(0, 1, 2), (0, 2, 3)]),
     )
@@ -221,9 +221,9 @@ def test_flat_pieces() -> None:
 
 
 def test_one_point_and_one_line() -> None:
-    point = of(Part(np.zeros((1, 3)), np.zeros((1, 3), dtype=int)))
+    point = of(MeshPart(np.zeros((1, 3)), np.zeros((1, 3), dtype=int)))
     assert (point.hull, point.bodies, point.degenerate, point.diagonal) == (None, 0, 1, 0)
-    line = of(Part(np.array([(0, 0, 0), (1, 0, 0), (2, 0, 0)], float), np.array([(0, 1, 2)])))
+    line = of(MeshPart(np.array([(0, 0, 0), (1, 0, 0), (2, 0, 0)], float), np.array([(0, 1, 2)])))
     assert (line.hull, line.degenerate, line.is_closed) == (None, 1, False)
 
 
@@ -258,7 +258,7 @@ def test_a_long_chain_takes_few_rounds() -> None:
 def test_measures_survive_json() -> None:
     import json
 
-    for part in (box(), Part(CORNERS, CUBE[:1])):
+    for part in (box(), MeshPart(CORNERS, CUBE[:1])):
         found = measure(Mesh((part,), 0.1, "Y_UP", losses=("a",), textures=("b.png",)))
         assert from_json(json.loads(json.dumps(to_json(found)))) == found
 

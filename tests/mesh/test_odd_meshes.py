@@ -20,7 +20,7 @@ from tests.mesh.shapes_made import cube
 from urdfkit.cli import main
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.fitting import fit
-from urdfkit.mesh.geometry import Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.hull import hull
 from urdfkit.mesh.repair import repair
 from urdfkit.mesh.simplify import to_budget, to_error
@@ -29,12 +29,12 @@ from urdfkit.mesh.writers import SUFFIXES, encode
 RNG = np.random.default_rng(0)
 
 
-def loose(number: int, scale: float) -> Part:
+def loose(number: int, scale: float) -> MeshPart:
     points = RNG.normal(size=(number * 3, 3)) * scale
-    return Part(points, np.arange(number * 3).reshape(-1, 3))
+    return MeshPart(points, np.arange(number * 3).reshape(-1, 3))
 
 
-def joined(*parts: Part) -> Mesh:
+def joined(*parts: MeshPart) -> Mesh:
     return Mesh(parts)
 
 
@@ -45,10 +45,12 @@ MESHES = {
     "tiny": joined(loose(20, 1e-9)),
     "huge": joined(loose(20, 1e30)),
     "both": joined(loose(5, 1), loose(5, 1e12)),
-    "a line": joined(Part(np.outer(np.arange(6.0), [1, 1, 1]), np.array([[0, 1, 2], [3, 4, 5]]))),
-    "a point": joined(Part(np.zeros((3, 3)), np.array([[0, 1, 2]]))),
-    "no numbers": joined(Part(np.full((3, 3), np.nan), np.array([[0, 1, 2]]))),
-    "a tangle": joined(Part(RNG.normal(size=(12, 3)), RNG.integers(0, 12, (60, 3)))),
+    "a line": joined(
+        MeshPart(np.outer(np.arange(6.0), [1, 1, 1]), np.array([[0, 1, 2], [3, 4, 5]]))
+    ),
+    "a point": joined(MeshPart(np.zeros((3, 3)), np.array([[0, 1, 2]]))),
+    "no numbers": joined(MeshPart(np.full((3, 3), np.nan), np.array([[0, 1, 2]]))),
+    "a tangle": joined(MeshPart(RNG.normal(size=(12, 3)), RNG.integers(0, 12, (60, 3)))),
 }
 ACTIONS: dict[str, Callable[[Mesh], object]] = {
     "repair": repair,

@@ -14,7 +14,7 @@ import trimesh
 
 from tests.conftest import CORPUS, needs_corpus
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.parts import PARTS
 from urdfkit.mesh.simplify import Unreachable, to_budget, to_error
@@ -94,7 +94,7 @@ def test_materials_stay() -> None:
     upper = halves.triangles_center[:, 2] > 0
     colored = Mesh(
         tuple(
-            as_part(halves, Material(name))._replace(faces=np.array(halves.faces[which]))
+            as_part(halves, MeshMaterial(name))._replace(faces=np.array(halves.faces[which]))
             for name, which in (("up", upper), ("down", ~upper))
         )
     )

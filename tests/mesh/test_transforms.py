@@ -9,11 +9,11 @@ trimesh = pytest.importorskip("trimesh")
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.transforms import scaled
 
 BALL = trimesh.creation.icosphere(subdivisions=1)
-MESH = Mesh((Part(BALL.vertices.view(np.ndarray), BALL.faces, normals=BALL.vertex_normals),))
+MESH = Mesh((MeshPart(BALL.vertices.view(np.ndarray), BALL.faces, normals=BALL.vertex_normals),))
 
 
 @pytest.mark.parametrize("factors", [(1, 2, 3), (-1, 2, 3), (-1, -2, -3), (1e-3, 1e-3, 1e-3)])

@@ -9,10 +9,10 @@ pytest.importorskip("PIL")
 
 from urdfkit.render.coarse import CELLS, coarsened
 from urdfkit.render.materials import PLAIN
-from urdfkit.render.scene import Item
+from urdfkit.render.scene import SceneItem
 
 
-def ball(radius: float, rings: int) -> Item:
+def ball(radius: float, rings: int) -> SceneItem:
     """A sphere of 4 rings^2 triangles, as one finds it in an STL: no corner is shared."""
     polar, around = np.meshgrid(
         np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings + 1), indexing="ij"
@@ -23,7 +23,7 @@ def ball(radius: float, rings: int) -> Item:
     a, b, c, d = points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
     corners = np.concatenate((np.stack((a, b, c), 2), np.stack((a, c, d), 2))).reshape(-1, 3)
     faces = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
-    return Item("a", "visual", "ball", PLAIN, (radius * corners).astype(np.float32), faces)
+    return SceneItem("a", "visual", "ball", PLAIN, (radius * corners).astype(np.float32), faces)
 
 
 def test_few_triangles_are_left_where_many_were() -> None:

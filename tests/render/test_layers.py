@@ -16,7 +16,7 @@ from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
 from urdfkit.render import LAYERS, build, explained, looking, picture
 from urdfkit.render.layers import CLASH, NEIGHBOURS, NoSuchLayer
-from urdfkit.render.scene import Item, placed
+from urdfkit.render.scene import SceneItem, placed
 
 SOLID = (
     '<inertial><origin xyz="0.1 0 0" rpy="0 0 0.5"/><mass value="12"/>'
@@ -24,7 +24,7 @@ SOLID = (
 )
 
 
-def signs(layer: str, subject, given=None) -> list[Item]:
+def signs(layer: str, subject, given=None) -> list[SceneItem]:
     scene = explained(build(subject, given), subject, [layer], given)
     return [item for item in scene.items if item.role == layer or item.look.sign]
 
@@ -91,7 +91,7 @@ def test_the_sector_of_a_joint_spans_its_range() -> None:
     )
     _, sector, hand = signs("joints", subject, {"j": pi / 4})
 
-    def angles(item: Item) -> np.ndarray:
+    def angles(item: SceneItem) -> np.ndarray:
         rim = item.vertices[1:]
         return np.arctan2(rim[:, 1], rim[:, 0])
 

@@ -11,13 +11,13 @@ pytest.importorskip("embreex")
 import numpy as np
 
 from urdfkit.render.primitives import box
-from urdfkit.render.rays import Tracer
+from urdfkit.render.rays import RayTracer
 
 
-def wall() -> Tracer:
+def wall() -> RayTracer:
     """A wall at x = 0 that is far larger than anything here."""
     shape = box(0.001, 200, 200)
-    return Tracer(shape.vertices, shape.faces, 1.0)
+    return RayTracer(shape.vertices, shape.faces, 1.0)
 
 
 def floor_points(*distances: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -45,7 +45,7 @@ def test_the_sun_is_hidden_behind_the_wall(side: int, seen: float) -> None:
 
 def test_the_edge_of_a_shadow_is_half_lit() -> None:
     shape = box(2, 20, 0.001)  # a roof one metre above, from x = -1 to 1
-    roof = Tracer(shape.vertices + np.array((0, 0, 1), dtype=np.float32), shape.faces, 1.0)
+    roof = RayTracer(shape.vertices + np.array((0, 0, 1), dtype=np.float32), shape.faces, 1.0)
     up = np.array((0, 0, 1), dtype=np.float32)
     inside, edge, outside = roof.sun(*floor_points(0.9, 1.0, 1.1), 64, up, 16).reshape(3, 16)
     assert inside == pytest.approx(0)

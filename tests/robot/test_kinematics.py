@@ -15,7 +15,7 @@ from urdfkit.core.spatial import from_rpy, to_rpy
 from urdfkit.lint.loading import load, read
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.kinematics import (
-    Law,
+    MimicLaw,
     UnknownLink,
     about,
     direction,
@@ -46,9 +46,9 @@ def test_a_chain_of_followers_in_any_order() -> None:
     )
     model = tree(text)
     assert laws(model.model.joints_by_name) == {
-        "a": Law("a", 1.0, 0.0),
-        "b": Law("a", -3.0, 0.5),
-        "c": Law("a", -6.0, 2.0),
+        "a": MimicLaw("a", 1.0, 0.0),
+        "b": MimicLaw("a", -3.0, 0.5),
+        "c": MimicLaw("a", -6.0, 2.0),
     }
     assert positions(model, {"a": 0.25, "b": 9.0}) == {"a": 0.25, "b": -0.25, "c": 0.5}
 

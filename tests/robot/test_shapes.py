@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.massive import BALL, BOX, MESH, WHEEL, link, shape, subject
-from urdfkit.core.spatial import IDENTITY, Frame, Vector, from_rpy
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
 from urdfkit.robot import inertia
-from urdfkit.robot.shapes import Box, Primitive, Solid, shaped, sizes, solid
+from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive, shaped, sizes, solid
 
 angles = st.floats(-pi, pi)
 frames = st.builds(
-    Frame, st.builds(from_rpy, angles, angles, angles), st.tuples(*[st.floats(-5, 5)] * 3)
+    Transform, st.builds(from_rpy, angles, angles, angles), st.tuples(*[st.floats(-5, 5)] * 3)
 )
 lengths = st.floats(0.01, 5)
 boxes = st.builds(
@@ -37,10 +37,10 @@ primitives = boxes | rounds
 points = st.tuples(*[st.floats(-5, 5)] * 3)
 
 
-AT_ORIGIN = Frame()
+AT_ORIGIN = Transform()
 
 
-def primitive(kind: str, *numbers: float, origin: Frame = AT_ORIGIN) -> Primitive:
+def primitive(kind: str, *numbers: float, origin: Transform = AT_ORIGIN) -> Primitive:
     if kind == "box":
         return Primitive(kind, (numbers[0], numbers[1], numbers[2]), 0, 0, origin)
     return Primitive(kind, (0, 0, 0), numbers[0], numbers[1] if len(numbers) > 1 else 0, origin)
@@ -91,7 +91,7 @@ def test_the_reach_is_that_of_the_outermost_point(part: Primitive, direction: Ve
 )
 def test_volumes(part: Primitive, volume: float) -> None:
     assert part.volume == pytest.approx(volume)
-    assert Solid((part, part)).volume == pytest.approx(2 * volume)
+    assert LinkSolid((part, part)).volume == pytest.approx(2 * volume)
 
 
 @pytest.mark.parametrize(
@@ -106,7 +106,7 @@ def test_volumes(part: Primitive, volume: float) -> None:
 )
 def test_the_longest_extent(part: Primitive, longest: float) -> None:
     assert part.longest == longest
-    assert max(Solid((part,)).bounds.edges) == longest
+    assert max(LinkSolid((part,)).bounds.edges) == longest
 
 
 def test_volumes_and_tensors_as_coal_has_them() -> None:
@@ -124,33 +124,35 @@ def test_volumes_and_tensors_as_coal_has_them() -> None:
 
 
 def test_mass_properties_are_in_the_frame_of_the_link() -> None:
-    turned = Frame(from_rpy(pi / 2, 0, 0), (1, 2, 3))
+    turned = Transform(from_rpy(pi / 2, 0, 0), (1, 2, 3))
     properties = primitive("cylinder", 1, 2, origin=turned).properties(12)
     assert (properties.mass, properties.center) == (12, (1, 2, 3))
     assert properties.tensor == pytest.approx((7, 0, 0, 6, 0, 7), abs=1e-12)
 
 
 def test_two_boxes_make_one() -> None:
-    parts = tuple(primitive("box", 1, 2, 3, origin=Frame(IDENTITY, (x, 0, 0))) for x in (-0.5, 0.5))
-    whole = Solid(parts)
+    parts = tuple(
+        primitive("box", 1, 2, 3, origin=Transform(IDENTITY, (x, 0, 0))) for x in (-0.5, 0.5)
+    )
+    whole = LinkSolid(parts)
     assert whole.properties(6).tensor == pytest.approx(inertia.box(6, (2, 2, 3)))
-    assert whole.bounds == Box((-1, -1, -1.5), (1, 1, 1.5))
+    assert whole.bounds == BoundingBox((-1, -1, -1.5), (1, 1, 1.5))
     assert whole.farthest((0, 0, 0)) == pytest.approx(sqrt(1 + 1 + 1.5**2))
     assert str(whole) == "union of 2 primitives"
 
 
 def test_mass_is_shared_by_volume() -> None:
     large = primitive("box", 3, 1, 1)
-    small = primitive("box", 1, 1, 1, origin=Frame(IDENTITY, (4, 0, 0)))
-    assert Solid((large, small)).properties(8).center == pytest.approx((1, 0, 0))
+    small = primitive("box", 1, 1, 1, origin=Transform(IDENTITY, (4, 0, 0)))
+    assert LinkSolid((large, small)).properties(8).center == pytest.approx((1, 0, 0))
 
 
 def test_boxes_in_common() -> None:
-    one, other = Box((0, 0, 0), (2, 2, 2)), Box((1, 1, 1), (3, 3, 2))
+    one, other = BoundingBox((0, 0, 0), (2, 2, 2)), BoundingBox((1, 1, 1), (3, 3, 2))
     assert one.common_volume(other) == other.common_volume(one) == 1
     assert (one.volume, other.volume) == (8, 4)
     assert (other.edges, other.center) == ((2, 2, 1), (2, 2, 1.5))
-    assert one.common_volume(Box((2, 0, 0), (3, 1, 1))) == 0
+    assert one.common_volume(BoundingBox((2, 0, 0), (3, 1, 1))) == 0
 
 
 @pytest.mark.parametrize(

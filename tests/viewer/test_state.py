@@ -14,9 +14,9 @@ pytest.importorskip("jinja2")
 
 from tests.mesh import made
 from urdfkit.mesh import samples
-from urdfkit.output.report.document import Told, describe
+from urdfkit.output.report.document import ReportInput, describe
 from urdfkit.viewer import state as module
-from urdfkit.viewer.state import Wish, read
+from urdfkit.viewer.state import ViewRequest, read
 
 ROBOT = """<robot name="r"><link name="l"><visual><geometry>
 <mesh filename="{}"/></geometry></visual></link></robot>"""
@@ -50,7 +50,7 @@ def folder(tmp_path: Path) -> Path:
 def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> None:
     robot = folder / "robot.urdf"
     robot.write_text(ROBOT.format(mesh))
-    state = read(Wish(str(robot), {}, {}))
+    state = read(ViewRequest(str(robot), {}, {}))
     assert not state.is_stale
     with (folder / changed).open("a") as file:
         file.write("\n")
@@ -60,10 +60,10 @@ def test_a_change_of_any_file_is_seen(folder: Path, mesh: str, changed: str) -> 
 def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     robot = folder / "robot.urdf"
     robot.write_text(ROBOT.format("a.obj"))
-    wish = Wish(str(robot), {}, {})
+    wish = ViewRequest(str(robot), {}, {})
     known = read(wish).stamps
 
-    def described(*words: Any, **more: Any) -> Told:
+    def described(*words: Any, **more: Any) -> ReportInput:
         told = describe(*words, **more)
         (folder / "a.mtl").write_text("newmtl other\n")
         return told

@@ -4,14 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.workspace.install_rules import Shipping
+from urdfkit.workspace.install_rules import InstallRules
 
 INSTALL = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n".format
 
 
 def installs(folder: Path, text: str, path: str, file: str = "CMakeLists.txt") -> bool:
     (folder / file).write_text(text)
-    return Shipping(str(folder), "arm").installs(path)
+    return InstallRules(str(folder), "arm").installs(path)
 
 
 @pytest.mark.parametrize(
@@ -56,24 +56,24 @@ def test_setup_py(tmp_path: Path, text: str, installed: bool) -> None:
 
 
 def test_no_build_file(tmp_path: Path) -> None:
-    shipping = Shipping(str(tmp_path), "arm")
+    shipping = InstallRules(str(tmp_path), "arm")
     assert shipping.file == ""
     assert shipping.installs("meshes/a.stl")
 
 
 def test_the_remedy(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_text("")
-    assert Shipping(str(tmp_path), "arm").remedy("urdf") == (
+    assert InstallRules(str(tmp_path), "arm").remedy("urdf") == (
         "add the files of urdf to data_files in setup.py"
     )
     (tmp_path / "CMakeLists.txt").write_text("")
-    assert Shipping(str(tmp_path), "arm").remedy("urdf") == (
+    assert InstallRules(str(tmp_path), "arm").remedy("urdf") == (
         "write install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})"
     )
 
 
 def test_comments_make_no_files(tmp_path: Path) -> None:
     (tmp_path / "CMakeLists.txt").write_text("# the header file (see below)\nproject(arm)\n")
-    assert not Shipping(str(tmp_path), "arm").makes_files
+    assert not InstallRules(str(tmp_path), "arm").makes_files
     (tmp_path / "CMakeLists.txt").write_text("file(COPY a DESTINATION b)\n")
-    assert Shipping(str(tmp_path), "arm").makes_files
+    assert InstallRules(str(tmp_path), "arm").makes_files

@@ -9,7 +9,7 @@ import pytest
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.workspace import packages as module
 from urdfkit.workspace.folders import Folders
-from urdfkit.workspace.packages import Candidate, Level, Packages
+from urdfkit.workspace.packages import Candidate, Packages, ScannedFolder
 
 
 @pytest.fixture
@@ -260,7 +260,7 @@ def test_nobody_scans_the_home_folder(tmp_path: Path, monkeypatch: pytest.Monkey
     add_package(tmp_path / "private", "private")
     packages = finder()
     assert first(packages, "private", near) is None
-    assert packages.levels(str(near)) == (Level(str(near.parent), True),)
+    assert packages.levels(str(near)) == (ScannedFolder(str(near.parent), True),)
     assert packages.workspace(str(near)) == str(near.parent)
     for name in ("tmp", "home", "etc", "usr"):
         assert first(packages, name, near) is None

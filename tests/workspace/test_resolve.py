@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.workspaces import add_file, add_package, record_listings
 from urdfkit.errors import PackageNotFound
-from urdfkit.workspace.resolve import Located, Resolver
+from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def resolver(**environment: str) -> Resolver:
     return Resolver(environment=environment)
 
 
-def locate(package: Path, reference: str, **environment: str) -> Located:
+def locate(package: Path, reference: str, **environment: str) -> ResolvedReference:
     return resolver(**environment).locate(reference, str(package / "urdf" / "arm.urdf"))
 
 
@@ -74,7 +74,7 @@ def test_a_reference_leads_to_its_file(arm: Path, reference: str, scheme: str, f
 
 def test_a_missing_file_names_what_was_tried(arm: Path) -> None:
     located = locate(arm, "package://arm/meshes/no%20link.stl")
-    assert located == Located(
+    assert located == ResolvedReference(
         "package://arm/meshes/no%20link.stl",
         "package",
         "arm",
@@ -115,7 +115,7 @@ def test_a_folder_is_no_file(arm: Path, reference: str) -> None:
 
 def test_other_schemes_are_not_followed(arm: Path) -> None:
     located = locate(arm, "https://example.org/link.stl")
-    assert located == Located("https://example.org/link.stl", "https")
+    assert located == ResolvedReference("https://example.org/link.stl", "https")
 
 
 def test_relative_to_the_checked_file_first_then_to_the_file_it_stands_in(arm: Path) -> None:

@@ -15,7 +15,7 @@ from urdfkit.core.strict_json import dumped
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
 from urdfkit.robot.inertials.shape_mass import SOURCES
-from urdfkit.robot.inertials.suggestions import Proposal, propose, rewrites
+from urdfkit.robot.inertials.suggestions import InertiaProposal, propose, rewrites
 from urdfkit.text.editing import rewriting
 from urdfkit.text.source import shown
 
@@ -94,7 +94,7 @@ def command(
     return int(bool(left))
 
 
-def table(proposals: Sequence[Proposal]) -> Iterator[str]:
+def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     """Two lines for each link: declared, and computed with the verdict."""
     head = " ".join(f"{word:>9}" for word in ("mass / kg", "ixx", "iyy", "izz"))
     rows = [("link", f"{'':<9} {head}")]
@@ -122,9 +122,9 @@ def _row(what: str, values: MassProperties | None) -> str:
     return f"{what:<9} {output.aligned((values.mass, tensor.ixx, tensor.iyy, tensor.izz))}"
 
 
-def proposed(chosen: Sequence[Proposal]) -> Iterator[str]:
+def proposed(chosen: Sequence[InertiaProposal]) -> Iterator[str]:
     """What to write; links that get the same are told together."""
-    alike: dict[str, list[Proposal]] = {}
+    alike: dict[str, list[InertiaProposal]] = {}
     for one in chosen:
         if one.computed is not None:
             alike.setdefault("\n".join(one.lines()), []).append(one)
@@ -134,12 +134,12 @@ def proposed(chosen: Sequence[Proposal]) -> Iterator[str]:
         yield from (f"  {line}" for line in text.splitlines())
 
 
-def _name(one: Proposal) -> str:
+def _name(one: InertiaProposal) -> str:
     others = f" with {', '.join(one.links[1:])}" if len(one.links) > 1 else ""
     return f"{one.link.name}{others} ({one.verdict})"
 
 
-def as_json(proposals: Sequence[Proposal]) -> dict[str, Any]:
+def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
     """The same for programs."""
     return {
         "version": VERSION,

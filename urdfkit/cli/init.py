@@ -14,7 +14,7 @@ from urdfkit.errors import UnwritableFile
 from urdfkit.lint.argument_values import found_values
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject
-from urdfkit.lint.discovery import Found, discover
+from urdfkit.lint.discovery import FolderContents, discover
 from urdfkit.lint.plan import missing_arguments
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.source import Source
@@ -57,7 +57,7 @@ def command(folder: str, only_print: bool) -> int:
     return 0
 
 
-def render(found: Found, folder: str) -> str:
+def render(found: FolderContents, folder: str) -> str:
     """The text of a configuration."""
     resolver = Resolver()
     robots = [_Robot(robot.file, folder, resolver) for robot in found.robots]

@@ -12,7 +12,7 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.core.spatial import Frame, to_rpy
+from urdfkit.core.spatial import Transform, to_rpy
 from urdfkit.core.strict_json import dumped
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject, Unavailable
@@ -114,7 +114,9 @@ def render(found: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[str
         yield from _matrix(found["mass_matrix"], found["columns"])
 
 
-def _frames(found: Mapping[str, Frame], root_of: Mapping[str, str], where: str) -> Iterator[str]:
+def _frames(
+    found: Mapping[str, Transform], root_of: Mapping[str, str], where: str
+) -> Iterator[str]:
     """The frames under each root, in the frame of that root."""
     if not found:
         yield "no frames: no link is a root"
@@ -128,7 +130,7 @@ def _frames(found: Mapping[str, Frame], root_of: Mapping[str, str], where: str) 
         yield from output.beside((name, _placed(found[name])) for name in names)
 
 
-def _placed(frame: Frame) -> str:
+def _placed(frame: Transform) -> str:
     """To a tenth of a millimetre and a hundredth of a degree, point below point."""
     position = " ".join(_fixed(value, 8, 4) for value in frame.position)
     return f"{position} {' '.join(_fixed(angle, 7, 2) for angle in _turn(frame))}"
@@ -152,7 +154,7 @@ def _matrix(rows: Sequence[Sequence[float]], names: Sequence[str]) -> Iterator[s
         yield from output.beside(zip(names, cut, strict=True))
 
 
-def _turn(frame: Frame) -> list[float]:
+def _turn(frame: Transform) -> list[float]:
     return [degrees(angle) for angle in to_rpy(frame.rotation)]
 
 
@@ -177,7 +179,7 @@ def as_json(found: Mapping[str, Any], root_of: Mapping[str, str]) -> dict[str, A
     return document
 
 
-def _frame(frame: Frame) -> dict[str, Any]:
+def _frame(frame: Transform) -> dict[str, Any]:
     return {
         "position": list(frame.position),
         "rpy": [angle + 0.0 for angle in to_rpy(frame.rotation)],  # no negative zero

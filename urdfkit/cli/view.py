@@ -11,9 +11,9 @@ import click
 from urdfkit.cli import options
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.robot import judged, only_file
-from urdfkit.output.report.translations import LANGUAGES, Words
+from urdfkit.output.report.translations import LANGUAGES, Translator
 from urdfkit.viewer.server import serve
-from urdfkit.viewer.state import Wish
+from urdfkit.viewer.state import ViewRequest
 
 
 @click.command(
@@ -37,7 +37,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
     file = only_file(values)
     if file == "-":
         raise options.UsageError("standard input does not change; name a file to follow")
-    wish = Wish(
+    wish = ViewRequest(
         file,
         options.arguments(values),
         options.packages(values),
@@ -53,7 +53,7 @@ def command(port: int, no_open: bool, lang: str, **values: Any) -> int:
             webbrowser.open(address)
 
     try:
-        serve(wish, Words(lang), port=port, opened=opened)
+        serve(wish, Translator(lang), port=port, opened=opened)
     except KeyboardInterrupt:
         pass  # which is how it ends
     return 0

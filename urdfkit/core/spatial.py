@@ -17,15 +17,15 @@ IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 ORIGIN: Vector = (0.0, 0.0, 0.0)
 
 
-class Frame(Record):
+class Transform(Record):
     """Where a frame is in another: its axes and its origin."""
 
     rotation: Rotation = IDENTITY
     position: Vector = ORIGIN
 
-    def __matmul__(self, inner: Frame) -> Frame:
+    def __matmul__(self, inner: Transform) -> Transform:
         """The frame ``inner``, given in this frame, in this frame's parent."""
-        return Frame(multiply(self.rotation, inner.rotation), self.apply(inner.position))
+        return Transform(multiply(self.rotation, inner.rotation), self.apply(inner.position))
 
     def apply(self, point: Vector) -> Vector:
         """A point of this frame in the parent frame."""
@@ -33,11 +33,11 @@ class Frame(Record):
         return (x + self.position[0], y + self.position[1], z + self.position[2])
 
     @property
-    def inverse(self) -> Frame:
+    def inverse(self) -> Transform:
         """The frame of the parent in this one."""
         back = transposed(self.rotation)
         x, y, z = rotate(back, self.position)
-        return Frame(back, (-x, -y, -z))
+        return Transform(back, (-x, -y, -z))
 
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Rotation:

@@ -92,7 +92,7 @@ def nearest_file(path: str) -> str | None:
     return meant and meant + suffix
 
 
-class Speller:
+class Suggester:
     """Finds the names that unknown names were meant to be, within a bound of work.
 
     Siblings are not slips of one another: ``wheel_5`` is not meant to be ``wheel_4`` or

@@ -37,7 +37,7 @@ class FileIgnore(Record):
     reason: str
 
 
-class Robot(Record):
+class RobotEntry(Record):
     """An entry point: a description that is checked, with the arguments it needs.
 
     Attributes:
@@ -80,7 +80,7 @@ class Config(Record):
     arguments: Mapping[str, str] = {}
     severities: Mapping[str, Severity] = {}
     file_ignores: tuple[FileIgnore, ...] = ()
-    robots: tuple[Robot, ...] = ()
+    robots: tuple[RobotEntry, ...] = ()
     exclude: tuple[str, ...] = ()
     rules: tuple[str, ...] = ()
     trust: bool = False
@@ -94,7 +94,7 @@ class Config(Record):
 
     def entries(
         self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
-    ) -> tuple[Robot, ...]:
+    ) -> tuple[RobotEntry, ...]:
         """The variants of a description, each with all arguments that it is read with.
 
         Those that are given win over those of the variant, and these over those of every xacro.
@@ -118,13 +118,15 @@ class Config(Record):
                 raise ConfigError(f"{path}: there is no variant '{variant}'; {there}")
         elif given and len(own) > 1:
             shared = set.intersection(*(set(robot.arguments.items()) for robot in own))
-            own = [Robot(path, "", dict(shared))]
+            own = [RobotEntry(path, "", dict(shared))]
         return tuple(
-            Robot(path, robot.name, {**self.arguments, **robot.arguments, **(given or {})})
-            for robot in own or [Robot(path, "", {})]
+            RobotEntry(path, robot.name, {**self.arguments, **robot.arguments, **(given or {})})
+            for robot in own or [RobotEntry(path, "", {})]
         )
 
-    def entry(self, path: str, given: Mapping[str, str] | None = None, variant: str = "") -> Robot:
+    def entry(
+        self, path: str, given: Mapping[str, str] | None = None, variant: str = ""
+    ) -> RobotEntry:
         """The same where one description is wanted.
 
         Raises:
@@ -234,7 +236,7 @@ def _file_ignore(reader: _Reader) -> FileIgnore:
     return entry
 
 
-def _robots(reader: _Reader, folder: str) -> list[Robot]:
+def _robots(reader: _Reader, folder: str) -> list[RobotEntry]:
     """The variants of one entry point; every one with the common arguments too."""
     file = os.path.normpath(os.path.join(folder, reader.take("file", str, "")))
     if not os.path.isfile(file):
@@ -243,11 +245,11 @@ def _robots(reader: _Reader, folder: str) -> list[Robot]:
     variants = reader.take("variants", dict, {})
     reader.finish()
     if not variants:
-        return [Robot(file, "", common)]
+        return [RobotEntry(file, "", common)]
     robots = []
     for name, arguments in variants.items():
         inner = _Reader(reader.path, {"arguments": arguments}, f"{reader.where}.variants.{name}")
-        robots.append(Robot(file, name, {**common, **inner.arguments("arguments")}))
+        robots.append(RobotEntry(file, name, {**common, **inner.arguments("arguments")}))
     return robots
 
 

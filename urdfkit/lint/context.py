@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.lint.reading import Reading
-from urdfkit.text.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import Problem, is_launch, is_xacro, read_xml
 
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from urdfkit.lint.suppress import Ignore
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
-    from urdfkit.physics.dynamics.pinocchio_reading import Opinion
+    from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import Measured
+    from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
     from urdfkit.robot.assets.mesh_files import Files
     from urdfkit.robot.assets.triangles import Meshes
-    from urdfkit.robot.assets.visual_collision import Likenesses
+    from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Body, Joint, RobotModel, Shape
-    from urdfkit.robot.shapes import Lump
+    from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.ros.gazebo.conversion import Conversion
-    from urdfkit.ros.gazebo.parameters import Unread
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.parameters import UnreadParameter
+    from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.launch.contents import FileUse, Launch
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.targets import Targets
@@ -88,7 +88,7 @@ class Subject:
         *,
         trust: bool = False,
         targets: Targets | None = None,
-        frame: Frame | None = None,
+        frame: CallFrame | None = None,
         parameters: tuple[FileUse, ...] = (),
         cache: bool = False,
         progress: Callable[[int, int], None] | None = None,
@@ -304,14 +304,14 @@ class Subject:
         return Conversion(self.tree)
 
     @cached_property
-    def plugins(self) -> tuple[Use, ...]:
+    def plugins(self) -> tuple[PluginUse, ...]:
         """The plugins that the model gives to Gazebo."""
         from urdfkit.ros.gazebo.plugins import uses
 
         return uses(self.model, self.targets)
 
     @cached_property
-    def unread(self) -> tuple[tuple[Use, Unread], ...]:
+    def unread(self) -> tuple[tuple[PluginUse, UnreadParameter], ...]:
         """The tags that those plugins are given and do not read."""
         from urdfkit.ros.gazebo.parameters import unread
 
@@ -369,13 +369,13 @@ class Subject:
         return Masses(self.model, self.tree, self.lump)
 
     @cached_property
-    def likenesses(self) -> Likenesses:
+    def likenesses(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
-        from urdfkit.robot.assets.visual_collision import Likenesses
+        from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 
-        return Likenesses(self.model, self.lump, self.files.is_turned_by_some)
+        return VisualCollisionPairs(self.model, self.lump, self.files.is_turned_by_some)
 
-    def lump(self, body: Body) -> Lump | None:
+    def lump(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid, if it is a mesh and meshes can be measured."""
         if body.shape is None or body.shape.filename is None:
             return None
@@ -428,7 +428,7 @@ class Subject:
         return Collisions(self)
 
     @cached_property
-    def opinion(self) -> Opinion:
+    def opinion(self) -> PinocchioReading:
         """What Pinocchio itself makes of the text.
 
         Raises:
@@ -453,7 +453,7 @@ class Subject:
         return Files(self.model, self.resolver)
 
     @cached_property
-    def measured(self) -> Measured:
+    def measured(self) -> MeasuredMeshes:
         """The mesh files that the model names, measured.
 
         Raises:
@@ -462,10 +462,10 @@ class Subject:
         if reason := libraries.why_unmeasured():
             raise Unavailable(f"meshes are {reason}")
         from urdfkit.mesh import measure_cache
-        from urdfkit.robot.assets.measured_meshes import Measured
+        from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
 
         kept = measure_cache.shared(cached=self.cache)
-        return Measured(self.model, self.files, kept, self.progress)
+        return MeasuredMeshes(self.model, self.files, kept, self.progress)
 
     def measures(self, shape: Shape) -> Measures | str:
         """Of the mesh of a shape; or why there are none, as a predicate whose subject is the file.

@@ -15,7 +15,7 @@ from itertools import islice
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.config import Config, Robot, matches
+from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.file_head import peek
@@ -57,7 +57,7 @@ _CONTENT = re.compile(
 )
 
 
-class Found(Record):
+class FolderContents(Record):
     """What a folder holds.
 
     Attributes:
@@ -67,13 +67,13 @@ class Found(Record):
         others: files that look like robots and are none of these, by why they are left out.
     """
 
-    robots: tuple[Robot, ...]
+    robots: tuple[RobotEntry, ...]
     libraries: tuple[str, ...]
     closed: tuple[str, ...] = ()
     others: Mapping[str, str] = {}
 
 
-def discover(folder: str, config: Config, resolver: Resolver) -> Found:
+def discover(folder: str, config: Config, resolver: Resolver) -> FolderContents:
     """The entry points of a folder: those of the configuration in it, else by the includes.
 
     Raises:
@@ -86,7 +86,7 @@ def discover(folder: str, config: Config, resolver: Resolver) -> Found:
         named = {os.path.realpath(robot.file) for robot in configured}
         reached = {path for robot in named for path in graph.closure(robot)}
         left = [one.file for one in found.robots if os.path.realpath(one.file) not in reached]
-        return Found(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
+        return FolderContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
     if not any(found):
         raise UnreadableFile(
             f"{folder}: no .urdf, no .xacro with a <robot> and no launch file in it"
@@ -119,7 +119,7 @@ def launch_files(folder: str, config: Config) -> Iterator[str]:
             yield path
 
 
-def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
+def affected(files: Iterable[str], config: Config, resolver: Resolver) -> FolderContents:
     """The entry points that some changed files are part of, each once.
 
     A description is part of the robots whose includes lead to it, wherever in the repository
@@ -132,7 +132,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
         folder = _repository(file, resolver)
         if f"{os.sep}." not in file[len(folder.rstrip(os.sep)) :]:
             changed.setdefault(folder, []).append(file)
-    robots: list[Robot] = []
+    robots: list[RobotEntry] = []
     libraries: list[str] = []
     for folder, here in sorted(changed.items()):
         graph = _graph(folder, config, resolver)
@@ -149,7 +149,7 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Found:
             key=lambda robot: robot[:2],
         )
         libraries += [path for path in found.libraries if path in here]
-    return Found(tuple(robots), tuple(libraries))
+    return FolderContents(tuple(robots), tuple(libraries))
 
 
 def _repository(file: str, resolver: Resolver) -> str:
@@ -276,7 +276,7 @@ class IncludeGraph:
         except PackageNotFound:
             return f"$(find {name})"
 
-    def entry_points(self) -> Found:
+    def entry_points(self) -> FolderContents:
         """The descriptions that no other file includes, and the libraries among them.
 
         Where files include one another in a ring, one of them.
@@ -297,9 +297,9 @@ class IncludeGraph:
         ]
         started = self._launched(unusual)
         robots = sorted({*outer, *self._within(outer), *started})
-        named = tuple(Robot(path, "", {}) for path in robots)
+        named = tuple(RobotEntry(path, "", {}) for path in robots)
         others = dict.fromkeys((path for path in unusual if path not in started), _UNUSUAL)
-        return Found(named, libraries, tuple(self.closed), others)
+        return FolderContents(named, libraries, tuple(self.closed), others)
 
     def _is_robot(self, path: str) -> bool:
         """True for a file with the root ``<robot>`` that has links outside of macros."""

@@ -15,7 +15,7 @@ from urdfkit.lint import rules as catalogue
 from urdfkit.lint.context import Subject
 from urdfkit.lint.plan import Job, Plan, as_launched, missing_arguments, planned, unknown_arguments
 from urdfkit.lint.report import Report, Skipped
-from urdfkit.lint.runner import Verdict, crash, diagnose, judge
+from urdfkit.lint.runner import FileResult, crash, diagnose, judge
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.text.xml_reader import is_launch
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 #: A description, and what the rules say about it.
-Judged = tuple[Job, Verdict]
+Judged = tuple[Job, FileResult]
 
 
 class Settings(Record):
@@ -310,10 +310,12 @@ def _run(
     except UrdfkitError:
         raise
     except Exception as error:  # a bug of urdfkit must not hide the findings of other robots
-        return [(job, Verdict((), (), (crash("", job.source.path, error),), frozenset(), None, 0))]
+        return [
+            (job, FileResult((), (), (crash("", job.source.path, error),), frozenset(), None, 0))
+        ]
 
 
-def _verdict(job: Job, subject: Subject, settings: Settings) -> Verdict:
+def _verdict(job: Job, subject: Subject, settings: Settings) -> FileResult:
     chosen = [code for code in settings.chosen if not job.codes or code in job.codes]
     # That a robot of a folder cannot be expanded by itself is no defect of it.
     wants = job.found and missing_arguments(subject)
@@ -323,7 +325,7 @@ def _verdict(job: Job, subject: Subject, settings: Settings) -> Verdict:
     return verdict._replace(unknown_arguments=unknown)
 
 
-def _skipped_as_one(verdict: Verdict, subject: Subject) -> Verdict:
+def _skipped_as_one(verdict: FileResult, subject: Subject) -> FileResult:
     """A description that cannot be read, of which no error says so, is skipped as a whole."""
     errors = {d.code for d in verdict.diagnostics if d.severity is Severity.ERROR}
     is_part = bool(subject.problems("XAC019"))
@@ -341,7 +343,7 @@ def _unopened(plan: Plan, settings: Settings) -> Iterator[Diagnostic]:
     for path in plan.closed if code in settings.chosen else ():
         if config and config.ignores(code, path):
             continue
-        at = catalogue.Written(Span(Source(path, b""), 0, 0))
+        at = catalogue.Location(Span(Source(path, b""), 0, 0))
         message = "robot not checked: the file cannot be opened"
         help = "see where the link leads, and the permissions of the file"
         for found in diagnose(catalogue.get(code), [catalogue.Finding(at, message, help)]):

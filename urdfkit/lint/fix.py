@@ -19,8 +19,8 @@ from urdfkit.lint.engine import added_rules, choose
 from urdfkit.lint.fix_guard import (
     Key,
     Look,
+    RegressionGuard,
     Robots,
-    Watch,
     harm,
     key_of,
     real_path,
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from urdfkit.lint.engine import Options
-    from urdfkit.robot.assets.placeholder_meshes import StandIn, Undone
+    from urdfkit.robot.assets.placeholder_meshes import GeneratedMesh, NotGenerated
 
 MAX_ROUNDS = 10
 
@@ -57,7 +57,7 @@ _Piece = tuple[int, int, str]
 _OF_FILES = ("MSH001", "MSH008", "MSH009", "MSH010", "MSH011")
 
 
-class Left(Record):
+class UnappliedFix(Record):
     """A finding that fixes did not mend, and why.
 
     Attributes:
@@ -84,10 +84,10 @@ class Fixes(Record):
 
     files: tuple[Rewrite, ...]
     applied: tuple[Diagnostic, ...]
-    left: tuple[Left, ...]
+    left: tuple[UnappliedFix, ...]
     report: Report
-    meshes: tuple[StandIn, ...] = ()
-    unmade: tuple[Undone, ...] = ()
+    meshes: tuple[GeneratedMesh, ...] = ()
+    unmade: tuple[NotGenerated, ...] = ()
 
     def diff(self) -> str:
         """All changes as a unified diff."""
@@ -163,11 +163,15 @@ def _with_meshes(
         UrdfkitError: what makes meshes is not installed.
     """
     try:
-        from urdfkit.robot.assets.placeholder_meshes import StandIn, Undone, generate_missing
+        from urdfkit.robot.assets.placeholder_meshes import (
+            GeneratedMesh,
+            NotGenerated,
+            generate_missing,
+        )
     except ImportError as error:
         text = f"making meshes needs {error.name}: pip install 'urdfkit[meshes]'"
         raise UrdfkitError(text) from error
-    found: dict[str, StandIn | Undone] = {}
+    found: dict[str, GeneratedMesh | NotGenerated] = {}
     for robot in filter(None, subjects_of(files, options)):
         if robot.reading.document is None:
             continue
@@ -177,9 +181,9 @@ def _with_meshes(
             found[os.path.realpath(undone.path)] = undone
         for made in stand_ins.made:
             foreign = not (force or ours.owns(made.path))
-            refusal = Undone(made.path, made.references, made.defect, OUTSIDE)
+            refusal = NotGenerated(made.path, made.references, made.defect, OUTSIDE)
             found[os.path.realpath(made.path)] = refusal if foreign else made
-    meshes = tuple(one for one in found.values() if isinstance(one, StandIn))
+    meshes = tuple(one for one in found.values() if isinstance(one, GeneratedMesh))
     mended = {reference.at.span for one in meshes for reference in one.references}
     places = {(real_path(span.source), *span[1:]) for span in mended}
     left = tuple(
@@ -188,7 +192,7 @@ def _with_meshes(
         if one.diagnostic.code not in _OF_FILES
         or (real_path(one.diagnostic.span.source), *one.diagnostic.span[1:]) not in places
     )
-    unmade = tuple(one for one in found.values() if isinstance(one, Undone))
+    unmade = tuple(one for one in found.values() if isinstance(one, NotGenerated))
     return fixes._replace(left=left, meshes=meshes, unmade=unmade)
 
 
@@ -210,7 +214,7 @@ def fixable(report: Report, *files: str | os.PathLike[str], **options: Unpack[Op
     return counted(left)
 
 
-def counted(left: Iterable[Left]) -> Fixable:
+def counted(left: Iterable[UnappliedFix]) -> Fixable:
     """What could be done about findings that are left."""
     with_fix = [one for one in left if one.diagnostic.fix]
     reasons = Counter(one.reason for one in with_fix)
@@ -246,7 +250,7 @@ class _Session:
         self, look: Look, asked: Iterable[str], named: Iterable[str], *, unsafe: bool, force: bool
     ) -> None:
         self._look = look
-        self._watch = Watch(look)
+        self._watch = RegressionGuard(look)
         self._asked = frozenset(asked)
         self._named = frozenset(named)
         self._unsafe = unsafe
@@ -258,10 +262,10 @@ class _Session:
         self._dropped: dict[Key, str] = {}
         self._applied: list[Diagnostic] = []
 
-    def reasons(self, report: Report) -> tuple[Left, ...]:
+    def reasons(self, report: Report) -> tuple[UnappliedFix, ...]:
         """The findings of a report, and why their fixes are not applied."""
         self._ownership = Ownership(report.files, self._look.resolver)
-        return tuple(Left(one, self._reason(one)) for one in report.diagnostics)
+        return tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
 
     def run(self) -> Fixes:
         """Apply what can be applied.
@@ -279,7 +283,7 @@ class _Session:
             for real, original in self._originals.items()
             if self._texts.get(real, original.before) != original.before
         ]
-        left = tuple(Left(one, self._reason(one)) for one in report.diagnostics)
+        left = tuple(UnappliedFix(one, self._reason(one)) for one in report.diagnostics)
         return Fixes(tuple(sorted(changed)), tuple(self._applied), left, report)
 
     def _fix(self, *, is_careful: bool) -> tuple[str, ...]:

@@ -207,7 +207,7 @@ def subjects_of(
     )
 
 
-class Watch:
+class RegressionGuard:
     """Looks at what fixes may break in other robots of the workspace that include a file."""
 
     def __init__(self, look: Look) -> None:

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
     from urdfkit.lint.config import Config
     from urdfkit.lint.context import Subject
-    from urdfkit.lint.discovery import Found
-    from urdfkit.ros.launch.contents import Description, FileUse
-    from urdfkit.text.document import Frame
+    from urdfkit.lint.discovery import FolderContents
+    from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
+    from urdfkit.text.document import CallFrame
 
 
 #: Sets of arguments of the launch files of a folder with which one robot is checked.
@@ -46,7 +46,7 @@ class Job(Record):
     name: str
     arguments: dict[str, str]
     found: bool
-    frame: Frame | None = None
+    frame: CallFrame | None = None
     parameters: tuple[FileUse, ...] = ()
     launched: tuple[Launched, ...] = ()
     codes: frozenset[str] = frozenset()
@@ -131,7 +131,7 @@ class Plan:
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
         self._add_found(affected(paths, self.config or Config(), self.resolver), *paths[:1])
 
-    def _add_found(self, found: Found, given: str = "") -> None:
+    def _add_found(self, found: FolderContents, given: str = "") -> None:
         """The entry points of a folder, or of what was given otherwise."""
         robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
         if found.robots and not robots:
@@ -193,7 +193,7 @@ class Plan:
             job = Job(robot, "", arguments, not one.is_whole, one.frame, parameters)
             self.jobs.append(job if is_new else job._replace(codes=rules.of_family("controllers")))
 
-    def _is_other(self, description: Description) -> bool:
+    def _is_other(self, description: LaunchedDescription) -> bool:
         """True if a robot is not checked yet with these arguments, nor too often with others."""
         sets = self._launched.setdefault(os.path.realpath(description.path), [{}])
         if description.arguments in sets or len(sets) > MAX_LAUNCHED:

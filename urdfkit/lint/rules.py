@@ -19,7 +19,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import RuleError, UnknownRule
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
-from urdfkit.text.document import Attribute, Element, Frame
+from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
@@ -67,11 +67,11 @@ class Need(Enum):
     COLLISIONS = "collisions"  # which links overlap, by coal
 
 
-class Written(Record):
+class Location(Record):
     """A place that is no element of the expanded document, with the calls that led there."""
 
     span: Span
-    frame: Frame | None = None
+    frame: CallFrame | None = None
 
 
 class Finding(Record):
@@ -91,7 +91,7 @@ class Finding(Record):
         data: where the numbers stand that expressions took out of data files; the judge finds it.
     """
 
-    at: Element | Attribute | Placed[object] | Written
+    at: Element | Attribute | Placed[object] | Location
     message: str
     help: str = ""
     fix: Fix | None = None
@@ -106,7 +106,7 @@ class Finding(Record):
 def told(subject: Subject, code: str) -> Iterator[Finding]:
     """The findings of a rule that only tells what reading met."""
     for problem in subject.problems(code):
-        at = Written(problem.span, problem.frame)
+        at = Location(problem.span, problem.frame)
         yield Finding(at, problem.message, problem.help, problem.fix, problem.related)
 
 

@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint import rules
 from urdfkit.lint.context import NotApplicable, Outcome, Subject, Unavailable
 from urdfkit.lint.report import Crashed, Skipped
-from urdfkit.lint.rules import Finding, Rule, Written
+from urdfkit.lint.rules import Finding, Location, Rule
 from urdfkit.text.diagnostic import Call, Diagnostic, Related, Severity
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Span, shown_text
@@ -44,7 +44,7 @@ MAX_MESSAGE = 2000
 MAX_DATA = 10
 
 
-class Verdict(Record):
+class FileResult(Record):
     """What the rules say about one description.
 
     Attributes:
@@ -65,7 +65,7 @@ class Verdict(Record):
     unknown_arguments: Mapping[str, str] = {}
 
 
-def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None) -> Verdict:
+def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None) -> FileResult:
     """Run rules over a description.
 
     Args:
@@ -164,7 +164,7 @@ class _Run:
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places of its numbers in data files."""
         at = finding.at
-        if isinstance(at, Written) or is_launch(self.subject.source.path):
+        if isinstance(at, Location) or is_launch(self.subject.source.path):
             return finding
         at = at if isinstance(at, (Element, Attribute)) else at.at
         places = self.subject.data_places(at)
@@ -198,13 +198,13 @@ class _Run:
 
         return sift(diagnostics, self.ignores).kept
 
-    def verdict(self) -> Verdict:
+    def verdict(self) -> FileResult:
         diagnostics = self._kept()
         left_out = len(self.diagnostics) - len(diagnostics)
         if any(diagnostic.code == _HIDES_PARTS for diagnostic in diagnostics):
             diagnostics = tuple(d for d in diagnostics if d.code not in _OF_HIDDEN_PARTS)
         targets = self.subject.targets if "targets" in vars(self.subject) else None
-        return Verdict(
+        return FileResult(
             diagnostics,
             tuple(self.skipped),
             tuple(self._distinct_crashes()),
@@ -294,13 +294,13 @@ def _in_data_files(group: list[Finding]) -> list[Related]:
 def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
     """Where a finding is, and the calls that led there."""
     at = finding.at
-    if isinstance(at, Written):
+    if isinstance(at, Location):
         return at.span, at.frame.steps() if at.frame else ()
     return at.span, at.via
 
 
 def _path(finding: Finding) -> str:
     at = finding.at
-    if isinstance(at, Written):
+    if isinstance(at, Location):
         return ""
     return (at if isinstance(at, (Element, Attribute)) else at.at).path

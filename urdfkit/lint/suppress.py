@@ -82,7 +82,7 @@ def _elements(source: Source) -> list[tuple[int, int]]:
     return [element.tag_at.whole_span[1:] for element in document.root.walk()]
 
 
-class Sifted(Record):
+class SuppressionResult(Record):
     """Findings after suppression.
 
     Attributes:
@@ -96,7 +96,7 @@ class Sifted(Record):
     hits: frozenset[Span]
 
 
-def sift(diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]) -> Sifted:
+def sift(diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]) -> SuppressionResult:
     """Take out what comments suppress: whole findings, or single calls of a macro."""
     kept: list[Diagnostic] = []
     suppressed = 0
@@ -112,7 +112,7 @@ def sift(diagnostics: Iterable[Diagnostic], comments: Sequence[Ignore]) -> Sifte
             kept.append(diagnostic)
         else:
             kept.append(diagnostic._replace(calls=tuple(calls), message=calls[0].message))
-    return Sifted(tuple(kept), suppressed, frozenset(hits))
+    return SuppressionResult(tuple(kept), suppressed, frozenset(hits))
 
 
 def _remaining(diagnostic: Diagnostic, naming: list[Ignore], hits: set[Span]) -> list[Call]:

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.markup import Cursor, Node, Page, cursor
+from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import NAMING, USERS, parameters, path_in
-from urdfkit.lsp.workspace import Robot
+from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK, ROBOT, Grammar
 from urdfkit.workspace.folders import Folders
@@ -46,7 +46,7 @@ _FILES = {
 }
 
 
-class Offer(Record):
+class CompletionItem(Record):
     """Something that may be written.
 
     Attributes:
@@ -64,17 +64,19 @@ class Offer(Record):
     needed: bool = False
 
 
-def complete(robot: Robot, page: Page, offset: int) -> list[Offer]:
+def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
     """Everything that may stand at a place, without regard to what is written of it."""
     if page.source.path.endswith(".py"):
         return []  # a launch file: '<' is no tag
     here = cursor(page, offset)
     before = page.source.data[:offset]
-    found: Iterable[Offer] = ()
+    found: Iterable[CompletionItem] = ()
     if here.place == "tag":
         found = _tags(robot, here)
     elif here.place == "end" and here.node is not None:
-        found = [Offer(here.node.name, "tag", "end tag", page.end_name_at(offset) or offset)]
+        found = [
+            CompletionItem(here.node.name, "tag", "end tag", page.end_name_at(offset) or offset)
+        ]
     elif here.place == "attribute":
         found = _attributes(robot, here)
     elif here.place in ("value", "text") and here.node is not None:
@@ -92,17 +94,17 @@ def complete(robot: Robot, page: Page, offset: int) -> list[Offer]:
 # ----------------------------------------------------------------------- tags
 
 
-def _tags(robot: Robot, here: Cursor) -> Iterator[Offer]:
+def _tags(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
     node = here.node
     assert node is not None
     start = node.start + 1
     for name, detail, needed in _children(robot, node.parent):
-        yield Offer(name, "tag", detail, start, needed)
+        yield CompletionItem(name, "tag", detail, start, needed)
     if node.parent:
-        yield Offer(f"/{node.parent.name}>", "end", "end tag", start)
+        yield CompletionItem(f"/{node.parent.name}>", "end", "end tag", start)
 
 
-def _children(robot: Robot, parent: Node | None) -> Iterator[tuple[str, str, bool]]:
+def _children(robot: OpenRobot, parent: TagNode | None) -> Iterator[tuple[str, str, bool]]:
     """Name, detail and necessity of what may stand in an element."""
     if parent is None:
         yield "robot", "the description", True
@@ -120,7 +122,7 @@ def _children(robot: Robot, parent: Node | None) -> Iterator[tuple[str, str, boo
             yield f"xacro:{name}", " ".join(parameters(macro)), False
 
 
-def _in_gazebo(parent: Node) -> Iterator[tuple[str, str]]:
+def _in_gazebo(parent: TagNode) -> Iterator[tuple[str, str]]:
     """What may stand in a ``<gazebo>`` block, a plugin or a sensor."""
     plugin = parent if parent.name == "plugin" else parent.within("plugin")
     if plugin is not None:
@@ -136,7 +138,7 @@ def _in_gazebo(parent: Node) -> Iterator[tuple[str, str]]:
             yield name, "SDF"
 
 
-def _parameters(parent: Node, plugin: Node) -> Iterator[tuple[str, str]]:
+def _parameters(parent: TagNode, plugin: TagNode) -> Iterator[tuple[str, str]]:
     """The parameters that a plugin reads at a place in it."""
     prefix = "" if parent is plugin else f"{path_in(parent, plugin)}/"
     for known in plugins.find(plugin.get("filename").strip()):
@@ -151,17 +153,17 @@ def _parameters(parent: Node, plugin: Node) -> Iterator[tuple[str, str]]:
 # ----------------------------------------------------------------- attributes
 
 
-def _attributes(robot: Robot, here: Cursor) -> Iterator[Offer]:
+def _attributes(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
     node = here.node
     assert node is not None
     start = here.attribute.name_span.start if here.attribute else _word_start(node, here.offset)
     given = {written.name for written in node.attributes if written is not here.attribute}
     for name, detail, needed in _attributes_of(robot, node):
         if name not in given:
-            yield Offer(name, "attribute", detail, start, needed)
+            yield CompletionItem(name, "attribute", detail, start, needed)
 
 
-def _attributes_of(robot: Robot, node: Node) -> Iterator[tuple[str, str, bool]]:
+def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, bool]]:
     macro = robot.names.macros.get(node.name.removeprefix("xacro:"))
     if node.name in _XACRO_TAGS:
         yield from ((name, "xacro", False) for name in _XACRO_TAGS[node.name])
@@ -183,7 +185,7 @@ def _attributes_of(robot: Robot, node: Node) -> Iterator[tuple[str, str, bool]]:
 # --------------------------------------------------------------------- values
 
 
-def _values(robot: Robot, here: Cursor) -> Iterator[Offer]:
+def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
     """The values that an attribute may have."""
     node, written = here.node, here.attribute
     assert node is not None
@@ -191,16 +193,16 @@ def _values(robot: Robot, here: Cursor) -> Iterator[Offer]:
     assert written.value_span is not None
     start = written.value_span.start
     for text, detail in _words(robot, node, written.name):
-        yield Offer(text, "name", detail, start)
+        yield CompletionItem(text, "name", detail, start)
     if written.name == "filename" and node.name in _FILES:
         for name in sorted(robot.resolver.packages.known(node.source.path)):
-            yield Offer(f"package://{name}/", "folder", "package", start)
+            yield CompletionItem(f"package://{name}/", "folder", "package", start)
         typed = node.source.data[start : here.offset].decode("utf-8", "replace")
         folder = os.path.dirname(os.path.abspath(node.source.path))
         yield from _files(folder, typed, start, _FILES[node.name])
 
 
-def _words(robot: Robot, node: Node, attribute: str) -> Iterator[tuple[str, str]]:
+def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[str, str]]:
     grammar = grammar_of(node)
     rule = grammar.attributes.get(attribute) if grammar else None
     key = (node.name, attribute)
@@ -220,16 +222,16 @@ def _words(robot: Robot, node: Node, attribute: str) -> Iterator[tuple[str, str]
             yield from ((file, plugin.generation) for file in plugin.files)
 
 
-def _in_text(robot: Robot, page: Page, before: bytes, start: int) -> Iterator[Offer]:
+def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterator[CompletionItem]:
     """Inside ``${...}``, ``$(...)`` and references to packages; ``before`` begins at ``start``."""
     end = start + len(before)
     word = end - len(_last_word(before))
     packages = robot.resolver.packages.known(page.source.path)
     if _IN_EXPRESSION.search(before):
         for name in robot.given("property"):
-            yield Offer(name, "name", "property", word)
+            yield CompletionItem(name, "name", "property", word)
         yield from _of_macro(page, end, word)
-        yield from (Offer(name, "word", "built in", word) for name in _BUILT_IN)
+        yield from (CompletionItem(name, "word", "built in", word) for name in _BUILT_IN)
     elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
         folder = packages.get(match[1].decode("utf-8", "replace"))
         if folder:
@@ -240,43 +242,43 @@ def _in_text(robot: Robot, page: Page, before: bytes, start: int) -> Iterator[Of
         yield from _of_command(robot, match, packages, word)
     elif match := _PACKAGE_NAME.search(before):
         for name in sorted(packages):
-            yield Offer(f"package://{name}/", "folder", "package", start + match.start())
+            yield CompletionItem(f"package://{name}/", "folder", "package", start + match.start())
 
 
 def _of_command(
-    robot: Robot, match: re.Match[bytes], packages: Iterable[str], word: int
-) -> Iterator[Offer]:
+    robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
+) -> Iterator[CompletionItem]:
     """The words of a ``$(...)``."""
     if match[2] is None:
-        yield from (Offer(name, "word", "substitution", word) for name in _COMMANDS)
+        yield from (CompletionItem(name, "word", "substitution", word) for name in _COMMANDS)
     elif match[1] == b"arg":
-        yield from (Offer(name, "name", "argument", word) for name in robot.given("arg"))
+        yield from (CompletionItem(name, "name", "argument", word) for name in robot.given("arg"))
     elif match[1] == b"find":
-        yield from (Offer(name, "name", "package", word) for name in sorted(packages))
+        yield from (CompletionItem(name, "name", "package", word) for name in sorted(packages))
 
 
-def _of_macro(page: Page, offset: int, word: int) -> Iterator[Offer]:
+def _of_macro(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
     """The parameters of the macro around a place."""
     node = page.node_at(offset)
     for macro in (node, *node.around()) if node else ():
         if macro.name == "xacro:macro":
             for name in parameters(macro):
-                yield Offer(name, "name", "parameter", word)
+                yield CompletionItem(name, "name", "parameter", word)
 
 
-def _contents(robot: Robot, here: Cursor, before: bytes) -> Iterator[Offer]:
+def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[CompletionItem]:
     """The text of an element: names that a plugin looks up, materials of Gazebo, booleans."""
     node = here.node
     assert node is not None
     start = here.offset - len(_last_word(before))
     if node.name == "material" and node.parent and node.parent.name == "gazebo":
         for name in sorted(materials.materials()):
-            yield Offer(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
+            yield CompletionItem(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
     plugin = node.within("plugin")
     if plugin is None:
         extension = extensions.extensions().get(node.name)
         if extension and extension.type == "bool":
-            yield from (Offer(word, "word", "", start) for word in ("true", "false"))
+            yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
         return
     path = path_in(node, plugin)
     for known in plugins.find(plugin.get("filename").strip()):
@@ -284,15 +286,21 @@ def _contents(robot: Robot, here: Cursor, before: bytes) -> Iterator[Offer]:
         if parameter is None:
             continue
         if parameter.type in ("link", "frame"):
-            yield from (Offer(name, "name", "link", start) for name in robot.given("link"))
+            yield from (CompletionItem(name, "name", "link", start) for name in robot.given("link"))
         elif parameter.type.startswith("joint"):
-            yield from (Offer(name, "name", "joint", start) for name in robot.given("joint"))
+            yield from (
+                CompletionItem(name, "name", "joint", start) for name in robot.given("joint")
+            )
         elif parameter.type == "bool":
-            yield from (Offer(word, "word", "", start) for word in ("true", "false"))
-        yield from (Offer(word, "word", known.generation, start) for word in parameter.words)
+            yield from (CompletionItem(word, "word", "", start) for word in ("true", "false"))
+        yield from (
+            CompletionItem(word, "word", known.generation, start) for word in parameter.words
+        )
 
 
-def _files(folder: str, typed: str, start: int, suffixes: tuple[str, ...]) -> Iterator[Offer]:
+def _files(
+    folder: str, typed: str, start: int, suffixes: tuple[str, ...]
+) -> Iterator[CompletionItem]:
     """The files of a kind and the folders below a folder, one level at a time."""
     inner, _, _ = typed.rpartition("/")
     at = start + len(inner.encode()) + bool(inner)
@@ -306,10 +314,12 @@ def _files(folder: str, typed: str, start: int, suffixes: tuple[str, ...]) -> It
         if not name.startswith(".") and (is_folder or name.lower().endswith(suffixes))
     )
     for name, is_folder in islice(wanted, MAX_FILES):
-        yield Offer(f"{name}/" if is_folder else name, "folder" if is_folder else "file", "", at)
+        yield CompletionItem(
+            f"{name}/" if is_folder else name, "folder" if is_folder else "file", "", at
+        )
 
 
-def grammar_of(node: Node) -> Grammar | None:
+def grammar_of(node: TagNode) -> Grammar | None:
     """What URDF allows in an element; None where URDF has no grammar."""
     way = [node.name]
     for outer in node.around():
@@ -338,7 +348,7 @@ def _holder(tag: str) -> Grammar:
     return ROBOT
 
 
-def _word_start(node: Node, offset: int) -> int:
+def _word_start(node: TagNode, offset: int) -> int:
     return offset - len(_last_word(node.source.data[node.start : offset]))
 
 

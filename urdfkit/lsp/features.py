@@ -8,7 +8,7 @@ from lsprotocol import types as lsp
 
 from urdfkit.lsp import actions, completion, hover, navigation, outline
 from urdfkit.lsp.server import Server
-from urdfkit.lsp.text import Places, to_uri
+from urdfkit.lsp.text import PositionEncoding, to_uri
 from urdfkit.lsp.workspace import slow_rules
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Source, Span
@@ -49,7 +49,7 @@ def _add_documents(server: Server) -> None:
     @server.feature(lsp.INITIALIZED)
     def _(params: lsp.InitializedParams) -> None:
         server.worker.submit(slow_rules)  # so that the first check is as fast as the others
-        server.places = Places(server.server_capabilities.position_encoding or "utf-16")
+        server.places = PositionEncoding(server.server_capabilities.position_encoding or "utf-16")
         server.watch()
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
@@ -189,7 +189,7 @@ def _add_mending(server: Server) -> None:
         return await server.ask(answer, [])
 
 
-def _symbol(places: Places, entry: outline.Entry) -> lsp.DocumentSymbol:
+def _symbol(places: PositionEncoding, entry: outline.Entry) -> lsp.DocumentSymbol:
     range_ = places.range(entry.span)
     return lsp.DocumentSymbol(
         entry.name,
@@ -202,7 +202,12 @@ def _symbol(places: Places, entry: outline.Entry) -> lsp.DocumentSymbol:
 
 
 def _item(
-    places: Places, source: Source, offset: int, offer: completion.Offer, *, snippets: bool
+    places: PositionEncoding,
+    source: Source,
+    offset: int,
+    offer: completion.CompletionItem,
+    *,
+    snippets: bool,
 ) -> lsp.CompletionItem:
     at = places.range(Span(source, offer.start, offset))
     item = lsp.CompletionItem(

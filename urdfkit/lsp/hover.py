@@ -9,9 +9,9 @@ from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rules
 from urdfkit.lint.suppress import ignores
 from urdfkit.lsp.completion import grammar_of
-from urdfkit.lsp.markup import Cursor, Node, Page, cursor
-from urdfkit.lsp.names import Name, path_in
-from urdfkit.lsp.workspace import Robot
+from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
+from urdfkit.lsp.names import NameUse, path_in
+from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.model import Joint, Link
@@ -29,7 +29,7 @@ _LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
 _FORCE_UNIT = {"revolute": "N m", "continuous": "N m", "prismatic": "N"}
 
 
-def hover(robot: Robot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
+def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
     """Markdown for a place; empty if there is nothing to say."""
     here = cursor(page, offset)
     parts = [*_values(robot, here), *_name(robot, page, offset), *_mesh(robot, here)]
@@ -41,7 +41,7 @@ def hover(robot: Robot, page: Page, offset: int, diagnostics: Iterable[Diagnosti
 # ---------------------------------------------------------------- expressions
 
 
-def _values(robot: Robot, here: Cursor) -> Iterator[str]:
+def _values(robot: OpenRobot, here: Cursor) -> Iterator[str]:
     """What an expression became, and the definitions behind it."""
     written = here.attribute
     if here.place != "value" or here.node is None or written is None or "$" not in written.value:
@@ -60,7 +60,7 @@ def _values(robot: Robot, here: Cursor) -> Iterator[str]:
     yield "\n".join(lines)
 
 
-def _origins(robot: Robot, attribute: Attribute) -> Iterator[str]:
+def _origins(robot: OpenRobot, attribute: Attribute) -> Iterator[str]:
     xacro = robot.traced
     stack = [(0, origin) for origin in reversed(xacro.inputs(attribute))] if xacro else []
     while stack:
@@ -80,7 +80,7 @@ def _origin(origin: Origin) -> str:
 # ---------------------------------------------------------------------- names
 
 
-def _name(robot: Robot, page: Page, offset: int) -> Iterator[str]:
+def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
     name = robot.names.at(page.source, offset)
     if name is None:
         return
@@ -103,7 +103,7 @@ def _name(robot: Robot, page: Page, offset: int) -> Iterator[str]:
         yield f"**package** `{name.text}`: {f'`{folder}`' if folder else 'not found'}"
 
 
-def _of_model(robot: Robot, name: Name) -> Iterator[str]:
+def _of_model(robot: OpenRobot, name: NameUse) -> Iterator[str]:
     model = robot.model
     if model is None:
         return
@@ -114,7 +114,7 @@ def _of_model(robot: Robot, name: Name) -> Iterator[str]:
             yield "\n".join(_joint(joint))
 
 
-def _link(robot: Robot, link: Link) -> Iterator[str]:
+def _link(robot: OpenRobot, link: Link) -> Iterator[str]:
     yield f"**link** `{_code(link.name)}`"
     inertial = link.inertial
     if inertial is None or inertial.mass is None:
@@ -158,7 +158,7 @@ def _joint(joint: Joint) -> Iterator[str]:
 # --------------------------------------------------------------------- meshes
 
 
-def _mesh(robot: Robot, here: Cursor) -> Iterator[str]:
+def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
     node, written = here.node, here.attribute
     if here.place != "value" or node is None or written is None or written.name != "filename":
         return
@@ -169,7 +169,7 @@ def _mesh(robot: Robot, here: Cursor) -> Iterator[str]:
         yield "\n".join(_file(robot, node, value))
 
 
-def _file(robot: Robot, node: Node, reference: str) -> Iterator[str]:
+def _file(robot: OpenRobot, node: TagNode, reference: str) -> Iterator[str]:
     located = robot.resolver.locate(reference, node.source.path, robot.path)
     if located.path is None:
         missing = "no such file" if located.folder or not located.package else "no such package"

@@ -26,7 +26,7 @@ _TAG_END = re.compile(rb"\s*(/?)(>?)")
 MAX_DEPTH = 200
 
 
-class Written(Record):
+class WrittenAttribute(Record):
     """An attribute in a text.
 
     Attributes:
@@ -44,7 +44,7 @@ class Written(Record):
         return self.value_span.text if self.value_span else ""
 
 
-class Node:
+class TagNode:
     """An element in a text.
 
     Attributes:
@@ -75,16 +75,16 @@ class Node:
         "tag_end",
     )
 
-    def __init__(self, name: str, source: Source, start: int, parent: Node | None) -> None:
+    def __init__(self, name: str, source: Source, start: int, parent: TagNode | None) -> None:
         self.name = name
         self.source = source
         self.start = start
         self.tag_end = self.end = start
         self.closed = False
         self.end_name: Span | None = None
-        self.attributes: list[Written] = []
+        self.attributes: list[WrittenAttribute] = []
         self.parent = parent
-        self.children: list[Node] = []
+        self.children: list[TagNode] = []
         self.depth: int = parent.depth + 1 if parent else 0
 
     @property
@@ -111,17 +111,17 @@ class Node:
         written = self.attribute(name)
         return written.value if written else ""
 
-    def attribute(self, name: str) -> Written | None:
+    def attribute(self, name: str) -> WrittenAttribute | None:
         return next((one for one in self.attributes if one.name == name), None)
 
-    def around(self) -> Iterator[Node]:
+    def around(self) -> Iterator[TagNode]:
         """The elements around it, the nearest first."""
         node = self.parent
         while node is not None:
             yield node
             node = node.parent
 
-    def within(self, *names: str) -> Node | None:
+    def within(self, *names: str) -> TagNode | None:
         """The nearest element around it that has one of these names."""
         return next((node for node in self.around() if node.name in names), None)
 
@@ -136,7 +136,7 @@ class Page:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.nodes: list[Node] = []
+        self.nodes: list[TagNode] = []
         self._other: list[tuple[int, int]] = []  # comments and the like
         self._ends: list[int] = []  # of the names of end tags
         self._read()
@@ -144,7 +144,7 @@ class Page:
 
     def _read(self) -> None:
         data = self.source.data
-        open_: list[Node] = []
+        open_: list[TagNode] = []
         at = 0
         while (at := data.find(b"<", at)) >= 0:
             mark = _MARK.match(data, at)
@@ -161,9 +161,11 @@ class Page:
         for node in open_:
             node.end = len(data)
 
-    def _open(self, open_: list[Node], mark: re.Match[bytes]) -> int:
+    def _open(self, open_: list[TagNode], mark: re.Match[bytes]) -> int:
         """A start tag; the offset behind it."""
-        node = Node(_text(mark["start"]), self.source, mark.start(), open_[-1] if open_ else None)
+        node = TagNode(
+            _text(mark["start"]), self.source, mark.start(), open_[-1] if open_ else None
+        )
         at = mark.end()
         data = self.source.data
         while found := _ATTRIBUTE.match(data, at):
@@ -180,12 +182,12 @@ class Page:
             open_.append(node)
         return max(end.end(), mark.start() + 1)
 
-    def _attribute(self, found: re.Match[bytes]) -> Written:
+    def _attribute(self, found: re.Match[bytes]) -> WrittenAttribute:
         group = "double" if found["double"] is not None else "single"
         value = None if found[group] is None else Span(self.source, *found.span(group))
-        return Written(_text(found[1]), Span(self.source, *found.span(1)), value)
+        return WrittenAttribute(_text(found[1]), Span(self.source, *found.span(1)), value)
 
-    def _close(self, open_: list[Node], mark: re.Match[bytes]) -> None:
+    def _close(self, open_: list[TagNode], mark: re.Match[bytes]) -> None:
         """An end tag: of the nearest open element of that name; those in it end here, too."""
         name = _text(mark["end"])
         if not any(node.name == name for node in open_[-MAX_DEPTH:]):
@@ -199,7 +201,7 @@ class Page:
                 return
             node.end = mark.start()
 
-    def node_at(self, offset: int) -> Node | None:
+    def node_at(self, offset: int) -> TagNode | None:
         """The innermost element whose tags or content hold a place between two characters."""
         index = bisect_right(self._starts, offset - 1) - 1
         node = self.nodes[index] if index >= 0 else None
@@ -235,9 +237,9 @@ class Cursor(Record):
     """
 
     offset: int
-    node: Node | None
+    node: TagNode | None
     place: str
-    attribute: Written | None = None
+    attribute: WrittenAttribute | None = None
 
 
 def cursor(page: Page, offset: int) -> Cursor:

@@ -32,7 +32,7 @@ _LAUNCH, _PYTHON = (".launch", ".launch.xml"), ".launch.py"
 MAX_FILES, MAX_DEPTH = 300, 4
 
 
-class Mention(Record):
+class NameMention(Record):
     """One place.
 
     Attributes:
@@ -46,7 +46,7 @@ class Mention(Record):
 
 def mentions(
     names: Collection[str], robot: str, own: Collection[str], resolver: Resolver
-) -> list[Mention]:
+) -> list[NameMention]:
     """Where the package of a robot names a link or a joint outside of the robot's own files.
 
     Args:
@@ -59,7 +59,7 @@ def mentions(
     if package is None:
         return []
     words = [name.encode() for name in names]
-    found: list[Mention] = []
+    found: list[NameMention] = []
     for path in _files(package[1], resolver):
         if os.path.realpath(path) in own:
             continue
@@ -75,7 +75,7 @@ def mentions(
     return found
 
 
-def mention_at(source: Source, offset: int) -> Mention | None:
+def mention_at(source: Source, offset: int) -> NameMention | None:
     """The place in a file of YAML or a launch file; None elsewhere, and in other files."""
     if not source.path.endswith((*_YAML, *_LAUNCH, _PYTHON)):
         return None
@@ -96,7 +96,7 @@ def _files(folder: str, resolver: Resolver) -> Iterator[str]:
                 yield path
 
 
-def _in_file(source: Source) -> Iterator[Mention]:
+def _in_file(source: Source) -> Iterator[NameMention]:
     if source.path.endswith(_YAML):
         return _in_yaml(source)
     return _in_python(source) if source.path.endswith(_PYTHON) else _in_launch(source)
@@ -109,7 +109,7 @@ def _kind(key: str) -> str:
     return "link" if _LINKS.search(key) else ""
 
 
-def _in_yaml(source: Source) -> Iterator[Mention]:
+def _in_yaml(source: Source) -> Iterator[NameMention]:
     stem = os.path.basename(source.path).partition(".")[0]
     stack = [(load(source), stem)]
     while stack:
@@ -117,28 +117,28 @@ def _in_yaml(source: Source) -> Iterator[Mention]:
         if isinstance(node, dict):
             for inner, value in node.items():
                 if isinstance(inner, Key) and _BY_JOINT.search(key):
-                    yield Mention("joint", _bare(inner.span))
+                    yield NameMention("joint", _bare(inner.span))
                 stack.append((value, inner))
         elif isinstance(node, list):
             stack += [(value, key) for value in node]
         elif isinstance(node, Value) and (kind := _kind(key)):
-            yield Mention(kind, _bare(node.span))
+            yield NameMention(kind, _bare(node.span))
 
 
-def _in_launch(source: Source) -> Iterator[Mention]:
+def _in_launch(source: Source) -> Iterator[NameMention]:
     for node in Page(source).nodes:
         value, args = node.attribute("value"), node.attribute("args")
         if node.name == "param" and value and value.value_span:
             if kind := _kind(node.get("name")):
-                yield Mention(kind, value.value_span)
+                yield NameMention(kind, value.value_span)
         elif args and args.value_span and _PUBLISHER in (node.get("exec"), node.get("type")):
             span = args.value_span
             for word in re.finditer(rb"\S+", source.data[span.start : span.end]):
                 at = Span(source, span.start + word.start(), span.start + word.end())
-                yield Mention("link", at)
+                yield NameMention("link", at)
 
 
-def _in_python(source: Source) -> Iterator[Mention]:
+def _in_python(source: Source) -> Iterator[NameMention]:
     try:
         tree = python_source.parse(source.data)
     except SyntaxError:
@@ -154,13 +154,13 @@ def _in_python(source: Source) -> Iterator[Mention]:
                 yield from _strings(source, "link", given.get("arguments"))
 
 
-def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[Mention]:
+def _strings(source: Source, kind: str, value: ast.expr | None) -> Iterator[NameMention]:
     """A string, or those of a list."""
     for one in value.elts if isinstance(value, ast.List | ast.Tuple) else [value]:
         if isinstance(one, ast.Constant) and _text(one) and one.end_lineno is not None:
             start = source.offset(one.lineno, 1) + one.col_offset
             end = source.offset(one.end_lineno, 1) + (one.end_col_offset or 0)
-            yield Mention(kind, _bare(Span(source, start, end)))
+            yield NameMention(kind, _bare(Span(source, start, end)))
 
 
 def _text(node: ast.expr | None) -> str:

@@ -12,7 +12,7 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.markup import Node, Page, Written
+from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
 from urdfkit.text.schema import JOINT, LINK, ROBOT, XACRO_TAGS
@@ -52,7 +52,7 @@ _SAME_KINDS = {
 }
 
 
-class Name(Record):
+class NameUse(Record):
     """One place of a name.
 
     Attributes:
@@ -69,7 +69,7 @@ class Name(Record):
     text: str
     span: Span
     is_definition: bool
-    node: Node
+    node: TagNode
     attribute: str = ""
     macro: tuple[str, int] | None = None
 
@@ -78,7 +78,7 @@ class Name(Record):
         return "$" in self.text
 
 
-class Names:
+class NameIndex:
     """The names in some texts.
 
     Args:
@@ -91,7 +91,7 @@ class Names:
         self._document = document
 
     @cached_property
-    def macros(self) -> dict[str, Node]:
+    def macros(self) -> dict[str, TagNode]:
         """The macros by name; the last of a name."""
         return {
             node.get("name").removeprefix("xacro:"): node
@@ -101,7 +101,7 @@ class Names:
         }
 
     @cached_property
-    def all(self) -> tuple[Name, ...]:
+    def all(self) -> tuple[NameUse, ...]:
         """Every place of a name."""
         return tuple(
             name
@@ -121,7 +121,7 @@ class Names:
                 found.setdefault(key, set()).add(attribute.value)
         return found
 
-    def at(self, source: Source, offset: int) -> Name | None:
+    def at(self, source: Source, offset: int) -> NameUse | None:
         """The name at a place: the shortest if one is in another."""
         found = [
             name
@@ -130,7 +130,7 @@ class Names:
         ]
         return min(found, key=lambda name: name.span.end - name.span.start, default=None)
 
-    def same(self, name: Name) -> list[Name]:
+    def same(self, name: NameUse) -> list[NameUse]:
         """Every place of what a name means, that place included."""
         if name.kind in _SAME_KINDS:
             values = self.values(name)
@@ -147,13 +147,13 @@ class Names:
             if (one.kind, one.text, one.macro) == (name.kind, name.text, name.macro)
         ]
 
-    def _of_one_kind(self, names: list[Name]) -> list[Name]:
+    def _of_one_kind(self, names: list[NameUse]) -> list[NameUse]:
         """Links where a link has the name, else joints: what Gazebo takes a reference for."""
         given = {name.kind for name in names if name.is_definition}
         wrong = "joint" if "link" in given or "joint" not in given else "link"
         return [name for name in names if name.kind != wrong]
 
-    def values(self, name: Name) -> set[str]:
+    def values(self, name: NameUse) -> set[str]:
         """The values of a name: one as written, or those that an expression has."""
         if not name.is_computed:
             return {unescape(name.text)}
@@ -170,7 +170,7 @@ class Names:
 
     # ------------------------------------------------------------ one element
 
-    def _in_node(self, node: Node) -> Iterator[Name]:
+    def _in_node(self, node: TagNode) -> Iterator[NameUse]:
         own = node.name.removeprefix("xacro:")
         if node.name == "xacro:macro":
             yield from self._definition(node, "macro", "name", prefix="xacro:")
@@ -189,16 +189,16 @@ class Names:
         yield from self._in_text(node, node.text_span)
 
     def _definition(
-        self, node: Node, kind: str, attribute: str, prefix: str = ""
-    ) -> Iterator[Name]:
+        self, node: TagNode, kind: str, attribute: str, prefix: str = ""
+    ) -> Iterator[NameUse]:
         written = node.attribute(attribute)
         if written and written.value_span and written.value:
             text = written.value.removeprefix(prefix)
             source, _, end = written.value_span
             span = Span(source, end - len(text.encode()), end)
-            yield Name(kind, text, span, True, node, attribute)
+            yield NameUse(kind, text, span, True, node, attribute)
 
-    def _parameters(self, macro: Node) -> Iterator[Name]:
+    def _parameters(self, macro: TagNode) -> Iterator[NameUse]:
         written = macro.attribute("params")
         if not (written and written.value_span):
             return
@@ -208,26 +208,26 @@ class Names:
             text = word.lstrip(b"*")
             at = start + found.start(1) + len(word) - len(text)
             span = Span(source, at, at + len(text))
-            yield Name("parameter", span.text, span, True, macro, "", _id(macro))
+            yield NameUse("parameter", span.text, span, True, macro, "", _id(macro))
 
-    def _inserted(self, node: Node) -> Iterator[Name]:
+    def _inserted(self, node: TagNode) -> Iterator[NameUse]:
         written = node.attribute("name")
         if written and written.value_span:
             yield self._variable(node, written.value_span)
 
-    def _call(self, node: Node) -> Iterator[Name]:
+    def _call(self, node: TagNode) -> Iterator[NameUse]:
         """The call of a macro, its end tag, and the parameters that it gives."""
         for span in (node.name_span, node.end_name):
             if span:
                 text = span.text.removeprefix("xacro:")
                 at = Span(span.source, span.end - len(text.encode()), span.end)
-                yield Name("macro", text, at, False, node)
+                yield NameUse("macro", text, at, False, node)
         macro = self.macros.get(node.name.removeprefix("xacro:"))
         for written in node.attributes if macro else ():
             assert macro is not None
-            yield Name("parameter", written.name, written.name_span, False, node, "", _id(macro))
+            yield NameUse("parameter", written.name, written.name_span, False, node, "", _id(macro))
 
-    def _of_robot(self, node: Node) -> Iterator[Name]:
+    def _of_robot(self, node: TagNode) -> Iterator[NameUse]:
         user = node.within(*USERS)
         if node.name in ("link", "joint") and node.attribute("name"):
             yield from self._value(node, node.name, "name", is_definition=user is None)
@@ -241,13 +241,13 @@ class Names:
         yield from self._in_plugin(node)
 
     def _value(
-        self, node: Node, kind: str, attribute: str, *, is_definition: bool
-    ) -> Iterator[Name]:
+        self, node: TagNode, kind: str, attribute: str, *, is_definition: bool
+    ) -> Iterator[NameUse]:
         written = node.attribute(attribute)
         if written and written.value_span and written.value:
-            yield Name(kind, written.value, written.value_span, is_definition, node, attribute)
+            yield NameUse(kind, written.value, written.value_span, is_definition, node, attribute)
 
-    def _in_plugin(self, node: Node) -> Iterator[Name]:
+    def _in_plugin(self, node: TagNode) -> Iterator[NameUse]:
         """The links and joints that a plugin of Gazebo looks up."""
         plugin = node.within("plugin")
         span = node.text_span
@@ -260,16 +260,16 @@ class Names:
                 kind = "joint" if parameter.type.startswith("joint") else "link"
                 for word in re.finditer(rb"[^\s,]+", span.source.data[span.start : span.end]):
                     at = Span(span.source, span.start + word.start(), span.start + word.end())
-                    yield Name(kind, at.text, at, False, node)
+                    yield NameUse(kind, at.text, at, False, node)
                 return
 
-    def _in_text(self, node: Node, span: Span) -> Iterator[Name]:
+    def _in_text(self, node: TagNode, span: Span) -> Iterator[NameUse]:
         """The names in the expressions of a value or a text, and the packages that it names."""
         source, start, end = span
         data = source.data[start:end]
         for found in _PACKAGE.finditer(data):
             at = Span(source, start + found.start(1), start + found.end(1))
-            yield Name("package", at.text, at, False, node)
+            yield NameUse("package", at.text, at, False, node)
         if b"$" not in data:
             return
         for found in _EXPRESSION.finditer(data):
@@ -277,34 +277,34 @@ class Names:
                 yield from self._in_expression(node, source, start + found.start(1), found[1])
             elif found[2] in (b"arg", b"find"):
                 at = Span(source, start + found.start(3), start + found.end(3))
-                yield Name("arg" if found[2] == b"arg" else "package", at.text, at, False, node)
+                yield NameUse("arg" if found[2] == b"arg" else "package", at.text, at, False, node)
 
     def _in_expression(
-        self, node: Node, source: Source, start: int, expression: bytes
-    ) -> Iterator[Name]:
+        self, node: TagNode, source: Source, start: int, expression: bytes
+    ) -> Iterator[NameUse]:
         masked = _QUOTED.sub(lambda quoted: b" " * len(quoted.group()), expression)
         for word in _WORD.finditer(masked):
             yield self._variable(node, Span(source, start + word.start(), start + word.end()))
 
-    def _variable(self, node: Node, span: Span) -> Name:
+    def _variable(self, node: TagNode, span: Span) -> NameUse:
         """A word of an expression: a parameter of the macro around it, else a property."""
         for macro in (node, *node.around()):
             if macro.name == "xacro:macro" and span.text in parameters(macro):
-                return Name("parameter", span.text, span, False, node, "", _id(macro))
-        return Name("property", span.text, span, False, node)
+                return NameUse("parameter", span.text, span, False, node, "", _id(macro))
+        return NameUse("property", span.text, span, False, node)
 
 
-def parameters(macro: Node) -> list[str]:
+def parameters(macro: TagNode) -> list[str]:
     """The names of a macro's parameters."""
     found = _PARAMETER.findall(macro.get("params").encode())
     return [word.decode("utf-8", "replace").lstrip("*") for word in found]
 
 
-def _id(macro: Node) -> tuple[str, int]:
+def _id(macro: TagNode) -> tuple[str, int]:
     return (macro.source.path, macro.start)
 
 
-def _by_grammar(node: Node, written: Written) -> str:
+def _by_grammar(node: TagNode, written: WrittenAttribute) -> str:
     """``link`` or ``joint`` for an attribute that refers to one by URDF's grammar."""
     parent = node.parent.name if node.parent else ""
     grammar = ROBOT.children.get(parent)
@@ -313,7 +313,7 @@ def _by_grammar(node: Node, written: Written) -> str:
     return rule.type if rule and rule.type in (LINK, JOINT) else ""
 
 
-def path_in(node: Node, plugin: Node) -> str:
+def path_in(node: TagNode, plugin: TagNode) -> str:
     """The path of a tag in its plugin."""
     parts = [node.name]
     for outer in node.around():

@@ -8,8 +8,8 @@ import re
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, cursor
 from urdfkit.lsp.mentions import mention_at, mentions
-from urdfkit.lsp.names import Name
-from urdfkit.lsp.workspace import Robot
+from urdfkit.lsp.names import NameUse
+from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import is_launch
@@ -22,7 +22,7 @@ class CannotRename(UrdfkitError):
     """The name cannot be changed by edits of text; the message says why."""
 
 
-def definitions(robot: Robot, page: Page, offset: int) -> list[Span]:
+def definitions(robot: OpenRobot, page: Page, offset: int) -> list[Span]:
     """Where the name, the package or the file at a place is given."""
     if found := _file(robot, page, offset):
         return [Span(found, 0, 0)]
@@ -36,7 +36,7 @@ def definitions(robot: Robot, page: Page, offset: int) -> list[Span]:
     return [one.span for one in robot.names.same(name) if one.is_definition]
 
 
-def references(robot: Robot, page: Page, offset: int, *, definitions: bool) -> list[Span]:
+def references(robot: OpenRobot, page: Page, offset: int, *, definitions: bool) -> list[Span]:
     """Where the name at a place is used, and where it is given if that is asked for."""
     name = _name(robot, page, offset)
     if name is None:
@@ -46,7 +46,7 @@ def references(robot: Robot, page: Page, offset: int, *, definitions: bool) -> l
     return own + _beside(robot, name, same)
 
 
-def _name(robot: Robot, page: Page, offset: int) -> Name | None:
+def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
     """The name at a place, be it in a file that is none of the robot's own."""
     found = mention_at(page.source, offset)
     if found is None:
@@ -54,10 +54,10 @@ def _name(robot: Robot, page: Page, offset: int) -> Name | None:
     kind, span = found
     given = (one for one in robot.names.all if one.is_definition and one.kind == kind)
     nodes = [one.node for one in given if span.text in robot.names.values(one)]
-    return Name(kind, span.text, span, False, nodes[0]) if nodes else None
+    return NameUse(kind, span.text, span, False, nodes[0]) if nodes else None
 
 
-def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
+def _beside(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
     """Where other files of the package name a link or a joint."""
     kinds = {one.kind for one in same if one.is_definition} & {"link", "joint"}
     if not kinds:
@@ -68,7 +68,7 @@ def _beside(robot: Robot, name: Name, same: list[Name]) -> list[Span]:
     return [one.span for one in found if one.kind in kinds]
 
 
-def _file(robot: Robot, page: Page, offset: int) -> Source | None:
+def _file(robot: OpenRobot, page: Page, offset: int) -> Source | None:
     """The file that an include, a mesh, a texture or a launch file names at a place."""
     name = robot.names.at(page.source, offset)
     if name is not None and name.kind == "package":
@@ -78,7 +78,7 @@ def _file(robot: Robot, page: Page, offset: int) -> Source | None:
     return Source(found, b"") if found else None  # opened by the editor; only the path counts
 
 
-def _launched(robot: Robot, page: Page, offset: int) -> str | None:
+def _launched(robot: OpenRobot, page: Page, offset: int) -> str | None:
     """Of the files that a launch file names around a place, the one named most closely."""
     around = [
         file
@@ -91,7 +91,7 @@ def _launched(robot: Robot, page: Page, offset: int) -> str | None:
     return nearest.path if nearest else None
 
 
-def _described(robot: Robot, page: Page, offset: int) -> str | None:
+def _described(robot: OpenRobot, page: Page, offset: int) -> str | None:
     """The file that a tag of a description names."""
     here = cursor(page, offset)
     node, written = here.node, here.attribute
@@ -110,7 +110,7 @@ def _described(robot: Robot, page: Page, offset: int) -> str | None:
 # ------------------------------------------------------------------- renaming
 
 
-def renamable(robot: Robot, page: Page, offset: int) -> Name:
+def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
     """The name at a place, if it can be changed everywhere.
 
     Raises:
@@ -129,7 +129,7 @@ def renamable(robot: Robot, page: Page, offset: int) -> Name:
     return name
 
 
-def rename(robot: Robot, page: Page, offset: int, new: str) -> list[Edit]:
+def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
     """The edits that give the name at a place another text.
 
     Raises:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.lsp.markup import Node, Page
-from urdfkit.lsp.workspace import Robot
+from urdfkit.lsp.markup import Page, TagNode
+from urdfkit.lsp.workspace import OpenRobot
 from urdfkit.robot.model import Joint, Link
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
@@ -47,7 +47,7 @@ class Entry:
         self.children: list[Entry] = []
 
 
-def outline(robot: Robot, page: Page) -> list[Entry]:
+def outline(robot: OpenRobot, page: Page) -> list[Entry]:
     """The entries of a file."""
     top = [_definition(node) for node in page.nodes if _is_definition(node)]
     if robot.document is None:
@@ -56,21 +56,21 @@ def outline(robot: Robot, page: Page) -> list[Entry]:
     return [*_tree(robot, page), *top]
 
 
-def _is_definition(node: Node) -> bool:
+def _is_definition(node: TagNode) -> bool:
     return node.name in _DEFINITIONS and (_is_top(node) or node.name.startswith("xacro:"))
 
 
-def _is_top(node: Node) -> bool:
+def _is_top(node: TagNode) -> bool:
     return node.parent is not None and node.parent.name in ("robot", "xacro:if", "xacro:unless")
 
 
-def _definition(node: Node) -> Entry:
+def _definition(node: TagNode) -> Entry:
     name = node.get("name") or node.get("reference") or node.name
     detail = node.get("value") or node.get("default") or node.get("params")
     return Entry(name, " ".join(detail.split())[:80], _DEFINITIONS[node.name], node.span)
 
 
-def _tree(robot: Robot, page: Page) -> list[Entry]:
+def _tree(robot: OpenRobot, page: Page) -> list[Entry]:
     """The links and joints that a file makes, each below what it hangs on."""
     model, tree = robot.subject.model, robot.subject.tree
     tops: list[Entry] = []

@@ -25,8 +25,8 @@ from pygls.lsp.server import LanguageServer
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
-from urdfkit.lsp.text import Places, to_bytes, to_path, to_uri
-from urdfkit.lsp.workspace import Robot, Workspace
+from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
+from urdfkit.lsp.workspace import OpenRobot, Workspace
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
 from urdfkit.text.source import Span
 
@@ -59,7 +59,7 @@ class Server(LanguageServer):
         self.worker = ThreadPoolExecutor(1, "robots")
         self.robots = Workspace()
         self.uris: dict[str, str] = {}
-        self.places = Places()
+        self.places = PositionEncoding()
         self._waiting: dict[str, asyncio.Task[None]] = {}
         self._told_trouble = ""
 
@@ -167,7 +167,7 @@ class Server(LanguageServer):
 
     # ---------------------------------------------------------------- answers
 
-    def at(self, uri: str, position: lsp.Position) -> tuple[Robot, Page, int]:
+    def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Page, int]:
         """The robot, the text and the byte that a position means; the worker asks.
 
         Raises:
@@ -176,7 +176,7 @@ class Server(LanguageServer):
         robot, page = self.page(uri)
         return robot, page, self.places.offset(page.source, position)
 
-    def page(self, uri: str) -> tuple[Robot, Page]:
+    def page(self, uri: str) -> tuple[OpenRobot, Page]:
         """The robot and the elements of a file; the worker asks."""
         path = self.path(uri)
         robot = self.robots.robot(path)

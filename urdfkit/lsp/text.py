@@ -12,7 +12,7 @@ from urdfkit.text.source import Source, Span
 _BYTES = {PositionEncodingKind.Utf8: ("utf-8", 1), PositionEncodingKind.Utf16: ("utf-16-le", 2)}
 
 
-class Places:
+class PositionEncoding:
     """Translates places.
 
     Args:

@@ -13,7 +13,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rules
 from urdfkit.lint.config import Config, load
-from urdfkit.lint.config import Robot as EntryPoint
+from urdfkit.lint.config import RobotEntry as EntryPoint
 from urdfkit.lint.context import Subject
 from urdfkit.lint.discovery import affected
 from urdfkit.lint.engine import check
@@ -21,7 +21,7 @@ from urdfkit.lint.fix import fix
 from urdfkit.lint.plan import missing_arguments
 from urdfkit.lint.rules import Need
 from urdfkit.lsp.markup import Page
-from urdfkit.lsp.names import Names
+from urdfkit.lsp.names import NameIndex
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.launch.robot_arguments import given
 from urdfkit.text.diagnostic import Diagnostic
@@ -41,7 +41,7 @@ _NO_ROBOTS = (".yaml", ".yml")
 _SLOW = frozenset((Need.MESHES, Need.DYNAMICS, Need.COLLISIONS))
 
 
-class Checked(Record):
+class CheckedFile(Record):
     """What is wrong with the robots of a file.
 
     Attributes:
@@ -53,7 +53,7 @@ class Checked(Record):
     trouble: str = ""
 
 
-class Robot:
+class OpenRobot:
     """One description and what can be asked about it, for the texts as they are.
 
     Args:
@@ -64,7 +64,7 @@ class Robot:
     """
 
     def __init__(
-        self, entry: EntryPoint, resolver: Resolver, config: Config, before: Robot | None
+        self, entry: EntryPoint, resolver: Resolver, config: Config, before: OpenRobot | None
     ) -> None:
         self.path = entry.file
         self.resolver = resolver
@@ -72,7 +72,7 @@ class Robot:
         self.subject = Subject(resolver.read(entry.file), resolver, arguments, trust=config.trust)
         if before is not None and before.document is None:
             before = before.before
-        self.before: Robot | None = before if self.document is None else None
+        self.before: OpenRobot | None = before if self.document is None else None
         self._others: dict[str, Source] = {}
 
     @cached_property
@@ -95,7 +95,7 @@ class Robot:
         return {os.path.realpath(source.path): source for source in sources}
 
     @cached_property
-    def names(self) -> Names:
+    def names(self) -> NameIndex:
         """The names in its texts, in those that it had before it broke, and in its SRDF."""
         pages = [Page(source) for source in self.sources.values()]
         before = self.before.sources if self.before else {}
@@ -103,7 +103,7 @@ class Robot:
         srdf = self.subject.srdf if self.document else None
         if srdf is not None:
             pages.append(Page(self.source(srdf.path)))
-        return Names(pages, self.document)
+        return NameIndex(pages, self.document)
 
     def source(self, path: str) -> Source:
         """One of its texts; of a file that it does not read at the moment, too."""
@@ -164,8 +164,8 @@ class Workspace:
         self._launched: dict[str, dict[str, str]] = {}
         self._configs: dict[str, tuple[Config, str]] = {}
         self._resolvers: dict[str, Resolver] = {}
-        self._robots: dict[str, Robot] = {}
-        self._before: dict[str, Robot] = {}
+        self._robots: dict[str, OpenRobot] = {}
+        self._before: dict[str, OpenRobot] = {}
         self._found: dict[str, dict[str, list[Diagnostic]]] = {}
 
     def set_text(self, path: str, text: bytes) -> None:
@@ -247,7 +247,7 @@ class Workspace:
                 return robot._replace(arguments=one.arguments)
         return robot
 
-    def robot(self, path: str) -> Robot:
+    def robot(self, path: str) -> OpenRobot:
         """The first robot that a file is part of.
 
         Raises:
@@ -259,7 +259,7 @@ class Workspace:
         if entry.file not in self._robots:
             config, _ = self.config(path)
             before = self._before.pop(entry.file, None)
-            self._robots[entry.file] = Robot(entry, self._resolver(config), config, before)
+            self._robots[entry.file] = OpenRobot(entry, self._resolver(config), config, before)
         return self._robots[entry.file]
 
     def _resolver(self, config: Config) -> Resolver:
@@ -268,7 +268,7 @@ class Workspace:
             self._resolvers[config.path] = Resolver(config.packages)
         return self._resolvers[config.path].with_texts(self.texts)
 
-    def check(self, path: str, *, thorough: bool = False) -> Checked:
+    def check(self, path: str, *, thorough: bool = False) -> CheckedFile:
         """Check the robots of a file.
 
         Args:
@@ -289,7 +289,7 @@ class Workspace:
                 by_file.setdefault(file, []).append(diagnostic)
             self._found[root] = by_file
         files = before | set(self._files()) | {path}
-        return Checked({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
+        return CheckedFile({file: list(self._of_file(file)) for file in sorted(files)}, trouble)
 
     def _check_root(self, root: str, config: Config, *, thorough: bool) -> Iterable[Diagnostic]:
         ignore = () if thorough else slow_rules()

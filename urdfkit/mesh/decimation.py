@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.health import examine
-from urdfkit.mesh.repair.soup import Soup, soup_of
+from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
 
 #: From one tolerance to the next.
 _GROWTH = 1.5
@@ -87,22 +87,22 @@ def _coarser(mesh: Mesh, makers: list[_Coarser], first: float, last: float) -> I
 
 def _mesh_of(mesh: Mesh, pieces: list[_Piece]) -> Mesh:
     parts = (
-        Part(points, faces, mesh.parts[number].material)
+        MeshPart(points, faces, mesh.parts[number].material)
         for number, points, faces in pieces
         if len(faces)
     )
     return mesh._replace(parts=tuple(parts))
 
 
-def _by_part(soup: Soup) -> list[Soup]:
+def _by_part(soup: TriangleSoup) -> list[TriangleSoup]:
     return [soup.kept(soup.parts == number) for number in np.unique(soup.parts)]
 
 
-def _is_solid(soup: Soup) -> bool:
+def _is_solid(soup: TriangleSoup) -> bool:
     return examine(soup.points, soup.faces).is_solid
 
 
-def _coarser_solid(soup: Soup) -> _Coarser:
+def _coarser_solid(soup: TriangleSoup) -> _Coarser:
     """By manifold3d, which tells the parts of a solid by their runs of triangles."""
     from manifold3d import Manifold, Mesh64
 
@@ -140,7 +140,7 @@ def _runs(mesh: Any) -> list[_Piece]:
     return [(run, points, np.concatenate(faces)) for run, faces in found.items()]
 
 
-def _coarser_cells(soup: Soup) -> _Coarser:
+def _coarser_cells(soup: TriangleSoup) -> _Coarser:
     """By the cells of a grid: all points in one become their mean."""
     number, points, corners = _compact(soup)
 
@@ -159,7 +159,7 @@ def _coarser_cells(soup: Soup) -> _Coarser:
     return coarser
 
 
-def _compact(soup: Soup) -> _Piece:
+def _compact(soup: TriangleSoup) -> _Piece:
     """The number of a part, the points that it uses, and its faces."""
     used, faces = np.unique(soup.faces, return_inverse=True)
     points = np.ascontiguousarray(soup.points[used])

@@ -13,7 +13,7 @@ from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.mesh.transforms import in_metres
 
 
-class Description(Record):
+class MeshDescription(Record):
     """A mesh file.
 
     Attributes:
@@ -64,7 +64,7 @@ class Description(Record):
         }
 
 
-def describe(path: str) -> Description:
+def describe(path: str) -> MeshDescription:
     """What a mesh file holds.
 
     Raises:
@@ -76,7 +76,7 @@ def describe(path: str) -> Description:
     vertices, faces = metric.vertices, metric.faces
     used = vertices[faces.reshape(-1)]
     low, high = used.min(axis=0).tolist(), used.max(axis=0).tolist()
-    return Description(
+    return MeshDescription(
         path,
         facts.format,
         facts.size,

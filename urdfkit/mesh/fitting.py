@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.mesh import solids
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.geometry import Floats, Mesh
@@ -46,7 +46,7 @@ class Fit(Record):
 
     kind: str
     size: Vector
-    frame: Frame
+    frame: Transform
     mesh: Mesh
     error: float
     missing: float
@@ -131,8 +131,8 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
 
 
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
-    lean = _judged(mesh, "hull", _NO_SIZE, Frame(), with_few_corners(shell))
-    yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Frame(), shell)
+    lean = _judged(mesh, "hull", _NO_SIZE, Transform(), with_few_corners(shell))
+    yield lean if lean.error <= bound else _judged(mesh, "hull", _NO_SIZE, Transform(), shell)
     if most > 1:
         many = _in_pieces(mesh, most)
         if many.error <= bound:  # else fewer will not do either
@@ -141,20 +141,20 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
 
 
 def _in_pieces(mesh: Mesh, most: int) -> Fit:
-    return _judged(mesh, "pieces", _NO_SIZE, Frame(), cut(mesh, most=most))
+    return _judged(mesh, "pieces", _NO_SIZE, Transform(), cut(mesh, most=most))
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 
-def _judged(mesh: Mesh, kind: str, size: Vector, frame: Frame, shape: Mesh) -> Fit:
+def _judged(mesh: Mesh, kind: str, size: Vector, frame: Transform, shape: Mesh) -> Fit:
     placed = moved(shape, frame)
     # Primitives are made around all points; their meshes have flat sides.
     lost = missing(placed, mesh) if kind in ("hull", "pieces") else 0.0
     return Fit(kind, size, frame, placed, protrusion(placed, mesh), lost)
 
 
-_Shape = tuple[str, Vector, Frame, Mesh]
+_Shape = tuple[str, Vector, Transform, Mesh]
 
 
 def _box(points: Floats) -> _Shape:
@@ -162,11 +162,11 @@ def _box(points: Floats) -> _Shape:
     from trimesh.bounds import oriented_bounds
 
     low, high = points.min(axis=0), points.max(axis=0)
-    edges, frame = high - low, Frame(position=_vector((low + high) / 2))
+    edges, frame = high - low, Transform(position=_vector((low + high) / 2))
     to_box, extents = oriented_bounds(points)
     if np.prod(edges) > _ALONG_AXES * np.prod(extents):
         from_box = np.linalg.inv(to_box)
-        edges, frame = extents, Frame(_rows(from_box[:3, :3]), _vector(from_box[:3, 3]))
+        edges, frame = extents, Transform(_rows(from_box[:3, :3]), _vector(from_box[:3, 3]))
     size = _vector(edges)
     return "box", size, frame, solids.as_mesh(solids.box(size))
 
@@ -177,7 +177,7 @@ def _cylinder(points: Floats) -> _Shape:
     from trimesh.nsphere import minimum_nsphere
 
     to_box, _ = oriented_bounds(points)
-    best: tuple[float, float, float, Frame] | None = None
+    best: tuple[float, float, float, Transform] | None = None
     for axis in (*np.eye(3), *to_box[:3, :3]):
         rows = _with_z(axis)
         seen = points @ rows.T
@@ -187,7 +187,7 @@ def _cylinder(points: Floats) -> _Shape:
         volume = float(np.pi * radius**2 * (high - low))
         if best is None or volume < 0.999 * best[0]:
             middle = rows.T @ np.array([*center, (low + high) / 2])
-            frame = Frame(_rows(rows.T), _vector(middle))
+            frame = Transform(_rows(rows.T), _vector(middle))
             best = (volume, float(radius), float(high - low), frame)
     assert best is not None
     _, radius, length, frame = best
@@ -201,7 +201,7 @@ def _sphere(points: Floats) -> _Shape:
     center, _ = minimum_nsphere(points)
     radius = np.linalg.norm(points - center, axis=1).max()
     shape = solids.as_mesh(solids.ball(float(radius), (0.0, 0.0, 0.0)))
-    return "sphere", (float(radius), 0.0, 0.0), Frame(position=_vector(center)), shape
+    return "sphere", (float(radius), 0.0, 0.0), Transform(position=_vector(center)), shape
 
 
 def _with_z(axis: Floats) -> Floats:

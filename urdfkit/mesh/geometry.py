@@ -17,7 +17,7 @@ class NoTriangles(Exception):
     """A file gives no triangles; the text is a predicate whose subject is the file."""
 
 
-class Material(Record):
+class MeshMaterial(Record):
     """How a surface looks.
 
     Attributes:
@@ -32,7 +32,7 @@ class Material(Record):
     texture: str | bytes | None = None
 
 
-class Part(Record):
+class MeshPart(Record):
     """Triangles of one material.
 
     Attributes:
@@ -46,7 +46,7 @@ class Part(Record):
 
     vertices: Floats
     faces: Integers
-    material: Material | None = None
+    material: MeshMaterial | None = None
     normals: Floats | None = None
     uv: Floats | None = None
     colors: Floats | None = None
@@ -67,7 +67,7 @@ class Mesh(Record):
         files: where the other files lie, or would, that it names: images, materials, numbers.
     """
 
-    parts: tuple[Part, ...]
+    parts: tuple[MeshPart, ...]
     unit: float = 1.0
     up_axis: str = ""
     losses: tuple[str, ...] = ()

@@ -7,7 +7,7 @@ import numpy as np
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.containment import grown, half_spaces
 from urdfkit.mesh.distance import one_way
-from urdfkit.mesh.geometry import Floats, Integers, Material, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.welding import finite, weld
 
 #: The engines that cut into convex pieces.
@@ -46,7 +46,7 @@ def hull(mesh: Mesh) -> Mesh:
     if solid.is_empty() or not solid.volume() > _ROUNDING * np.ptp(points, axis=0).max() ** 3:
         raise NoHull("all points lie in a plane, which has no hull")
     found = solid.to_mesh64()
-    part = Part(
+    part = MeshPart(
         np.array(found.vert_properties[:, :3], dtype=np.float64),  # manifold3d's is read-only
         np.asarray(found.tri_verts, dtype=np.int64),
         _material(mesh),
@@ -105,13 +105,13 @@ def _spread_out(normals: Floats, degrees: float) -> Floats:
     return np.array(chosen)
 
 
-def _material(mesh: Mesh) -> Material | None:
+def _material(mesh: Mesh) -> MeshMaterial | None:
     return mesh.parts[0].material if mesh.parts else None
 
 
 def _loose(corners: Floats) -> Mesh:
     """Points without a surface, to take the hull of."""
-    return Mesh((Part(corners, np.arange(len(corners)).reshape(1, -1)),))
+    return Mesh((MeshPart(corners, np.arange(len(corners)).reshape(1, -1)),))
 
 
 def decompose(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
@@ -156,11 +156,11 @@ def cut(mesh: Mesh, *, most: int = 16, engine: str = "vhacd") -> Mesh:
     points, faces = weld(mesh.vertices, mesh.faces)
     pieces = _vhacd(points, faces, most) if engine == "vhacd" else _coacd(points, faces, most)
     pieces = [corners for corners in pieces if _has_inside(corners)]
-    parts: list[Part] = []
+    parts: list[MeshPart] = []
     for corners in grown(pieces, points, faces):
         part = with_few_corners(hull(_loose(corners))).parts[0]
         number, color = len(parts) + 1, _COLORS[len(parts) % len(_COLORS)]
-        parts.append(part._replace(material=Material(f"piece_{number}", color)))
+        parts.append(part._replace(material=MeshMaterial(f"piece_{number}", color)))
     return mesh._replace(parts=tuple(parts)) if parts else shell
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from urdfkit.mesh.geometry import Floats, Integers, Part
+from urdfkit.mesh.geometry import Floats, Integers, MeshPart
 from urdfkit.mesh.grouping import distinct
 from urdfkit.mesh.welding import weld
 
@@ -14,7 +14,7 @@ from urdfkit.mesh.welding import weld
 CREASE = 35.0
 
 
-def shaded(part: Part, crease: float = CREASE) -> Part:
+def shaded(part: MeshPart, crease: float = CREASE) -> MeshPart:
     """The part with normals, its vertices doubled where a sharp edge runs through them.
 
     Args:

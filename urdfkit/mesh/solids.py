@@ -12,7 +12,7 @@ import numpy as np
 from manifold3d import CrossSection, JoinType, Manifold, Mesh64, OpType
 
 from urdfkit.core.spatial import Vector
-from urdfkit.mesh.geometry import Floats, Material, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
 
 #: Sides of a circle: round to the eye, and few enough for a simulator.
@@ -32,9 +32,9 @@ class Assembly:
     """Solids of several materials that do not overlap: together they have one true volume."""
 
     def __init__(self) -> None:
-        self.parts: list[tuple[Material, Manifold]] = []
+        self.parts: list[tuple[MeshMaterial, Manifold]] = []
 
-    def add(self, material: Material, solid: Manifold) -> None:
+    def add(self, material: MeshMaterial, solid: Manifold) -> None:
         """Add a solid; where there is one already, that one stays."""
         for _, earlier in self.parts:
             # What only touches is left alone: a boolean would leave a film of no thickness.
@@ -45,7 +45,7 @@ class Assembly:
 
     def mesh(self) -> Mesh:
         """The triangles, one part for each material, with normals."""
-        together: dict[Material, list[Manifold]] = {}
+        together: dict[MeshMaterial, list[Manifold]] = {}
         for material, solid in self.parts:
             together.setdefault(material, []).append(solid)
         return Mesh(
@@ -87,15 +87,15 @@ def beyond(pieces: Mesh, mesh: Mesh) -> Mesh:
     return as_mesh(whole)
 
 
-def as_mesh(solid: Manifold, material: Material | None = None) -> Mesh:
+def as_mesh(solid: Manifold, material: MeshMaterial | None = None) -> Mesh:
     """A solid as a mesh of one part, without normals."""
     return Mesh((_part(solid, material),), up_axis="Z_UP")
 
 
-def _part(solid: Manifold, material: Material | None) -> Part:
+def _part(solid: Manifold, material: MeshMaterial | None) -> MeshPart:
     mesh = solid.to_mesh64()
     vertices = np.asarray(mesh.vert_properties[:, :3], dtype=float)
-    return Part(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)
+    return MeshPart(vertices, np.asarray(mesh.tri_verts, dtype=np.int64), material)
 
 
 def _on_grid(solid: Manifold) -> Manifold:

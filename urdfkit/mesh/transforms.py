@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.core.spatial import Frame, Vector
-from urdfkit.mesh.geometry import Floats, Mesh, Part
+from urdfkit.core.spatial import Transform, Vector
+from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 
 
-def moved(mesh: Mesh, frame: Frame) -> Mesh:
+def moved(mesh: Mesh, frame: Transform) -> Mesh:
     """A mesh given in a frame, in the parent of that frame."""
     rows, position = np.asarray(frame.rotation), np.asarray(frame.position)
     return mesh._replace(
@@ -34,7 +34,7 @@ def scaled(mesh: Mesh, factors: Vector) -> Mesh:
     return mesh._replace(parts=tuple(_scaled(part, stretch, mirrored) for part in mesh.parts))
 
 
-def _scaled(part: Part, stretch: Floats, mirrored: bool) -> Part:
+def _scaled(part: MeshPart, stretch: Floats, mirrored: bool) -> MeshPart:
     normals = part.normals
     if normals is not None:
         normals = normals / (stretch / np.abs(stretch).max())  # so that no square overflows
@@ -65,4 +65,4 @@ def upright(mesh: Mesh) -> Mesh:
     }.get(mesh.up_axis)
     if rows is None:
         return mesh
-    return moved(mesh, Frame(rows))._replace(up_axis="Z_UP")
+    return moved(mesh, Transform(rows))._replace(up_axis="Z_UP")

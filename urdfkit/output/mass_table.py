@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.lint.context import Subject
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
-from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.composite_body import CompositeBody, whole
 from urdfkit.robot.inertia import MassProperties, principal_axes
-from urdfkit.robot.inertials.shape_mass import Matter, matter
+from urdfkit.robot.inertials.shape_mass import ShapeMass, matter
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import properties_of
@@ -32,7 +32,7 @@ class MassRow(Record):
     properties: MassProperties
     moments: Vector
     axes: Rotation
-    matter: Matter | None
+    matter: ShapeMass | None
     reason: str
 
     @property
@@ -59,7 +59,7 @@ class MassTable(Record):
     """
 
     rows: tuple[MassRow, ...]
-    whole: Whole
+    whole: CompositeBody
     moments: Vector | None
     axes: Rotation | None
 
@@ -84,7 +84,7 @@ def _matters(link: Link) -> bool:
 
 
 def _row(subject: Subject, link: Link) -> MassRow:
-    properties = properties_of(link, Frame())
+    properties = properties_of(link, Transform())
     moments, axes = principal_axes(properties.tensor)
     try:
         found = matter(link, "auto", subject.measures)

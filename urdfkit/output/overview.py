@@ -10,15 +10,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Subject
 from urdfkit.robot.bounding_box import WITHOUT_MESHES, extent_of
-from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.composite_body import CompositeBody, whole
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Body, RobotModel, Shape
 from urdfkit.robot.reach import Reach, reach
-from urdfkit.robot.shapes import Box
+from urdfkit.robot.shapes import BoundingBox
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 
@@ -69,7 +69,7 @@ class Weight(Record):
     """
 
     by_link: dict[str, float]
-    whole: Whole
+    whole: CompositeBody
 
 
 class Shapes(Record):
@@ -92,7 +92,7 @@ class Shapes(Record):
     size: int
     missing: tuple[str, ...]
     triangles: dict[str, int] | None
-    box: Box | None
+    box: BoundingBox | None
     measured: int
     left_out: dict[str, str]
 
@@ -212,7 +212,7 @@ def _masses(model: RobotModel) -> dict[str, float]:
     return dict(sorted(masses.items(), key=lambda item: -item[1]))
 
 
-def _shapes(subject: Subject, placed: Mapping[str, Frame]) -> tuple[Shapes, tuple[str, ...]]:
+def _shapes(subject: Subject, placed: Mapping[str, Transform]) -> tuple[Shapes, tuple[str, ...]]:
     model = subject.model
     found = {mesh.located.path: mesh.facts for mesh in subject.files.meshes if mesh.located.path}
     usable = [facts for facts in found.values() if facts and not facts.defect]

@@ -30,11 +30,11 @@ try:
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.layers import LAYERS, explained
-    from urdfkit.render.materials import Look
+    from urdfkit.render.materials import SurfaceMaterial
     from urdfkit.render.picture import PictureError, colour, picture, save
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.quality import QUALITIES
-    from urdfkit.render.scene import Item, Label, Missing, Scene, build
+    from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
 except ImportError as error:
     raise MissingLibrary(
         f"pictures need {error.name}, which is not installed: pip install 'urdfkit[render]'"
@@ -47,12 +47,12 @@ __all__ = [
     "VIEWS",
     "Background",
     "Camera",
-    "Item",
     "Label",
-    "Look",
-    "Missing",
+    "MissingMesh",
     "PictureError",
     "Scene",
+    "SceneItem",
+    "SurfaceMaterial",
     "animated",
     "animation_format",
     "build",

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from urdfkit.render.scene import Item
+from urdfkit.render.scene import SceneItem
 
 #: Cells along the longest edge of a surface, until few triangles are left.
 CELLS = (1024, 512, 256, 128, 64, 32)
@@ -18,7 +18,7 @@ CELLS = (1024, 512, 256, 128, 64, 32)
 FEW = 2000
 
 
-def coarsened(items: Sequence[Item], limit: int) -> Sequence[Item]:
+def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
     """Surfaces with a number of triangles in all, or near it; the same if they have fewer.
 
     Args:
@@ -32,7 +32,7 @@ def coarsened(items: Sequence[Item], limit: int) -> Sequence[Item]:
     return items
 
 
-def _clustered(item: Item, cells: int) -> Item:
+def _clustered(item: SceneItem, cells: int) -> SceneItem:
     """A surface with one vertex in each cell; its faces are flat."""
     low = item.vertices.min(axis=0)
     size = max(float(np.ptp(item.vertices, axis=0).max()), 1e-9)

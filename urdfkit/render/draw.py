@@ -15,18 +15,18 @@ import numpy as np
 
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
-from urdfkit.render.fragments import Fragments, Surface, fragments, surface
+from urdfkit.render.fragments import Fragments, FragmentSurface, fragments, surface
 from urdfkit.render.ground import Ground, ground
 from urdfkit.render.light import LATTICE, Rig, ShadowMap, rig, shadow_map, sunlight
-from urdfkit.render.materials import Look
+from urdfkit.render.materials import SurfaceMaterial
 from urdfkit.render.occlusion import openness
 from urdfkit.render.pixels import STUDIO, Background, encoded, gradient, matching, means, summed
 from urdfkit.render.quality import QUALITIES, Quality
 from urdfkit.render.raster import Grid, Projected, nearest, projected, rooks
-from urdfkit.render.rays import Tracer
+from urdfkit.render.rays import RayTracer
 from urdfkit.render.scene import Scene
-from urdfkit.render.shading import Lit, shaded
-from urdfkit.render.soup import Soup, cut, extent, rows, soup
+from urdfkit.render.shading import Illumination, shaded
+from urdfkit.render.soup import CameraTriangles, cut, extent, rows, soup
 from urdfkit.render.textures import sample, srgb_to_linear, texture
 from urdfkit.render.thread_pool import CHUNK, Workers
 
@@ -52,9 +52,9 @@ _OPAQUE, _CLEAR, _SIGN = range(3)
 class _Band(NamedTuple):
     """What the first pass finds out about a band."""
 
-    opaque: tuple[Fragments, Surface]
-    clear: tuple[tuple[Fragments, Surface], ...]
-    signs: tuple[tuple[Fragments, Surface], ...]
+    opaque: tuple[Fragments, FragmentSurface]
+    clear: tuple[tuple[Fragments, FragmentSurface], ...]
+    signs: tuple[tuple[Fragments, FragmentSurface], ...]
     dark: Floats
 
 
@@ -116,7 +116,7 @@ class _Drawing:
         lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, casts, solid, self.rig, workers)
-        self.tracer: Tracer | None = None
+        self.tracer: RayTracer | None = None
         if quality.rays:
             self.tracer = _tracer(everything.points, casts, self.size)
         self.floor: Ground | None = None
@@ -127,7 +127,7 @@ class _Drawing:
         self._lift(near, everything, (lowest + highest) / 2)
         self.screen: Projected
         self.screen, chosen = projected(x, y, near, everything.faces, camera.size[0], workers)
-        self.soup: Soup = everything
+        self.soup: CameraTriangles = everything
         if len(chosen) < len(everything.faces):
             self.soup = everything._replace(
                 faces=everything.faces[chosen],
@@ -169,12 +169,12 @@ class _Drawing:
         self.workers.bands(height, BAND, colour)
         return result
 
-    def _kind(self, some: Soup) -> Integers:
+    def _kind(self, some: CameraTriangles) -> Integers:
         """What each triangle is: opaque, seen through, or a sign, (m,)."""
         result: Integers = np.array(self.kinds, dtype=np.int8)[some.item]
         return result
 
-    def _lift(self, near: Floats, everything: Soup, middle: Floats) -> None:
+    def _lift(self, near: Floats, everything: CameraTriangles, middle: Floats) -> None:
         """Bring collisions that are seen through a little nearer.
 
         Many lie on their visuals, or a hair below: without it both would show in patches.
@@ -194,7 +194,7 @@ class _Drawing:
             else:
                 near[piece] *= 1 + step / np.float32(max(distance, self.size))
 
-    def _world(self, everything: Soup) -> Floats:
+    def _world(self, everything: CameraTriangles) -> Floats:
         """The vertices in the world."""
         points = np.empty_like(everything.points)
         axes = np.asarray(self.camera.axes, dtype=np.float32).T
@@ -223,7 +223,7 @@ class _Drawing:
 
     def _peeled(
         self, numbers: Integers, grid: Grid, above: Keys
-    ) -> tuple[tuple[Fragments, Surface], ...]:
+    ) -> tuple[tuple[Fragments, FragmentSurface], ...]:
         """The surfaces of what is seen through, from the nearest on, as far as nothing hides it."""
         layers = []
         below = None
@@ -234,10 +234,10 @@ class _Drawing:
             layers.append(self._surfaces(fragments(below, grid, self.soup, self.camera)))
         return tuple(layers)
 
-    def _surfaces(self, some: Fragments) -> tuple[Fragments, Surface]:
+    def _surfaces(self, some: Fragments) -> tuple[Fragments, FragmentSurface]:
         return some, surface(some, self.soup, self.screen, self.camera)
 
-    def _fill(self, some: Fragments, there: Surface, depth: Floats) -> None:
+    def _fill(self, some: Fragments, there: FragmentSurface, depth: Floats) -> None:
         """Give pixels the depth of their largest fragments."""
         order = np.argsort(some.weight, kind="stable")
         depth.reshape(-1)[some.pixel[order]] = -there.position[order, 2]
@@ -245,7 +245,7 @@ class _Drawing:
     # -- the second pass: how much light there is --
 
     def _light(
-        self, opaque: tuple[Fragments, Surface], depth: Floats, sky: Floats, sun: Floats
+        self, opaque: tuple[Fragments, FragmentSurface], depth: Floats, sky: Floats, sun: Floats
     ) -> None:
         """How much light reaches the surfaces that are largest in their pixels; grainy."""
         some, there = opaque
@@ -294,7 +294,7 @@ class _Drawing:
         start, count = first * width, (last - first) * width
         place = matching(some.pixel - start, -there.position[:, 2], depth[first:last], self._near)
         light_there = means((sun, sky), depth, first, last, self._near)
-        lit = Lit(*(image[place] for image in light_there))
+        lit = Illumination(*(image[place] for image in light_there))
         light, cover = summed(some, self._shade(some, there, lit), start, count)
         free = 1 - cover
         dark = band.dark if len(band.dark) else np.zeros_like(free)
@@ -307,13 +307,13 @@ class _Drawing:
         for few, on in (*reversed(band.clear), *reversed(band.signs)):
             opacity = self._opacity(few, on, depth)
             ones = np.ones(len(few.pixel), dtype=np.float32)
-            colours = self._shade(few, on, Lit(ones, ones))
+            colours = self._shade(few, on, Illumination(ones, ones))
             over, part = summed(few._replace(weight=few.weight * opacity), colours, start, count)
             light = over + light * (1 - part)[:, None]
             alpha = part + alpha * (1 - part)
         return encoded(light, alpha).reshape(last - first, width, 4)
 
-    def _opacity(self, some: Fragments, there: Surface, depth: Floats) -> Floats:
+    def _opacity(self, some: Fragments, there: FragmentSurface, depth: Floats) -> Floats:
         """How much fragments hide of what is behind them, (k,); less of it if they are hidden."""
         rgba = np.array([look.rgba[3] for look in self.looks], dtype=np.float32)
         signs = np.array([look.sign for look in self.looks])
@@ -322,7 +322,7 @@ class _Drawing:
         opacity: Floats = rgba[item] * np.where(hidden, np.float32(HIDDEN), np.float32(1))
         return opacity
 
-    def _shade(self, some: Fragments, there: Surface, lit: Lit) -> Floats:
+    def _shade(self, some: Fragments, there: FragmentSurface, lit: Illumination) -> Floats:
         """The light that fragments send, (k, 3)."""
         item = self.soup.item[some.number]
         rgb = np.array([look.rgba[:3] for look in self.looks] or [(1, 1, 1)], dtype=np.float32)
@@ -343,7 +343,9 @@ class _Drawing:
             parallel=self.camera.is_orthographic,
         )
 
-    def _textured(self, look: Look, some: Fragments, there: Surface, of_it: Integers) -> Floats:
+    def _textured(
+        self, look: SurfaceMaterial, some: Fragments, there: FragmentSurface, of_it: Integers
+    ) -> Floats:
         """What a texture shows on fragments, (k, 3)."""
         assert look.texture is not None
         image = texture(look.texture)
@@ -368,16 +370,16 @@ class _Drawing:
         return near
 
 
-def _kind(look: Look) -> int:
+def _kind(look: SurfaceMaterial) -> int:
     if look.sign:
         return _SIGN
     return _OPAQUE if look.rgba[3] > SOLID else _CLEAR
 
 
-def _tracer(points: Floats, faces: Integers, size: float) -> Tracer | None:
+def _tracer(points: Floats, faces: Integers, size: float) -> RayTracer | None:
     """Rays among some triangles; None where Embree is not installed."""
     try:
-        return Tracer(points, faces, size) if len(faces) else None
+        return RayTracer(points, faces, size) if len(faces) else None
     except ImportError:
         return None
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from urdfkit.lint.context import Subject
 from urdfkit.render.layers import middle
-from urdfkit.render.materials import PLACEHOLDER, Colour, Look
-from urdfkit.render.scene import Item, Label, Scene
-from urdfkit.robot.element_lookup import Places
+from urdfkit.render.materials import PLACEHOLDER, Colour, SurfaceMaterial
+from urdfkit.render.scene import Label, Scene, SceneItem
+from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 COLOURS: Mapping[Severity, Colour] = {
@@ -45,7 +45,7 @@ def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) ->
 
 def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, list[Diagnostic]]:
     """The errors and warnings that concern each link, the worst first."""
-    places = Places(subject.model)
+    places = ElementLookup(subject.model)
     found: dict[str, list[Diagnostic]] = {}
     for diagnostic in sorted(diagnostics, key=lambda one: (one.severity.rank, one.code)):
         if diagnostic.severity in COLOURS:
@@ -55,15 +55,15 @@ def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, li
     return found
 
 
-def _painted(item: Item, told: Sequence[Diagnostic]) -> Item:
+def _painted(item: SceneItem, told: Sequence[Diagnostic]) -> SceneItem:
     """An item in the colour of its worst finding; the stripes of a missing mesh stay."""
     alpha = item.look.rgba[3]
     if not told:
-        return item._replace(look=Look((*QUIET[:3], alpha)), colors=None)
+        return item._replace(look=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)
     if item.look == PLACEHOLDER:
         return item
     colour = COLOURS[told[0].severity]
-    return item._replace(look=Look((*colour[:3], alpha)), colors=None)
+    return item._replace(look=SurfaceMaterial((*colour[:3], alpha)), colors=None)
 
 
 def _text(told: Sequence[Diagnostic]) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from urdfkit.render.arrays import Bools, Floats, Integers, Keys, dot, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, Projected, split
-from urdfkit.render.soup import Soup
+from urdfkit.render.soup import CameraTriangles
 
 #: Faces that meet at a smaller angle are shaded as one in a pixel (the cosine).
 _ALIKE = 0.94
@@ -38,7 +38,7 @@ class Fragments(NamedTuple):
     nearness: Floats
 
 
-class Surface(NamedTuple):
+class FragmentSurface(NamedTuple):
     """Fragments on their triangles, in the frame of the camera.
 
     Attributes:
@@ -56,7 +56,7 @@ class Surface(NamedTuple):
     color: Floats | None
 
 
-def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
+def fragments(keys: Keys, grid: Grid, whole: CameraTriangles, camera: Camera) -> Fragments:
     """The fragments of a band.
 
     Consecutive samples of a pixel that see one surface make one fragment, which is shaded once.
@@ -103,7 +103,12 @@ def fragments(keys: Keys, grid: Grid, whole: Soup, camera: Camera) -> Fragments:
 
 
 def _runs(
-    pixels: Integers, numbers: Integers, nearness: Floats, grid: Grid, whole: Soup, camera: Camera
+    pixels: Integers,
+    numbers: Integers,
+    nearness: Floats,
+    grid: Grid,
+    whole: CameraTriangles,
+    camera: Camera,
 ) -> Fragments:
     """The fragments of pixels whose samples see several triangles.
 
@@ -139,7 +144,7 @@ def _runs(
     )
 
 
-def _differ(numbers: Integers, nearness: Floats, whole: Soup, camera: Camera) -> Bools:
+def _differ(numbers: Integers, nearness: Floats, whole: CameraTriangles, camera: Camera) -> Bools:
     """Where a sample sees another surface than the sample before it in the pixel, (p, s - 1)."""
     left, right = numbers[:, :-1].reshape(-1), numbers[:, 1:].reshape(-1)
     result = (left < 0) != (right < 0)
@@ -163,7 +168,9 @@ def _differ(numbers: Integers, nearness: Floats, whole: Soup, camera: Camera) ->
     return differ
 
 
-def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> Surface:
+def surface(
+    some: Fragments, whole: CameraTriangles, screen: Projected, camera: Camera
+) -> FragmentSurface:
     """Where fragments lie and how their surfaces are turned; perspective is accounted for.
 
     Args:
@@ -209,7 +216,7 @@ def surface(some: Fragments, whole: Soup, screen: Projected, camera: Camera) -> 
     normal = blend(whole.normals)
     normal = np.where(dot(normal, flat)[:, None] < 0, -normal, normal)
     normal = unit(np.where(np.abs(normal).max(axis=1, keepdims=True) < 0.1, flat, normal))
-    return Surface(
+    return FragmentSurface(
         position,
         normal,
         flat,

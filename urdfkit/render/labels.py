@@ -18,7 +18,7 @@ _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0,
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
 
 
-class Box(NamedTuple):
+class LabelBox(NamedTuple):
     """Where a word stands, in pixels."""
 
     left: float
@@ -26,7 +26,7 @@ class Box(NamedTuple):
     right: float
     bottom: float
 
-    def meets(self, other: Box) -> bool:
+    def meets(self, other: LabelBox) -> bool:
         """True if the two overlap."""
         return (
             self.left < other.right
@@ -58,7 +58,7 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
     """
     size = max(10.0, min(20.0, image.height / 52))
     anchors = _anchors(scene, camera)
-    boxes: list[Box] = []
+    boxes: list[LabelBox] = []
     layer = Image.new("RGBA", image.size, (0, 0, 0, 0))
     draw = ImageDraw.Draw(layer)
     for number in sorted(anchors, key=lambda number: (anchors[number][1], number)):
@@ -101,14 +101,14 @@ def _free(
     high: float,
     size: float,
     picture: tuple[int, int],
-    taken: list[Box],
-) -> Box | None:
+    taken: list[LabelBox],
+) -> LabelBox | None:
     """The nearest place beside a point that no other label has."""
     for distance in _DISTANCES:
         for across, down in _DIRECTIONS:
             left = x + across * distance * size + (wide * (across - 1) / 2)
             top = y + down * distance * size * 0.8 + (high * (down - 1) / 2)
-            box = Box(left, top, left + wide, top + high)
+            box = LabelBox(left, top, left + wide, top + high)
             inside = left >= 0 and top >= 0 and box.right <= picture[0] and box.bottom <= picture[1]
             if inside and not any(map(box.meets, taken)):
                 return box

@@ -10,7 +10,7 @@ from math import pi
 
 import numpy as np
 
-from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Subject
@@ -18,9 +18,9 @@ from urdfkit.render import primitives
 from urdfkit.render.arrays import Floats, single
 from urdfkit.render.arrays import bounds as bounds_of
 from urdfkit.render.contacts import overlaps
-from urdfkit.render.materials import Colour, Look
+from urdfkit.render.materials import Colour, SurfaceMaterial
 from urdfkit.render.primitives import Triangles
-from urdfkit.render.scene import Item, Label, Scene, build, placed, turned
+from urdfkit.render.scene import Label, Scene, SceneItem, build, placed, turned
 from urdfkit.robot.composite_body import whole
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import SLIDING, TURNING, direction, positions
@@ -73,7 +73,7 @@ def explained(
     places = single([frame.position for frame in scene.frames.values()])
     extent = np.concatenate((points, places))
     size = float(np.ptp(extent, axis=0).max()) if len(extent) else 0.0
-    items: list[Item] = []
+    items: list[SceneItem] = []
     labels: list[Label] = []
     notes: list[str] = []
     for layer in layers:
@@ -84,7 +84,7 @@ def explained(
             )
             raise NoSuchLayer(f"there is no layer '{layer}'{hint}")
         drawn = list(LAYERS[layer](scene, subject, size or 1.0, given or {}))
-        items += (thing for thing in drawn if isinstance(thing, Item))
+        items += (thing for thing in drawn if isinstance(thing, SceneItem))
         labels += (thing for thing in drawn if isinstance(thing, Label))
         if not drawn:
             notes.append(f"nothing is drawn of '{layer}': {_NOTHING.get(layer, 'it has no links')}")
@@ -95,7 +95,7 @@ def explained(
     )
 
 
-Drawn = Iterator["Item | Label"]
+Drawn = Iterator["SceneItem | Label"]
 
 
 def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
@@ -103,7 +103,7 @@ def _frames(scene: Scene, _subject: Subject, size: float, _given: Mapping[str, f
     arrow = _arrow(FRAME * size)
     for name in scene.frames:
         for axis, colour in (((1, 0, 0), RED), ((0, 1, 0), GREEN), ((0, 0, 1), BLUE)):
-            yield _sign(name, "frames", arrow, Frame(_towards(axis)), colour)
+            yield _sign(name, "frames", arrow, Transform(_towards(axis)), colour)
 
 
 def _names(scene: Scene, subject: Subject, _size: float, _given: Mapping[str, float]) -> Drawn:
@@ -129,7 +129,7 @@ def _joints(scene: Scene, subject: Subject, size: float, given: Mapping[str, flo
         ends = subject.tree.ends(joint)
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
             continue
-        here = joint.origin @ Frame(_towards(direction(joint)))
+        here = joint.origin @ Transform(_towards(direction(joint)))
         yield _sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
         if joint.kind in TURNING:
             yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
@@ -137,7 +137,7 @@ def _joints(scene: Scene, subject: Subject, size: float, given: Mapping[str, flo
             yield from _sliding(ends[0], joint, here, BALL * size, at[joint.name])
 
 
-def _turning(parent: str, joint: Joint, here: Frame, radius: float, now: float) -> Drawn:
+def _turning(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
     """The sector that a joint turns in, and a hand that shows where it stands."""
     low, high = bounds(joint) or (-pi, pi)
     if high - low >= 2 * pi:
@@ -147,15 +147,15 @@ def _turning(parent: str, joint: Joint, here: Frame, radius: float, now: float) 
     yield _sign(parent, "joints", hand, here, NOW)
 
 
-def _sliding(parent: str, joint: Joint, here: Frame, radius: float, now: float) -> Drawn:
+def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
     """The way that a joint slides on, and a ball that shows where it stands."""
     ends = bounds(joint)
     if ends and ends[1] > ends[0]:
         rail = primitives.cylinder(radius * 0.45, ends[1] - ends[0])
-        at = here @ Frame(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
+        at = here @ Transform(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
         yield _sign(parent, "joints", rail, at, RANGE)
     ball = primitives.sphere(radius)
-    yield _sign(parent, "joints", ball, here @ Frame(position=(0.0, 0.0, now)), NOW)
+    yield _sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
 
 
 def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, float]) -> Drawn:
@@ -167,12 +167,14 @@ def _masses(scene: Scene, subject: Subject, size: float, _given: Mapping[str, fl
         assert link.inertial is not None
         radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
         ball = primitives.sphere(max(radius, BALL * size * 0.35))
-        yield _sign(link.name, "mass", ball, Frame(position=link.inertial.origin.position), MASS)
+        yield _sign(
+            link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS
+        )
     found = whole(subject.tree, scene.frames)
     if found.properties:
         center = found.properties.center
         ball = primitives.sphere(BALL * size * 1.3)
-        yield _sign(found.root, "mass", ball, Frame(position=center), WHOLE)
+        yield _sign(found.root, "mass", ball, Transform(position=center), WHOLE)
         yield Label(f"{found.mass:.4g} kg", found.root, center)
 
 
@@ -231,7 +233,7 @@ def _equivalent(
             text = f"{link.name}: inertia of {edges.max():.3g} m"
             large.append(Label(text, link.name, inertial.origin.position))
         elif edges.max() > 0:
-            frame = inertial.origin @ Frame(axes)
+            frame = inertial.origin @ Transform(axes)
             x, y, z = (float(edge) for edge in np.maximum(edges, edges.max() * 1e-3))
             yield _sign(link.name, "inertia", solid(x, y, z), frame, INERTIA)
     yield from large[:_MOST]
@@ -252,7 +254,7 @@ def _principal(tensor: Tensor) -> tuple[Floats, Rotation]:
 
 def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, float]) -> Drawn:
     """The collision shapes of links that overlap, and how deep; red if no joint holds them."""
-    shapes: dict[str, list[Item]] = {}
+    shapes: dict[str, list[SceneItem]] = {}
     for item in build(subject, given, ("collision",)).items:
         shapes.setdefault(item.link, []).append(item)
     root = subject.tree.roots[0].name
@@ -263,14 +265,14 @@ def _contacts(scene: Scene, subject: Subject, size: float, given: Mapping[str, f
             colours[link] = CLASH if colours.get(link) == CLASH else colour
         point = _between(scene, shapes[pair.first], shapes[pair.second])
         ball = primitives.sphere(BALL * size * 0.7)
-        yield _sign(root, "contacts", ball, Frame(position=point), (*colour[:3], 1.0))
+        yield _sign(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
         yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
     for link, colour in colours.items():
         for item in shapes[link]:
-            yield item._replace(role="contacts", look=Look(colour, sign=True))
+            yield item._replace(role="contacts", look=SurfaceMaterial(colour, sign=True))
 
 
-def _between(scene: Scene, first: Sequence[Item], second: Sequence[Item]) -> Vector:
+def _between(scene: Scene, first: Sequence[SceneItem], second: Sequence[SceneItem]) -> Vector:
     """The middle of what the boxes around two links have in common, in the world."""
     ends = [
         bounds_of(np.concatenate([placed(item.vertices, scene.frames[item.link]) for item in of]))
@@ -283,7 +285,7 @@ def _between(scene: Scene, first: Sequence[Item], second: Sequence[Item]) -> Vec
 
 #: What can be drawn over a robot.
 LAYERS: dict[
-    str, Callable[[Scene, Subject, float, Mapping[str, float]], Iterator[Item | Label]]
+    str, Callable[[Scene, Subject, float, Mapping[str, float]], Iterator[SceneItem | Label]]
 ] = {
     "frames": _frames,
     "joints": _joints,
@@ -295,13 +297,13 @@ LAYERS: dict[
 }
 
 
-def _sign(link: str, layer: str, shape: Triangles, frame: Frame, colour: Colour) -> Item:
+def _sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
     vertices, faces, normals, _ = shape
-    return Item(
+    return SceneItem(
         link,
         layer,
         layer,
-        Look(colour, sign=True),
+        SurfaceMaterial(colour, sign=True),
         placed(vertices, frame),
         faces,
         None if normals is None else turned(normals.astype(np.float32), frame),

@@ -10,7 +10,7 @@ import numpy as np
 from urdfkit.render.arrays import Floats, Integers, dot, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import Grid, nearest, projected, split
-from urdfkit.render.soup import Soup, extent
+from urdfkit.render.soup import CameraTriangles, extent
 from urdfkit.render.thread_pool import CHUNK, Workers
 
 #: Texels of the edge of the shadow map.
@@ -73,7 +73,7 @@ class ShadowMap(NamedTuple):
 
 
 def shadow_map(
-    whole: Soup, faces: Integers, pieces: Iterable[slice], rig: Rig, workers: Workers
+    whole: CameraTriangles, faces: Integers, pieces: Iterable[slice], rig: Rig, workers: Workers
 ) -> ShadowMap:
     """The shadow map of some triangles.
 

@@ -13,7 +13,7 @@ from urdfkit.ros.catalog.materials import materials
 Colour = tuple[float, float, float, float]
 
 
-class Look(NamedTuple):
+class SurfaceMaterial(NamedTuple):
     """The colour or the texture of a surface.
 
     Attributes:
@@ -29,15 +29,15 @@ class Look(NamedTuple):
 
 
 #: For what says nothing about its looks.
-PLAIN = Look((0.72, 0.74, 0.77, 1.0))
+PLAIN = SurfaceMaterial((0.72, 0.74, 0.77, 1.0))
 #: For the box that stands for a missing mesh; the name is drawn as stripes.
 STRIPES = "urdfkit:stripes"
-PLACEHOLDER = Look((1.0, 1.0, 1.0, 1.0), STRIPES)
+PLACEHOLDER = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), STRIPES)
 #: Collisions are seen through where visuals are shown, too.
-COLLISION = Look((0.93, 0.42, 0.12, 0.45))
+COLLISION = SurfaceMaterial((0.93, 0.42, 0.12, 0.45))
 
 
-class Looks:
+class ModelMaterials:
     """The looks of one model.
 
     A material of the URDF replaces those in a mesh file, as in RViz. Where neither says anything
@@ -50,7 +50,7 @@ class Looks:
 
     def __init__(self, subject: Subject, *, see_through: bool = True) -> None:
         self._subject = subject
-        self._collision = COLLISION if see_through else Look((*COLLISION.rgba[:3], 1.0))
+        self._collision = COLLISION if see_through else SurfaceMaterial((*COLLISION.rgba[:3], 1.0))
         self._colours = Colours(subject.model)
         self._gazebo = {
             block.get("reference"): material.text.strip()
@@ -58,7 +58,9 @@ class Looks:
             if (material := block.child("material"))
         }
 
-    def of(self, link: str, role: str, body: Body, embedded: geometry.Material | None) -> Look:
+    def of(
+        self, link: str, role: str, body: Body, embedded: geometry.MeshMaterial | None
+    ) -> SurfaceMaterial:
         """The look of triangles.
 
         Args:
@@ -73,21 +75,21 @@ class Looks:
         if own is not None:
             return self._written(own)
         if embedded is not None:
-            return Look(embedded.rgba, embedded.texture)
+            return SurfaceMaterial(embedded.rgba, embedded.texture)
         if link in self._gazebo:
             known = materials().get(self._gazebo[link])
             if known and known.rgba:
-                return Look(_colour(known.rgba))
+                return SurfaceMaterial(_colour(known.rgba))
         return PLAIN
 
-    def _written(self, material: Material) -> Look:
+    def _written(self, material: Material) -> SurfaceMaterial:
         """What a ``<material>`` says; a texture that is missing leaves the colour."""
         texture = None
         if material.texture is not None:
             texture = self._subject.files.find(material.texture)
         if material.rgba is None:
-            return Look(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
-        return Look(_colour(material.rgba.value), texture)
+            return SurfaceMaterial(PLAIN.rgba if texture is None else (1.0, 1.0, 1.0, 1.0), texture)
+        return SurfaceMaterial(_colour(material.rgba.value), texture)
 
 
 def _colour(values: tuple[float, ...]) -> Colour:

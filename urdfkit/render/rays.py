@@ -17,7 +17,7 @@ SUN_RADIUS = 0.035
 _RAYS = 1 << 18
 
 
-class Tracer:
+class RayTracer:
     """Triangles that hide one another.
 
     Args:

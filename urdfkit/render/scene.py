@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.core.spatial import Frame, Vector
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.lint.context import Subject
-from urdfkit.mesh.geometry import Part
+from urdfkit.mesh.geometry import MeshPart
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
-from urdfkit.render.materials import PLACEHOLDER, Look, Looks
+from urdfkit.render.materials import PLACEHOLDER, ModelMaterials, SurfaceMaterial
 from urdfkit.render.normals import smooth
 from urdfkit.robot import kinematics
 from urdfkit.robot.model import Body, Link, Shape
@@ -28,7 +28,7 @@ SPECK = 0.05
 LIMIT = 1e6
 
 
-class Item(NamedTuple):
+class SceneItem(NamedTuple):
     """Triangles of one look that move with one link.
 
     Attributes:
@@ -46,7 +46,7 @@ class Item(NamedTuple):
     link: str
     role: str
     label: str
-    look: Look
+    look: SurfaceMaterial
     vertices: Floats
     faces: Integers
     normals: Floats | None = None
@@ -54,7 +54,7 @@ class Item(NamedTuple):
     colors: Floats | None = None
 
 
-class Missing(NamedTuple):
+class MissingMesh(NamedTuple):
     """A mesh that a placeholder stands for.
 
     Attributes:
@@ -95,9 +95,9 @@ class Scene(NamedTuple):
         notes: what there was nothing of to draw, or is not as it looks, a sentence each.
     """
 
-    items: tuple[Item, ...]
-    frames: Mapping[str, Frame]
-    missing: tuple[Missing, ...] = ()
+    items: tuple[SceneItem, ...]
+    frames: Mapping[str, Transform]
+    missing: tuple[MissingMesh, ...] = ()
     labels: tuple[Label, ...] = ()
     notes: tuple[str, ...] = ()
 
@@ -130,8 +130,8 @@ def build(
         Unavailable: the description cannot be read.
     """
     frames = kinematics.frames(subject.tree, positions or {})
-    looks = Looks(subject, see_through="visual" in roles)
-    items: list[Item] = []
+    looks = ModelMaterials(subject, see_through="visual" in roles)
+    items: list[SceneItem] = []
     absent: list[tuple[Link, str, Body, str]] = []
     for link in subject.model.links_by_name.values():
         if link.name not in frames or not _is_near(frames[link.name]):
@@ -157,13 +157,15 @@ def build(
     return scene._replace(
         items=(*items, *boxes),
         missing=tuple(
-            Missing(link.name, role, _filename(body.shape), reason)
+            MissingMesh(link.name, role, _filename(body.shape), reason)
             for link, role, body, reason in absent
         ),
     )
 
 
-def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> Iterator[Item]:
+def _items(
+    subject: Subject, looks: ModelMaterials, link: str, role: str, body: Body
+) -> Iterator[SceneItem]:
     """What one visual or collision shows; nothing if its mesh is not to be had."""
     shape = body.shape
     if shape is None or not _is_near(body.origin):
@@ -180,7 +182,7 @@ def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> 
     triangles = _primitive(shape)
     if triangles is not None:
         vertices, faces, normals, uv = triangles
-        yield Item(
+        yield SceneItem(
             link,
             role,
             shape.kind,
@@ -192,11 +194,11 @@ def _items(subject: Subject, looks: Looks, link: str, role: str, body: Body) -> 
         )
 
 
-def _is_near(frame: Frame) -> bool:
+def _is_near(frame: Transform) -> bool:
     return all(abs(part) < LIMIT for part in frame.position)
 
 
-def _sound(item: Item) -> Item | None:
+def _sound(item: SceneItem) -> SceneItem | None:
     """An item of which every vertex is one of a face, and none is far away.
 
     A bad or absurd number in a file sends vertices there; their faces are left out.
@@ -214,8 +216,14 @@ def _sound(item: Item) -> Item | None:
 
 
 def _part(
-    link: str, role: str, label: str, look: Look, part: Part, origin: Frame, scale: Floats
-) -> Item:
+    link: str,
+    role: str,
+    label: str,
+    look: SurfaceMaterial,
+    part: MeshPart,
+    origin: Transform,
+    scale: Floats,
+) -> SceneItem:
     """A part of a mesh, scaled, in the frame of its link; its faces turned if it is mirrored."""
     with np.errstate(over="ignore", invalid="ignore"):
         vertices = (part.vertices * scale).astype(np.float32)
@@ -235,7 +243,7 @@ def _part(
             faces = np.arange(len(index), dtype=np.int32).reshape(-1, 3)
     else:
         normals = normals / np.where(scale == 0, 1, scale)
-    return Item(
+    return SceneItem(
         link,
         role,
         label,
@@ -262,7 +270,7 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
     return None
 
 
-def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> Item:
+def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: float) -> SceneItem:
     """A marked box where a mesh should be.
 
     It is as large as a shape that the link has beside, or a mesh; else it reaches to the joints
@@ -276,10 +284,10 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     shown = np.stack((edges[(side + 1) % 3], edges[(side + 2) % 3]), axis=1)
     uv = (uv.reshape(6, 4, 2) * (shown / max(edges.max(), 1e-9))[:, None]).reshape(-1, 2)
     label = f"missing: {os.path.basename(_filename(body.shape))}"
-    return Item(link.name, role, label, PLACEHOLDER, placed(vertices, frame), faces, None, uv)
+    return SceneItem(link.name, role, label, PLACEHOLDER, placed(vertices, frame), faces, None, uv)
 
 
-def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vector, Frame]:
+def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
@@ -297,7 +305,7 @@ def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vecto
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
         edges = np.maximum(highest - lowest, least)
     (x, y, z), (a, b, c) = edges.tolist(), ((lowest + highest) / 2).tolist()
-    return (x, y, z), Frame(position=(a, b, c))
+    return (x, y, z), Transform(position=(a, b, c))
 
 
 def _extent(subject: Subject, body: Body) -> tuple[Floats, Floats] | None:
@@ -327,12 +335,12 @@ def _filename(shape: Shape | None) -> str:
     return shape.filename.value if shape and shape.filename else ""
 
 
-def placed(points: Floats, frame: Frame) -> Floats:
+def placed(points: Floats, frame: Transform) -> Floats:
     """Points (n, 3) of a frame in its parent."""
     moved: Floats = turned(points, frame) + arrays.single([frame.position])
     return moved
 
 
-def turned(vectors: Floats, frame: Frame) -> Floats:
+def turned(vectors: Floats, frame: Transform) -> Floats:
     """Directions (n, 3) of a frame in its parent."""
     return arrays.turned(vectors, np.asarray(frame.rotation))

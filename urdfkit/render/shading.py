@@ -22,7 +22,7 @@ DARKEST = 0.012
 KNEE = 0.72
 
 
-class Lit(NamedTuple):
+class Illumination(NamedTuple):
     """What reaches a surface.
 
     Attributes:
@@ -35,7 +35,7 @@ class Lit(NamedTuple):
 
 
 def shaded(
-    albedo: Floats, position: Floats, normal: Floats, lit: Lit, rig: Rig, *, parallel: bool
+    albedo: Floats, position: Floats, normal: Floats, lit: Illumination, rig: Rig, *, parallel: bool
 ) -> Floats:
     """The light that surfaces send to the viewer, (k, 3), from 0 to 1.
 

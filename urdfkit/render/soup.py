@@ -10,11 +10,11 @@ import numpy as np
 
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
 from urdfkit.render.camera import Camera
-from urdfkit.render.scene import Item, Scene
+from urdfkit.render.scene import Scene, SceneItem
 from urdfkit.render.thread_pool import CHUNK, Workers
 
 
-class Soup(NamedTuple):
+class CameraTriangles(NamedTuple):
     """Triangles.
 
     Attributes:
@@ -38,7 +38,7 @@ class Soup(NamedTuple):
     pieces: tuple[slice, ...]
 
 
-def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
+def soup(scene: Scene, camera: Camera, workers: Workers) -> CameraTriangles:
     """The triangles of a scene as a camera sees them."""
     faces = [item.faces for item in scene.items]
     ends = list(accumulate((len(item.vertices) for item in scene.items), initial=0))
@@ -46,7 +46,7 @@ def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
     colored = any(item.colors is not None for item in scene.items)
     # Of a texture on a mesh without coordinates, as Interbotix' STL files, one corner shows.
     textured = any(item.uv is not None or item.look.texture for item in scene.items)
-    whole = Soup(
+    whole = CameraTriangles(
         np.empty((total, 3), dtype=np.float32),
         np.zeros((total, 3), dtype=np.float32),
         np.zeros((total, 2), dtype=np.float32) if textured else None,
@@ -65,7 +65,12 @@ def soup(scene: Scene, camera: Camera, workers: Workers) -> Soup:
 
 
 def _place(
-    item: Item, scene: Scene, camera: Camera, workers: Workers, whole: Soup, start: int
+    item: SceneItem,
+    scene: Scene,
+    camera: Camera,
+    workers: Workers,
+    whole: CameraTriangles,
+    start: int,
 ) -> None:
     """The vertices of an item, from a place in the list on."""
     frame = scene.frames[item.link]
@@ -96,7 +101,7 @@ def extent(points: Floats, pieces: Iterable[slice]) -> tuple[Floats, Floats]:
     return bounds(np.array(ends, dtype=np.float32).reshape(-1, 3))
 
 
-def _with_flat(whole: Soup, workers: Workers) -> Soup:
+def _with_flat(whole: CameraTriangles, workers: Workers) -> CameraTriangles:
     flat = np.empty((len(whole.faces), 3), dtype=np.float32)
 
     def some(first: int, last: int) -> None:
@@ -107,7 +112,7 @@ def _with_flat(whole: Soup, workers: Workers) -> Soup:
     return whole._replace(flat=flat)
 
 
-def cut(whole: Soup, camera: Camera) -> Soup:
+def cut(whole: CameraTriangles, camera: Camera) -> CameraTriangles:
     """Only what lies beyond the near plane of a camera.
 
     A triangle with one corner before the plane becomes two, one with two becomes a smaller one.
@@ -126,13 +131,15 @@ def cut(whole: Soup, camera: Camera) -> Soup:
     return kept
 
 
-def _some(whole: Soup, chosen: Bools) -> Soup:
+def _some(whole: CameraTriangles, chosen: Bools) -> CameraTriangles:
     return whole._replace(
         faces=whole.faces[chosen], item=whole.item[chosen], flat=whole.flat[chosen]
     )
 
 
-def _add(kept: Soup, cut: Soup, before: Bools, plane: np.float32) -> Soup:
+def _add(
+    kept: CameraTriangles, cut: CameraTriangles, before: Bools, plane: np.float32
+) -> CameraTriangles:
     """Add what is left of triangles of which one corner lies alone on its side of the plane."""
     faces = cut.faces
     single = before.sum(axis=1)[0] == 1
@@ -150,7 +157,9 @@ def _add(kept: Soup, cut: Soup, before: Bools, plane: np.float32) -> Soup:
     )
 
 
-def _between(kept: Soup, start: Integers, end: Integers, plane: np.float32) -> Soup:
+def _between(
+    kept: CameraTriangles, start: Integers, end: Integers, plane: np.float32
+) -> CameraTriangles:
     """Add the points where edges cross the plane."""
     z0, z1 = kept.points[start, 2], kept.points[end, 2]
     part = ((plane - z0) / (z1 - z0))[:, None]

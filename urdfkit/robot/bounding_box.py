@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.model import Body
-from urdfkit.robot.shapes import Box, solid
+from urdfkit.robot.shapes import BoundingBox, solid
 
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 WITHOUT_MESHES = "meshes are not read without: pip install 'urdfkit[meshes]'"
 
 
-class Extent(Record):
+class RobotExtent(Record):
     """What some shapes take up.
 
     Attributes:
@@ -26,12 +26,12 @@ class Extent(Record):
         left_out: why shapes are not in the box, by link.
     """
 
-    box: Box | None
+    box: BoundingBox | None
     measured: int
     left_out: dict[str, str]
 
 
-def extent_of(robot: Robot, placed: Mapping[str, Frame]) -> Extent:
+def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
     """The box around all visuals and collisions of one tree; of primitives it is exact.
 
     How the trees of several roots stand to one another, nobody says: the first one with shapes
@@ -41,7 +41,7 @@ def extent_of(robot: Robot, placed: Mapping[str, Frame]) -> Extent:
         robot: the robot.
         placed: where each link is, as `mechanics.kinematics.frames` tells it.
     """
-    boxes: list[Box] = []
+    boxes: list[BoundingBox] = []
     measured: set[str] = set()
     left_out: dict[str, str] = {}
     root = ""
@@ -61,19 +61,19 @@ def extent_of(robot: Robot, placed: Mapping[str, Frame]) -> Extent:
             else:
                 boxes.append(found)
                 measured.add(name)
-    return Extent(around(boxes), len(measured), left_out)
+    return RobotExtent(around(boxes), len(measured), left_out)
 
 
-def around(boxes: list[Box]) -> Box | None:
+def around(boxes: list[BoundingBox]) -> BoundingBox | None:
     """The box around some boxes."""
     if not boxes:
         return None
     low = [min(box.low[axis] for box in boxes) for axis in range(3)]
     high = [max(box.high[axis] for box in boxes) for axis in range(3)]
-    return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+    return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
-def box_of(robot: Robot, body: Body, link: Frame) -> Box | str:
+def box_of(robot: Robot, body: Body, link: Transform) -> BoundingBox | str:
     """The box around a visual or collision of a link, or why there is none.
 
     Args:
@@ -99,7 +99,7 @@ def box_of(robot: Robot, body: Body, link: Frame) -> Box | str:
         along = vertices @ row
         low.append(float(along.min()) + shift)
         high.append(float(along.max()) + shift)
-    return Box(_vector(low), _vector(high))
+    return BoundingBox(_vector(low), _vector(high))
 
 
 def _vector(values: list[float]) -> Vector:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector, dot, minus
+from urdfkit.core.spatial import Transform, Vector, dot, minus
 from urdfkit.robot.joints import start_of
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Body
@@ -25,7 +25,7 @@ class _Box(Record):
     """A box around a body, in the frame of the root."""
 
     link: str
-    frame: Frame
+    frame: Transform
     half: Vector
 
     @property
@@ -74,7 +74,7 @@ def _in_line(boxes: list[_Box]) -> Iterator[tuple[_Box, _Box]]:
             yield one, other
 
 
-def _box(link: str, frame: Frame, body: Body) -> _Box | None:
+def _box(link: str, frame: Transform, body: Body) -> _Box | None:
     half = body.shape.half_extents if body.shape else None
     return _Box(link, frame @ body.origin, half) if half else None
 
@@ -91,7 +91,7 @@ def _gap(one: _Box, other: _Box) -> float:
     return gap
 
 
-def _axes(frame: Frame) -> tuple[Vector, ...]:
+def _axes(frame: Transform) -> tuple[Vector, ...]:
     """The columns of its rotation."""
     x, y, z = frame.rotation
     return tuple((x[i], y[i], z[i]) for i in range(3))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import MassProperties, combined
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
@@ -14,7 +14,7 @@ from urdfkit.robot.tree import KinematicTree
 _MOST = 3
 
 
-class Whole(Record):
+class CompositeBody(Record):
     """A robot as one rigid body at a configuration.
 
     Attributes:
@@ -31,7 +31,7 @@ class Whole(Record):
     reason: str
 
 
-def whole(tree: KinematicTree, placed: Mapping[str, Frame]) -> Whole:
+def whole(tree: KinematicTree, placed: Mapping[str, Transform]) -> CompositeBody:
     """All links together.
 
     Args:
@@ -43,18 +43,18 @@ def whole(tree: KinematicTree, placed: Mapping[str, Frame]) -> Whole:
     heavy = [name for name, link in links.items() if link.mass]
     lost = [name for name in heavy if name not in tree.root_of]
     if lost:
-        return Whole(mass, None, "", f"no root leads to {_listed(lost)}, in a closed loop")
+        return CompositeBody(mass, None, "", f"no root leads to {_listed(lost)}, in a closed loop")
     roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
     if len(roots) > 1:
         reason = f"no joint says how the roots {_listed(roots)} stand to one another"
-        return Whole(mass, None, "", reason)
+        return CompositeBody(mass, None, "", reason)
     root = next(iter((*roots, *(link.name for link in tree.roots))), "")
     bodies = (
         properties_of(links[name], frame)
         for name, frame in placed.items()
         if tree.root_of[name] == root
     )
-    return Whole(mass, combined(bodies), root, "")
+    return CompositeBody(mass, combined(bodies), root, "")
 
 
 def _listed(names: list[str]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from urdfkit.robot.model import RobotModel
 
 
-class Places:
+class ElementLookup:
     """Which links an element of the robot's document concerns.
 
     Args:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from math import cos, isfinite, sin
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Rotation, Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.model import Joint, Mimic, length
@@ -24,7 +24,7 @@ class UnknownLink(UrdfkitError):
 TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
 
 
-class Law(Record):
+class MimicLaw(Record):
     """What a joint follows: ``position = factor * position of the leader + shift``.
 
     Attributes:
@@ -43,22 +43,22 @@ class Law(Record):
 _LARGEST = 1e9
 
 #: Of a leader that is not there, and of joints that follow one another in a ring.
-_ABSENT, _STILL = Law("", 0.0, 0.0), Law("", 0.0, 0.0)
+_ABSENT, _STILL = MimicLaw("", 0.0, 0.0), MimicLaw("", 0.0, 0.0)
 
 
-def laws(joints: Mapping[str, Joint]) -> dict[str, Law]:
+def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
     """What each joint follows in the end, through any number of joints between.
 
     Args:
         joints: of a model, by name.
     """
-    found: dict[str, Law] = {}
+    found: dict[str, MimicLaw] = {}
     for start in joints:
         name, way = start, list[tuple[str, Mimic]]()
         while name in joints and name not in found:
             mimic = joints[name].mimic
             if mimic is None or mimic.joint is None:
-                found[name] = Law(name, 1.0, 0.0)
+                found[name] = MimicLaw(name, 1.0, 0.0)
                 break
             found[name] = _STILL  # unless the way leads out, and not back here
             way.append((name, mimic))
@@ -70,11 +70,11 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, Law]:
     return found
 
 
-def _followed(law: Law, mimic: Mimic) -> Law:
+def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
     """What a joint follows, from what its leader follows."""
     factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
     is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
-    return Law(law.leader, factor, shift) if is_linkage and law is not _STILL else _STILL
+    return MimicLaw(law.leader, factor, shift) if is_linkage and law is not _STILL else _STILL
 
 
 def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, float]:
@@ -96,7 +96,7 @@ def positions(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, floa
     return found
 
 
-def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
+def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Transform]:
     """Where each link is, in the frame of its root link.
 
     Floating and planar joints stay at their origin; a link in a closed loop that no root leads
@@ -107,7 +107,7 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
         given: positions of joints, as for `positions`.
     """
     moved = positions(tree, given)
-    found = {root.name: Frame() for root in tree.roots}
+    found = {root.name: Transform() for root in tree.roots}
     for joint in tree.spanning:
         assert joint.parent is not None
         assert joint.child is not None
@@ -116,7 +116,7 @@ def frames(tree: KinematicTree, given: Mapping[str, float]) -> dict[str, Frame]:
     return found
 
 
-def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Frame:
+def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: str) -> Transform:
     """Where a link is in the frame of another one.
 
     Args:
@@ -138,16 +138,16 @@ def transform(tree: KinematicTree, given: Mapping[str, float], link: str, seen: 
     return found[seen].inverse @ found[link]
 
 
-def motion(joint: Joint, position: float) -> Frame:
+def motion(joint: Joint, position: float) -> Transform:
     """The frame of the child of a joint, in that of the joint at zero."""
     if position == 0:
-        return Frame()
+        return Transform()
     axis = direction(joint)
     if joint.kind in SLIDING:
-        return Frame(position=(axis[0] * position, axis[1] * position, axis[2] * position))
+        return Transform(position=(axis[0] * position, axis[1] * position, axis[2] * position))
     if joint.kind in TURNING:
-        return Frame(about(axis, position))
-    return Frame()
+        return Transform(about(axis, position))
+    return Transform()
 
 
 def direction(joint: Joint) -> Vector:

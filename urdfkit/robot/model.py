@@ -12,7 +12,7 @@ from math import hypot, isfinite
 from typing import Generic, TypeVar
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Frame, Vector, from_rpy
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, from_rpy
 from urdfkit.text.document import Attribute, Document, Element, Step
 from urdfkit.text.source import Span
 
@@ -60,7 +60,7 @@ class Inertial(Record):
     at: Element
     mass: Placed[float] | None
     tensor: Placed[Tensor] | None
-    origin: Frame
+    origin: Transform
 
 
 class Shape(Record):
@@ -112,7 +112,7 @@ class Body(Record):
     """A ``<visual>`` or a ``<collision>``; ``shape`` is the first one in its geometry."""
 
     at: Element
-    origin: Frame
+    origin: Transform
     shape: Shape | None
     material: Material | None
 
@@ -159,7 +159,7 @@ class Joint(Record):
     type: Placed[str] | None
     parent: Placed[str] | None
     child: Placed[str] | None
-    origin: Frame
+    origin: Transform
     axis: Placed[Vector] | None
     limit: Limit | None
     mimic: Mimic | None
@@ -287,13 +287,13 @@ def _placed_text(element: Element | None, name: str) -> Placed[str] | None:
     return None if attribute is None else Placed(attribute.value, attribute)
 
 
-def _origin(element: Element) -> Frame:
+def _origin(element: Element) -> Transform:
     origin = element.child("origin")
     if origin is None:
-        return Frame()
+        return Transform()
     xyz = _vector(origin.get("xyz")) or (0.0, 0.0, 0.0)
     rpy = _vector(origin.get("rpy"))
-    return Frame(from_rpy(*rpy) if rpy else IDENTITY, xyz)
+    return Transform(from_rpy(*rpy) if rpy else IDENTITY, xyz)
 
 
 def _link(element: Element) -> Link:

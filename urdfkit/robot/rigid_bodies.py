@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
 from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
@@ -28,7 +28,7 @@ class RigidBody(Record):
     """
 
     joint: Joint | None
-    links: tuple[tuple[Link, Frame], ...]
+    links: tuple[tuple[Link, Transform], ...]
 
     @property
     def top(self) -> Link:
@@ -51,7 +51,7 @@ class RigidBody(Record):
         return combined(properties_of(link, frame) for link, frame in self.links)
 
 
-def properties_of(link: Link, frame: Frame) -> MassProperties:
+def properties_of(link: Link, frame: Transform) -> MassProperties:
     """Mass, centre and tensor of a link in another frame; what is not written is zero.
 
     Args:
@@ -85,7 +85,7 @@ def rigid_bodies(
         if name in seen:
             continue
         seen.add(name)
-        group = [(links[name], Frame())]
+        group = [(links[name], Transform())]
         for link, frame in group:  # grows, too
             for below in tree.children[link.name]:
                 assert below.child is not None

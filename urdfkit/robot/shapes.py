@@ -1,6 +1,6 @@
 """Primitive shapes of a link as solids in its frame: extent, volume, mass properties.
 
-Lengths in m. A mesh counts as far as somebody has measured it: as a `Lump`.
+Lengths in m. A mesh counts as far as somebody has measured it: as a `MeshSolid`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from functools import cached_property
 from math import dist, hypot, pi, sqrt
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector, dot, rotate, transposed
+from urdfkit.core.spatial import Transform, Vector, dot, rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor, numbers
@@ -30,7 +30,7 @@ SIZES = {
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-class Box(Record):
+class BoundingBox(Record):
     """A box along the axes of a frame."""
 
     low: Vector
@@ -54,7 +54,7 @@ class Box(Record):
         x, y, z = self.edges
         return x * y * z
 
-    def common_volume(self, other: Box) -> float:
+    def common_volume(self, other: BoundingBox) -> float:
         """Of the intersection, in m^3."""
         volume = 1.0
         for low, high, low2, high2 in zip(*self, *other, strict=True):
@@ -77,7 +77,7 @@ class Primitive(Record):
     size: Vector
     radius: float
     length: float
-    origin: Frame
+    origin: Transform
 
     @property
     def volume(self) -> float:
@@ -145,7 +145,7 @@ class Primitive(Record):
         return f"{self.kind} of radius {self.radius:g} m{length}"
 
 
-class Lump(Record):
+class MeshSolid(Record):
     """A mesh as a solid in the frame of a link.
 
     Attributes:
@@ -168,9 +168,9 @@ class Lump(Record):
         return self.matter.mass
 
     @property
-    def origin(self) -> Frame:
+    def origin(self) -> Transform:
         """The centre of its matter, with the axes of the link."""
-        return Frame(position=self.matter.center)
+        return Transform(position=self.matter.center)
 
     @property
     def longest(self) -> float:
@@ -197,10 +197,10 @@ class Lump(Record):
         return f"{what} '{self.name}' of {self.volume:.3g} m^3"
 
 
-class Solid:
+class LinkSolid:
     """The shapes of a link that are taken for its matter."""
 
-    def __init__(self, parts: tuple[Primitive | Lump, ...]) -> None:
+    def __init__(self, parts: tuple[Primitive | MeshSolid, ...]) -> None:
         self.parts = parts
 
     @cached_property
@@ -217,14 +217,14 @@ class Solid:
     def least_volume(self) -> float:
         """In m^3, of what is surely enclosed: nothing of a mesh that is not closed."""
         return sum(
-            0.0 if isinstance(part, Lump) and not part.is_closed else part.volume
+            0.0 if isinstance(part, MeshSolid) and not part.is_closed else part.volume
             for part in self.parts
         )
 
     @property
     def most_volume(self) -> float:
         """In m^3, if every mesh is filled to its convex hull."""
-        return sum(part.hull if isinstance(part, Lump) else part.volume for part in self.parts)
+        return sum(part.hull if isinstance(part, MeshSolid) else part.volume for part in self.parts)
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the solid."""
@@ -235,22 +235,22 @@ class Solid:
         return max(part.reach(direction) for part in self.parts)
 
     @cached_property
-    def bounds(self) -> Box:
+    def bounds(self) -> BoundingBox:
         """Its bounding box along the axes of the link."""
         low = [-self.reach((-x, -y, -z)) for x, y, z in AXES]
         high = [self.reach(axis) for axis in AXES]
-        return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+        return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
     def __str__(self) -> str:
         if len(self.parts) == 1:
             return str(self.parts[0])
-        kind = "shapes" if any(isinstance(part, Lump) for part in self.parts) else "primitives"
+        kind = "shapes" if any(isinstance(part, MeshSolid) for part in self.parts) else "primitives"
         return f"union of {len(self.parts)} {kind}"
 
 
 def solid(
-    bodies: Iterable[Body], lump: Callable[[Body], Lump | None] | None = None
-) -> Solid | None:
+    bodies: Iterable[Body], lump: Callable[[Body], MeshSolid | None] | None = None
+) -> LinkSolid | None:
     """The solid that some visuals or collisions make.
 
     None if there are none, or one has a size that is not positive or beyond all robots, or one is
@@ -260,13 +260,13 @@ def solid(
         bodies: the visuals or collisions.
         lump: measures those that are meshes.
     """
-    parts: list[Primitive | Lump] = []
+    parts: list[Primitive | MeshSolid] = []
     for body in bodies:
         part = primitive(body) or (lump(body) if lump else None)
         if part is None:
             return None
         parts.append(part)
-    return Solid(tuple(parts)) if parts else None
+    return LinkSolid(tuple(parts)) if parts else None
 
 
 def primitive(body: Body) -> Primitive | None:

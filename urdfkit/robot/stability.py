@@ -10,7 +10,7 @@ from math import atan2, cos, hypot, pi, sin
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Body
@@ -267,7 +267,7 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 
 def _reaching(
     robot: Robot,
-    placed: Mapping[str, Frame],
+    placed: Mapping[str, Transform],
     contacts: Collection[str] | None,
     *,
     visuals: bool,
@@ -296,7 +296,7 @@ def _touching(reaching: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
     return {name: found for name, found in touching.items() if found}
 
 
-def _points(robot: Robot, body: Body, frame: Frame, meshes: bool) -> list[Vector]:
+def _points(robot: Robot, body: Body, frame: Transform, meshes: bool) -> list[Vector]:
     """What of a shape may touch the ground.
 
     Args:
@@ -330,7 +330,7 @@ def _of(part: Primitive) -> list[Vector]:
     return [part.origin.apply(corner) for corner in corners]
 
 
-def _lowest(part: Primitive, frame: Frame) -> list[Vector]:
+def _lowest(part: Primitive, frame: Transform) -> list[Vector]:
     """The lowest points of what is round: of each end of a cylinder or capsule, and of a ball."""
     if part.kind == "box":
         return []
@@ -346,7 +346,7 @@ def _lowest(part: Primitive, frame: Frame) -> list[Vector]:
     return [at.apply((down[0], down[1], z)) for _, _, z in ends]
 
 
-def _of_mesh(robot: Robot, body: Body, frame: Frame) -> list[Vector]:
+def _of_mesh(robot: Robot, body: Body, frame: Transform) -> list[Vector]:
     """The lowest vertices of a mesh."""
     assert body.shape is not None
     vertices = robot.meshes.vertices(body.shape)

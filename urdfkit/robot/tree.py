@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.robot.model import Joint, Link, RobotModel
 
 #: Loops that are listed; a hostile graph has as many as joints, each as long as the robot.
@@ -136,9 +136,9 @@ class KinematicTree:
         return found
 
     @cached_property
-    def frames(self) -> dict[str, Frame]:
+    def frames(self) -> dict[str, Transform]:
         """Where each link is with every joint at its origin, in the frame of its root."""
-        frames = {root.name: Frame() for root in self.roots}
+        frames = {root.name: Transform() for root in self.roots}
         for joint in self.spanning:
             assert joint.parent is not None
             assert joint.child is not None

@@ -55,7 +55,7 @@ class Interface(Record):
         return number(found.text.strip()) if found else None
 
 
-class Part(Record):
+class ControlPart(Record):
     """A ``<joint>``, ``<sensor>`` or ``<gpio>`` in ``<ros2_control>``; ``kind`` is its tag."""
 
     at: Element
@@ -81,7 +81,7 @@ class Component(Record):
     at: Element
     name: str
     plugin: Element | None
-    parts: tuple[Part, ...]
+    parts: tuple[ControlPart, ...]
 
     @property
     def hardware(self) -> str:
@@ -89,7 +89,7 @@ class Component(Record):
         return self.plugin.text.strip() if self.plugin else ""
 
     @property
-    def joints(self) -> list[Part]:
+    def joints(self) -> list[ControlPart]:
         return [part for part in self.parts if part.kind == "joint"]
 
     @property
@@ -173,10 +173,10 @@ def _component(element: Element) -> Component:
     return Component(element, element.get("name") or "", plugin, parts)
 
 
-def _part(element: Element) -> Part:
+def _part(element: Element) -> ControlPart:
     interfaces = tuple(
         Interface(child, _DIRECTIONS[child.tag], child.get("name") or "")
         for child in element.children
         if child.tag in _DIRECTIONS
     )
-    return Part(element, element.tag, element.get("name") or "", interfaces)
+    return ControlPart(element, element.tag, element.get("name") or "", interfaces)

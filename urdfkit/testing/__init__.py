@@ -1,8 +1,8 @@
 """Assertions about robots, for the tests of projects that hold models.
 
 Every failed assertion says what was measured and what was expected; pytest shows the line of the
-test that made it. ``urdfkit.testing.pytest_plugin`` has fixtures that go with them; with another test
-runner, start from a Description.
+test that made it. ``urdfkit.testing.pytest_plugin`` has fixtures that go with them; with another
+test runner, start from a Description.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from urdfkit.workspace.snapshots import as_it_was
 
 if TYPE_CHECKING:
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import Use
+    from urdfkit.robot.assets.measured_meshes import MeshUse
 
 __all__ = [
     "Description",
@@ -107,7 +107,7 @@ class Description:
         return Dynamics(KinematicTree(self.model))
 
     @property
-    def meshes(self) -> tuple[Use, ...]:
+    def meshes(self) -> tuple[MeshUse, ...]:
         """The meshes in its visuals and collisions, measured; those that are broken are left out.
 
         Raises:
@@ -267,8 +267,8 @@ def assert_unchanged_since(
     """Fail if a model differs from a git revision of it by more than the tolerances.
 
     The files of that revision are read from git into a temporary folder; the working tree is
-    not touched. Arguments and settings are the present ones. ``urdfkit.output.comparison.differences`` says what
-    is compared.
+    not touched. Arguments and settings are the present ones.
+    ``urdfkit.output.comparison.differences`` says what is compared.
 
     Args:
         description: the model, as the fixture ``urdf`` makes it.

@@ -23,7 +23,7 @@ import pytest
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report
     from urdfkit.physics.dynamics.robot import Dynamics
-    from urdfkit.robot.assets.measured_meshes import Use
+    from urdfkit.robot.assets.measured_meshes import MeshUse
     from urdfkit.robot.model import RobotModel
     from urdfkit.testing import Description
 
@@ -155,7 +155,7 @@ def robot_dynamics(marked_urdf: Description) -> Dynamics:
 
 
 @pytest.fixture
-def robot_meshes(marked_urdf: Description) -> tuple[Use, ...]:
+def robot_meshes(marked_urdf: Description) -> tuple[MeshUse, ...]:
     """The meshes in its visuals and collisions: where each is used, and its measures.
 
     The test is skipped where the libraries that measure them are not installed.

@@ -41,13 +41,13 @@ class Step(Record):
     definition: Span | None
 
 
-class Frame:
+class CallFrame:
     """The innermost step of a way, linked to the ones before it; shared by many elements."""
 
     __slots__ = ("call", "definition", "kind", "name", "outer")
 
     def __init__(
-        self, kind: str, name: str, call: Tag, definition: Tag | None, outer: Frame | None
+        self, kind: str, name: str, call: Tag, definition: Tag | None, outer: CallFrame | None
     ) -> None:
         self.kind = kind
         self.name = name
@@ -58,7 +58,7 @@ class Frame:
     def steps(self) -> tuple[Step, ...]:
         """All steps, outermost first."""
         steps: list[Step] = []
-        frame: Frame | None = self
+        frame: CallFrame | None = self
         while frame is not None:
             definition = frame.definition.span if frame.definition else None
             steps.append(Step(frame.kind, frame.name, frame.call.span, definition))
@@ -200,7 +200,9 @@ class Element:
 
     __slots__ = ("attributes", "children", "frame", "parent", "tag", "tag_at", "text")
 
-    def __init__(self, tag: str, tag_at: Tag, parent: Element | None, frame: Frame | None = None):
+    def __init__(
+        self, tag: str, tag_at: Tag, parent: Element | None, frame: CallFrame | None = None
+    ):
         self.tag = tag
         self.tag_at = tag_at
         self.parent = parent

@@ -11,7 +11,7 @@ MAX_ERRORS = 100
 LOOK_AHEAD = 10_000
 
 
-class Slip(Record):
+class SyntaxMistake(Record):
     """One error of syntax.
 
     Attributes:
@@ -32,7 +32,7 @@ class Slip(Record):
     remedy: tuple[tuple[int, int, str], ...] = ()
 
 
-class Tag(Record):
+class TagToken(Record):
     """A tag or a text; ``kind`` is ``open``, ``empty``, ``close``, ``text``, or ``unsure``.
 
     Unsure is a start tag whose end is missing: it may have been meant as an empty element.
@@ -47,18 +47,20 @@ class Tag(Record):
         return (self.start, self.end, message)
 
 
-class Fitting:
+class TagMatching:
     """Fits end tags to start tags."""
 
-    def __init__(self, data: bytes, tags: list[Tag], slips: list[Slip], *, cut_off: bool) -> None:
+    def __init__(
+        self, data: bytes, tags: list[TagToken], slips: list[SyntaxMistake], *, cut_off: bool
+    ) -> None:
         self._data = data
         self._tags = tags
         self._slips = slips
         self._cut_off = cut_off
-        self._open: list[Tag] = []
+        self._open: list[TagToken] = []
         self._counts: dict[str, int] = {}
         self._late: dict[str, int] = {}  # reported as not closed; their end tag may still come
-        self._root: Tag | None = None
+        self._root: TagToken | None = None
 
     def run(self) -> None:
         for number, tag in enumerate(self._tags):
@@ -73,9 +75,9 @@ class Fitting:
         self._end()
 
     def _add(self, at: tuple[int, int], message: str, *notes: tuple[int, int, str]) -> None:
-        self._slips.append(Slip(*at, message, notes))
+        self._slips.append(SyntaxMistake(*at, message, notes))
 
-    def _outside(self, tag: Tag) -> bool:
+    def _outside(self, tag: TagToken) -> bool:
         """Something outside of any element; False if what follows makes no sense any more."""
         if self._root is None:
             if tag.kind == "text":
@@ -89,19 +91,19 @@ class Fitting:
         what = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
         message = f"{what} behind the end of <{name}>"
-        self._slips.append(Slip(start, end, message, (note,), trailing=True))
+        self._slips.append(SyntaxMistake(start, end, message, (note,), trailing=True))
         return False
 
-    def _push(self, tag: Tag) -> None:
+    def _push(self, tag: TagToken) -> None:
         self._open.append(tag)
         self._counts[tag.name] = self._counts.get(tag.name, 0) + 1
 
-    def _pop(self) -> Tag:
+    def _pop(self) -> TagToken:
         tag = self._open.pop()
         self._counts[tag.name] -= 1
         return tag
 
-    def _close(self, number: int, tag: Tag) -> None:
+    def _close(self, number: int, tag: TagToken) -> None:
         known = self._counts.get(tag.name, 0) > 0
         while self._open and self._open[-1].kind == "unsure" and self._open[-1].name != tag.name:
             self._pop()
@@ -116,7 +118,7 @@ class Fitting:
         else:
             self._instead(tag)
 
-    def _not_the_innermost(self, number: int, tag: Tag) -> None:
+    def _not_the_innermost(self, number: int, tag: TagToken) -> None:
         """The end of an element around the innermost one."""
         depth = len(self._open) - 1
         while self._open[depth].name != tag.name:
@@ -136,14 +138,14 @@ class Fitting:
                 self._add((inner.start, inner.end), message, note)
         self._pop()
 
-    def _instead(self, tag: Tag) -> None:
+    def _instead(self, tag: TagToken) -> None:
         """An end tag with a wrong name."""
         expected = self._pop()
         note = expected.note(f"{self._shown(expected)} is open since here")
         message = f"</{tag.name}> stands where </{expected.name}> is expected"
         self._add((tag.start, tag.end), message, note)
 
-    def _stray(self, number: int, tag: Tag) -> None:
+    def _stray(self, number: int, tag: TagToken) -> None:
         """An end tag to which there is no start tag."""
         if self._late.get(tag.name, 0):
             self._late[tag.name] -= 1
@@ -164,7 +166,7 @@ class Fitting:
 
     def _next_unmatched(self, number: int) -> str | None:
         """Name of the next end tag that closes nothing of what is opened after ``number``."""
-        opened: list[Tag] = []
+        opened: list[TagToken] = []
         for tag in self._tags[number + 1 : number + 1 + LOOK_AHEAD]:
             if tag.kind in ("open", "unsure"):
                 opened.append(tag)
@@ -192,7 +194,7 @@ class Fitting:
         elif self._root is None and not self._slips:
             self._add((0, 0), "there is no element in the file")
 
-    def _shown(self, tag: Tag) -> str:
+    def _shown(self, tag: TagToken) -> str:
         """A start tag with its name attribute, so that it can be told from its like."""
         text = self._data[tag.start : tag.end][:500]
         found = re.search(rb"""\bname\s*=\s*["']([^"'<>\n]{1,60})["']""", text)
@@ -200,7 +202,7 @@ class Fitting:
         return f"<{tag.name}{name}>"
 
 
-def _stripped(data: bytes, tag: Tag) -> tuple[int, int]:
+def _stripped(data: bytes, tag: TagToken) -> tuple[int, int]:
     text = data[tag.start : tag.end]
     start = tag.start + len(text) - len(text.lstrip())
     return start, start + len(text.strip())

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.text.tag_matching import MAX_ERRORS, Fitting, Slip, Tag
+from urdfkit.text.tag_matching import MAX_ERRORS, SyntaxMistake, TagMatching, TagToken
 
 #: Tags that are fitted to each other; what follows in a larger broken file is not looked at.
 MAX_TAGS = 300_000
@@ -45,7 +45,7 @@ _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 _NAME_ANOTHER = "name the URDF or xacro of the robot"
 
 
-def syntax_slips(data: bytes) -> list[Slip]:
+def syntax_slips(data: bytes) -> list[SyntaxMistake]:
     """All errors of a text in the order of their places; none if it is not known what is wrong.
 
     Args:
@@ -53,15 +53,15 @@ def syntax_slips(data: bytes) -> list[Slip]:
     """
     if other := _other_kind(data):
         message, help = other
-        return [Slip(0, 0, message, help=help)]
+        return [SyntaxMistake(0, 0, message, help=help)]
     controls = _controls(data)
     count = sum(end - start for start, end in controls)
     if count > MAX_CONTROLS:
         message = f"the file is no text: it holds {count} control characters"
-        return [Slip(*controls[0], message, help=_NAME_ANOTHER)]
+        return [SyntaxMistake(*controls[0], message, help=_NAME_ANOTHER)]
     scanner = _Scanner(data)
     scanner.run()
-    first: dict[int, Slip] = {}
+    first: dict[int, SyntaxMistake] = {}
     for slip in scanner.slips:
         first.setdefault(slip.start, slip)  # what else is wrong there follows from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
@@ -86,8 +86,8 @@ class _Scanner:
 
     def __init__(self, data: bytes) -> None:
         self.data = data
-        self.slips: list[Slip] = []
-        self._tags: list[Tag] = []
+        self.slips: list[SyntaxMistake] = []
+        self._tags: list[TagToken] = []
         self._has_doctype = False
         self._cut_off = False  # the rest of the file belongs to something that never ends
 
@@ -105,10 +105,10 @@ class _Scanner:
             position = self._markup(start)
         else:
             self._cut_off = self._cut_off or position < size
-        Fitting(self.data, self._tags, self.slips, cut_off=self._cut_off).run()
+        TagMatching(self.data, self._tags, self.slips, cut_off=self._cut_off).run()
 
     def _add(self, start: int, end: int, message: str, *notes: tuple[int, int, str]) -> None:
-        self.slips.append(Slip(start, end, message, notes))
+        self.slips.append(SyntaxMistake(start, end, message, notes))
 
     def _declaration(self, position: int) -> int:
         if not self.data.startswith(b"<?xml", position) or self.data[
@@ -136,7 +136,7 @@ class _Scanner:
         if forbidden >= 0:
             self._add(forbidden, forbidden + 3, "']]>' in a text must be written ']]&gt;'")
         if self.data[start:end].strip():
-            self._tags.append(Tag("text", "", start, end))
+            self._tags.append(TagToken("text", "", start, end))
 
     def _references(self, start: int, end: int) -> None:
         position = self.data.find(b"&", start, end)
@@ -219,7 +219,7 @@ class _Scanner:
     def _end_tag(self, start: int) -> int:
         if found := _END.match(self.data, start):
             name = found.group(1).decode("utf-8", "replace")
-            self._tags.append(Tag("close", name, start, found.end()))
+            self._tags.append(TagToken("close", name, start, found.end()))
             return found.end()
         name_found = re.compile(rb"</\s*(%s)" % _NAME).match(self.data, start)
         if name_found is None:
@@ -235,7 +235,7 @@ class _Scanner:
             self._add(start, end, f"the file ends inside </{name}")
             return self._give_up()
         self._add(start, end, what or f"'>' is missing behind </{name}")
-        self._tags.append(Tag("close", name, start, end))
+        self._tags.append(TagToken("close", name, start, end))
         return end
 
     # -------------------------------------------------------------- start tag
@@ -249,10 +249,10 @@ class _Scanner:
             assert blank is not None
             before, position = position, blank.end()
             if data.startswith(b">", position):
-                self._tags.append(Tag("open", name, start, position + 1))
+                self._tags.append(TagToken("open", name, start, position + 1))
                 return position + 1
             if data.startswith(b"/>", position):
-                self._tags.append(Tag("empty", name, start, position + 2))
+                self._tags.append(TagToken("empty", name, start, position + 2))
                 return position + 2
             if position >= len(data):
                 if self._cut_off:  # by a value without its closing quote
@@ -261,7 +261,7 @@ class _Scanner:
                 return self._give_up()
             if data.startswith(b"<", position):
                 self._add(before, before, f"'>' is missing at the end of <{name}")
-                self._tags.append(Tag("unsure", name, start, before))
+                self._tags.append(TagToken("unsure", name, start, before))
                 return position
             attribute = _ATTRIBUTE_NAME.match(data, position)
             if attribute is None:
@@ -276,7 +276,7 @@ class _Scanner:
                 # The tag's own end was taken into a value that is never closed.
                 end = -position
                 kind = "empty" if data[end - 2 : end] == b"/>" else "open"
-                self._tags.append(Tag(kind, name, start, end))
+                self._tags.append(TagToken(kind, name, start, end))
                 return end
             if len(self.slips) >= MAX_ERRORS:
                 return position
@@ -352,7 +352,7 @@ def _controls(data: bytes) -> list[tuple[int, int]]:
     return [found.span() for found in _CONTROLS.finditer(data)]
 
 
-def _control(data: bytes, start: int, end: int) -> Slip:
+def _control(data: bytes, start: int, end: int) -> SyntaxMistake:
     """A control character, or NUL bytes in a row."""
     code, count = ord(data[start:end].decode()[0]), end - start
     if code:
@@ -361,10 +361,12 @@ def _control(data: bytes, start: int, end: int) -> Slip:
         message = "a NUL byte is not allowed in XML"
     else:
         message = f"{count} NUL bytes are not allowed in XML"
-    return Slip(start, end, message, help="remove " + ("it" if count == 1 or code else "them"))
+    return SyntaxMistake(
+        start, end, message, help="remove " + ("it" if count == 1 or code else "them")
+    )
 
 
-def _hyphens(data: bytes, start: int, end: int) -> Slip | None:
+def _hyphens(data: bytes, start: int, end: int) -> SyntaxMistake | None:
     """The hyphens that XML forbids in a comment, whose text is between two offsets."""
     remedy: list[tuple[int, int, str]] = []
     for found in _HYPHENS.finditer(data[start:end]):
@@ -379,7 +381,7 @@ def _hyphens(data: bytes, start: int, end: int) -> Slip | None:
         message, help = "'--->' does not end a comment", "write '-->'"
     else:
         message, help = "'--' is not allowed inside a comment", "write '- -' or '=='"
-    return Slip(first, last, message, help=help, remedy=tuple(remedy))
+    return SyntaxMistake(first, last, message, help=help, remedy=tuple(remedy))
 
 
 def _is_character(code: int) -> bool:

@@ -14,11 +14,11 @@ from xml.parsers import expat
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Edit, Fix, Related
-from urdfkit.text.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
-    from urdfkit.text.tag_matching import Slip
+    from urdfkit.text.tag_matching import SyntaxMistake
 
 #: Elements of one document; the largest real robot has 40 000.
 MAX_ELEMENTS = 1_000_000
@@ -50,12 +50,12 @@ class Problem(Record):
     span: Span
     message: str
     help: str = ""
-    frame: Frame | None = None
+    frame: CallFrame | None = None
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
 
 
-class TooMuch(Exception):
+class DocumentTooLarge(Exception):
     """The document is larger than any robot."""
 
 
@@ -90,7 +90,9 @@ def is_launch(path: str) -> bool:
     return path.endswith(_LAUNCH)
 
 
-def read_xml(source: Source, frame: Frame | None = None) -> tuple[Document | None, list[Problem]]:
+def read_xml(
+    source: Source, frame: CallFrame | None = None
+) -> tuple[Document | None, list[Problem]]:
     """Read plain XML.
 
     What urdfdom loads although it is not strict XML (text before the declaration, another
@@ -110,7 +112,7 @@ def read_xml(source: Source, frame: Frame | None = None) -> tuple[Document | Non
         builder.parse(data)
     except expat.ExpatError:
         return None, [*problems, *builder.problems, *syntax_problems(source, data)]
-    except TooMuch as error:
+    except DocumentTooLarge as error:
         top = Span(source, 0, 0)
         return None, [*problems, Problem("XAC013", top, str(error))]
     problems += builder.problems
@@ -220,7 +222,7 @@ def _before_declaration(before: Span, end: int) -> Problem:
 class _Builder:
     """Builds Elements from expat's events."""
 
-    def __init__(self, source: Source, frame: Frame | None = None) -> None:
+    def __init__(self, source: Source, frame: CallFrame | None = None) -> None:
         self.source = source
         self.frame = frame
         self.root: Element | None = None
@@ -257,7 +259,7 @@ class _Builder:
     def _start(self, name: str, attributes: list[str]) -> None:
         self._count += 1
         if self._count > MAX_ELEMENTS:
-            raise TooMuch(f"more than {MAX_ELEMENTS} elements")
+            raise DocumentTooLarge(f"more than {MAX_ELEMENTS} elements")
         at = self._parser.CurrentByteIndex
         parent = self._open[-1] if self._open else None
         element = Element(name, Tag(self.source, at, at), parent, self.frame)
@@ -331,7 +333,7 @@ def unbound_prefixes(source: Source) -> list[Problem]:
     builder = _Builder(source)
     try:
         builder.parse(_forgiven(source, []))
-    except (expat.ExpatError, TooMuch):
+    except (expat.ExpatError, DocumentTooLarge):
         return syntax_problems(source)
     assert builder.root is not None
     root = builder.root
@@ -383,7 +385,7 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
     return problems or [_expat_problem(source, data)]
 
 
-def _remedy(source: Source, slip: Slip) -> Fix | None:
+def _remedy(source: Source, slip: SyntaxMistake) -> Fix | None:
     """What puts a slip right; it is known for comments, which no reader of robots heeds."""
     edits = tuple(Edit(Span(source, *place), text) for *place, text in slip.remedy)
     return Fix(slip.help, edits, safe=True) if edits else None

@@ -23,8 +23,8 @@ from urdfkit.lint.context import Unavailable
 from urdfkit.output.report import html
 from urdfkit.output.report.engine import load as load_engine
 from urdfkit.output.report.scene import nothing
-from urdfkit.output.report.translations import Words
-from urdfkit.viewer.state import State, Wish, completed, read
+from urdfkit.output.report.translations import Translator
+from urdfkit.viewer.state import ViewerState, ViewRequest, completed, read
 
 if TYPE_CHECKING:
     from starlette.applications import Starlette
@@ -59,10 +59,10 @@ class Viewer:
         error: why the last attempt to read gave nothing; empty if it did.
     """
 
-    def __init__(self, wish: Wish, words: Words) -> None:
+    def __init__(self, wish: ViewRequest, words: Translator) -> None:
         self.wish = wish
         self.words = words
-        self.state: State = read(wish)
+        self.state: ViewerState = read(wish)
         self.revision = self.shape = 1
         self.error = ""
         self._changed = asyncio.Event()
@@ -92,7 +92,7 @@ class Viewer:
             self.error = what
         self._tell()
 
-    async def _complete(self, state: State) -> None:
+    async def _complete(self, state: ViewerState) -> None:
         """Add what takes a while, unless there is another state by then."""
         async with self._one_at_a_time:
             if state is self.state:
@@ -220,7 +220,7 @@ def _arguments(body: bytes) -> dict[str, str] | None:
 
 
 def serve(
-    wish: Wish, words: Words, *, port: int = 0, opened: Callable[[str], None] = print
+    wish: ViewRequest, words: Translator, *, port: int = 0, opened: Callable[[str], None] = print
 ) -> None:
     """Show a robot until Ctrl-C.
 

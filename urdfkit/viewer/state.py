@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Subject
 from urdfkit.output.report import html
-from urdfkit.output.report.document import Document, Told, describe
+from urdfkit.output.report.document import Document, ReportInput, describe
 from urdfkit.output.report.document import completed as complete
-from urdfkit.output.report.scene import Scene
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.scene import PageScene
+from urdfkit.output.report.translations import Translator
 from urdfkit.output.report.writing import drawn
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Stamp = tuple[int, int] | None
 
 
-class Wish(Record):
+class ViewRequest(Record):
     """What is to be shown.
 
     Attributes:
@@ -46,7 +46,7 @@ class Wish(Record):
     variant: str = ""
 
 
-class State(Record):
+class ViewerState(Record):
     """A robot as it was read.
 
     Attributes:
@@ -61,13 +61,13 @@ class State(Record):
 
     document: Document
     drawings: dict[str, str]
-    scene: Scene | None
+    scene: PageScene | None
     declared: dict[str, str]
     stamps: dict[str, Stamp]
-    told: Told
+    told: ReportInput
     is_whole: bool = False
 
-    def message(self, words: Words, *, with_scene: bool = True) -> dict[str, Any]:
+    def message(self, words: Translator, *, with_scene: bool = True) -> dict[str, Any]:
         """What a page needs to show it; JSON can hold it."""
         found: dict[str, Any] = {
             "content": html.render_content(self.document, words, self.drawings),
@@ -87,7 +87,7 @@ class State(Record):
         return any(stamp(path) != known for path, known in self.stamps.items())
 
 
-def read(wish: Wish, known: Iterable[str] = ()) -> State:
+def read(wish: ViewRequest, known: Iterable[str] = ()) -> ViewerState:
     """Read and check a robot.
 
     Args:
@@ -115,10 +115,10 @@ def read(wish: Wish, known: Iterable[str] = ()) -> State:
     if scene is not None:
         files |= _beside(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}
-    return State(document, drawings, scene, _declared(subject), stamps, told)
+    return ViewerState(document, drawings, scene, _declared(subject), stamps, told)
 
 
-def completed(state: State) -> State:
+def completed(state: ViewerState) -> ViewerState:
     """The same with statics, collisions and pictures."""
     if state.document["robot"] is None:
         return state._replace(is_whole=True)

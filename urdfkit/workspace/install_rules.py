@@ -27,7 +27,7 @@ _VARIABLE = r"\$\{(\w+)\}"
 _WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
 
 
-class Shipping:
+class InstallRules:
     """The install rules of a package.
 
     Args:

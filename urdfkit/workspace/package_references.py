@@ -23,7 +23,7 @@ _MENTION = rb"""(?sx)<!--.*?(?:-->|\Z)
     """
 
 
-class Mention(Record):
+class PackageReference(Record):
     """A package at one place in a text.
 
     Attributes:
@@ -43,7 +43,7 @@ def are_in(sources: Iterable[Source]) -> bool:
     return any(b"package://" in source.data or b"$(find" in source.data for source in sources)
 
 
-def mentions(source: Source) -> Iterator[Mention]:
+def mentions(source: Source) -> Iterator[PackageReference]:
     """The packages in a text, in its order, outside of comments."""
     if not are_in((source,)):
         return
@@ -51,10 +51,10 @@ def mentions(source: Source) -> Iterator[Mention]:
         found = match.group(1) or match.group(3)
         if found:
             path = (match.group(2) or match.group(4) or b"").decode("utf-8", "replace")
-            yield Mention(found.decode(), _plain(path), Span(source, *match.span()))
+            yield PackageReference(found.decode(), _plain(path), Span(source, *match.span()))
 
 
-def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[Mention]:
+def of_package(sources: tuple[Source, ...], packages: Packages) -> Iterator[PackageReference]:
     """What the sources mention that lie in the package of the first."""
     home = packages.enclosing(sources[0].path)
     for source in sources:

@@ -67,7 +67,7 @@ class Candidate(Record):
     trusted: bool = False
 
 
-class Level(Record):
+class ScannedFolder(Record):
     """A folder that is scanned for packages.
 
     Attributes:
@@ -110,8 +110,8 @@ class Packages:
         self._too_wide = _too_wide(environment)
         self._names: dict[str, str | None] = {}
         self._roots: dict[str, Root] = {}
-        self._levels: dict[str, tuple[Level, ...]] = {}
-        self._scans: dict[Level, _Scan] = {}
+        self._levels: dict[str, tuple[ScannedFolder, ...]] = {}
+        self._scans: dict[ScannedFolder, _Scan] = {}
         self._searched: dict[str, tuple[str, ...]] = {}
         self._folders_of: dict[str, str] = {}
 
@@ -204,7 +204,7 @@ class Packages:
         """True if the packages in a folder are looked for on behalf of a file."""
         return any(_is_within(folder, level.root) for level in self.levels(near))
 
-    def levels(self, near: str) -> tuple[Level, ...]:
+    def levels(self, near: str) -> tuple[ScannedFolder, ...]:
         """What is scanned for packages that a file refers to, from the inside out."""
         start = self.folder_of(near)
         if start not in self._levels:
@@ -230,14 +230,16 @@ class Packages:
             self._names[folder] = _package_name(folder)
         return self._names[folder]
 
-    def _find_levels(self, start: str) -> tuple[Level, ...]:
+    def _find_levels(self, start: str) -> tuple[ScannedFolder, ...]:
         above = self._above(start)
         root = self.root(os.path.join(start, "x"))
-        inside = [Level(folder, True) for folder in above if _is_within(folder, root.folder)]
+        inside = [
+            ScannedFolder(folder, True) for folder in above if _is_within(folder, root.folder)
+        ]
         parent = os.path.dirname(root.folder)
         if root.mark or parent not in above or not self._holds_packages_only(parent):
             return tuple(inside)
-        return (*inside, Level(parent, False))
+        return (*inside, ScannedFolder(parent, False))
 
     def _above(self, start: str) -> list[str]:
         """The package around a folder, else the folder, and what is above that may be a root."""
@@ -298,7 +300,7 @@ class Packages:
     def _names_in(self, folder: str) -> Mapping[str, bool]:
         return self.folders.entries(folder) or {}
 
-    def _scan(self, level: Level) -> _Scan:
+    def _scan(self, level: ScannedFolder) -> _Scan:
         if level not in self._scans:
             depth = DEPTH_INSIDE if level.inside else DEPTH_OUTSIDE
             self._scans[level] = _Scan(self, level.root, depth, nested=level.inside)
@@ -315,7 +317,7 @@ class Packages:
             direct = os.path.join(path, name)
             if self.name_of(direct) == name:
                 yield direct
-            found = self._scan(Level(path, False)).find(name)
+            found = self._scan(ScannedFolder(path, False)).find(name)
             if found:
                 yield found
 

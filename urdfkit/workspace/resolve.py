@@ -26,7 +26,7 @@ _BUILD_FILES = ("CMakeLists.txt", "setup.py")
 _MODEL_PATHS = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH")
 
 
-class Located(Record):
+class ResolvedReference(Record):
     """What a reference leads to.
 
     Attributes:
@@ -81,7 +81,7 @@ class Resolver:
         self.packages = Packages(packages or {}, environment, self.folders)
         self._model_paths = {name: path_list(environment, name) for name in _MODEL_PATHS}
         self._candidates: dict[tuple[str, str], tuple[Candidate, ...]] = {}
-        self._located: dict[tuple[str, str, str], Located] = {}
+        self._located: dict[tuple[str, str, str], ResolvedReference] = {}
         self._rules: dict[str, list[Installed]] = {}
         self._texts = _by_real_path(texts or {})
 
@@ -120,7 +120,7 @@ class Resolver:
             raise PackageNotFound(name, self.packages.searched(name, near))
         return candidate.folder
 
-    def in_package(self, name: str, relative: str, near: str) -> Located:
+    def in_package(self, name: str, relative: str, near: str) -> ResolvedReference:
         """A file of a package, by its path in the installed package.
 
         Args:
@@ -130,7 +130,7 @@ class Resolver:
         """
         return self._in_package(f"package://{name}/{relative}", "package", name, relative, near)
 
-    def locate(self, reference: str, near: str, top: str | None = None) -> Located:
+    def locate(self, reference: str, near: str, top: str | None = None) -> ResolvedReference:
         """The file that a mesh or texture reference leads to.
 
         Args:
@@ -191,7 +191,7 @@ class Resolver:
         levels = [self.folders.real(level.root) for level in self.packages.levels(near)]
         return any(_within(folder, level) for folder in around for level in levels)
 
-    def _locate(self, reference: str, near: str, top: str) -> Located:
+    def _locate(self, reference: str, near: str, top: str) -> ResolvedReference:
         text = reference.replace("\\", "/")
         scheme, rest = _split(text)
         if scheme in ("package", "model"):
@@ -203,23 +203,25 @@ class Resolver:
             rest = rest if scheme else text[len("file:") :]
             rest = rest.removeprefix("localhost")
         elif scheme:
-            return Located(reference, scheme)
+            return ResolvedReference(reference, scheme)
         if rest.startswith("/") or re.match(_DRIVE, rest):
             return self._absolute(reference, rest)
         return self._relative(reference, rest, near, top)
 
     def _in_package(
         self, reference: str, scheme: str, name: str, relative: str, near: str
-    ) -> Located:
+    ) -> ResolvedReference:
         candidate = self._choose(name, near, relative) if name else None
         if candidate is None:
             searched = self.packages.searched(name, near) if name else ()
-            return Located(reference, scheme, name, None, relative, searched=searched)
+            return ResolvedReference(reference, scheme, name, None, relative, searched=searched)
         tried: list[str] = []
         path = self._find(name, candidate.folder, relative, tried)
-        return Located(reference, scheme, name, candidate.folder, relative, path, tuple(tried))
+        return ResolvedReference(
+            reference, scheme, name, candidate.folder, relative, path, tuple(tried)
+        )
 
-    def _in_models(self, reference: str, name: str, rest: str, near: str) -> Located:
+    def _in_models(self, reference: str, name: str, rest: str, near: str) -> ResolvedReference:
         """As Gazebo finds it: below its model path, which packages may add to."""
         tried: list[str] = []
         below = [(folder, rest) for paths in self._model_paths.values() for folder in paths]
@@ -229,7 +231,7 @@ class Resolver:
             tried.append(_join(folder, relative))
             path = self.folders.find(folder, relative)
             if path:
-                return Located(reference, "model", name, folder, rest, path, tuple(tried))
+                return ResolvedReference(reference, "model", name, folder, rest, path, tuple(tried))
         located = self._in_package(reference, "model", name, rest.partition("/")[2], near)
         searched: tuple[str, ...] = ()
         if located.folder is None:
@@ -241,25 +243,29 @@ class Resolver:
             tried=(*tried, *located.tried), searched=(*searched, *located.searched)
         )
 
-    def _absolute(self, reference: str, text: str) -> Located:
+    def _absolute(self, reference: str, text: str) -> ResolvedReference:
         tried: list[str] = []
         for spelt in _spellings(text):
             path = os.path.normpath(spelt.lstrip("/") if re.match(_DRIVE, spelt) else spelt)
             tried.append(path)
             found = self.folders.find(*os.path.split(path)) or self.installed(path)
             if found:
-                return Located(reference, "absolute", None, None, text, found, tuple(tried))
-        return Located(reference, "absolute", None, None, text, None, tuple(tried))
+                return ResolvedReference(
+                    reference, "absolute", None, None, text, found, tuple(tried)
+                )
+        return ResolvedReference(reference, "absolute", None, None, text, None, tuple(tried))
 
-    def _relative(self, reference: str, text: str, near: str, top: str) -> Located:
+    def _relative(self, reference: str, text: str, near: str, top: str) -> ResolvedReference:
         tried: list[str] = []
         for folder in dict.fromkeys(map(self.packages.folder_of, (top, near))):
             for relative in _spellings(text):
                 tried.append(_join(folder, relative))
                 path = self.folders.find(folder, relative)
                 if path:
-                    return Located(reference, "relative", None, None, text, path, tuple(tried))
-        return Located(reference, "relative", None, None, text, None, tuple(tried))
+                    return ResolvedReference(
+                        reference, "relative", None, None, text, path, tuple(tried)
+                    )
+        return ResolvedReference(reference, "relative", None, None, text, None, tuple(tried))
 
     def _choose(self, name: str, near: str, relative: str | None) -> Candidate | None:
         """The folder of a package: one with its ``package.xml``, else one that is called so.

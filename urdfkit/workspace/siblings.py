@@ -87,7 +87,7 @@ def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
         yield from (os.path.join(folder, inner) for inner in entries if "moveit" in inner)
 
 
-class Setup(Record):
+class SetupAssistant(Record):
     """What MoveIt's ``.setup_assistant`` says of a package; all empty where there is none.
 
     Attributes:
@@ -108,7 +108,7 @@ class Setup(Record):
         return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
 
 
-def _setup(folder: str) -> Setup:
+def _setup(folder: str) -> SetupAssistant:
     text = peek(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
 
     def section(name: str) -> str:
@@ -120,10 +120,10 @@ def _setup(folder: str) -> Setup:
         return found.group(1) if found else ""
 
     urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
-    return Setup(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
+    return SetupAssistant(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
 
 
-def _folders(moveit: str, setup: Setup) -> Iterator[str]:
+def _folders(moveit: str, setup: SetupAssistant) -> Iterator[str]:
     """Where a package of MoveIt keeps its SRDF."""
     yield from (os.path.join(moveit, name) for name in ("config", "srdf"))
     if setup.srdf:

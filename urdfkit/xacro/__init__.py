@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from urdfkit.text.document import Attribute, Document, Element, Frame
+from urdfkit.text.document import Attribute, CallFrame, Document, Element
 from urdfkit.text.xml_reader import encoding_problems
 from urdfkit.xacro import dom
 from urdfkit.xacro.expansion import Definition, Run
@@ -116,7 +116,7 @@ def expand(
     trust: bool = False,
     root_dir: str = os.curdir,
     traced: bool = False,
-    frame: Frame | None = None,
+    frame: CallFrame | None = None,
 ) -> Xacro:
     """Expand a xacro file.
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 _KEY = "notes of urdfkit"
 
 
-class Notes:
+class TableAnnotations:
     """About the names of one table.
 
     Attributes:
@@ -29,10 +29,10 @@ class Notes:
         self.inputs: dict[str, tuple[Origin, ...]] = {}
 
 
-def notes_of(table: Any) -> Notes:
+def notes_of(table: Any) -> TableAnnotations:
     """The notes of a table; of the built-in names, which are no such table, none."""
     variables: dict[str, Any] = getattr(table, "__dict__", {})
-    notes: Notes | None = variables.get(_KEY)
+    notes: TableAnnotations | None = variables.get(_KEY)
     if notes is None:
-        notes = variables[_KEY] = Notes()
+        notes = variables[_KEY] = TableAnnotations()
     return notes

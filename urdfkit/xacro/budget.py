@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from urdfkit.text.xml_reader import TooMuch
+from urdfkit.text.xml_reader import DocumentTooLarge
 
 #: Of the processor: on a busy machine a sound model waits, and is none the worse.
 MAX_SECONDS = 30.0
@@ -39,12 +39,12 @@ class Budget:
             return
         self._look = self._left - _BETWEEN_LOOKS
         if self._left < 0:
-            raise TooMuch(
+            raise DocumentTooLarge(
                 f"the expansion makes more than {MAX_UNITS} characters, or "
                 f"{MAX_UNITS // ELEMENT_SIZE} elements"
             )
         if time.thread_time() > self._deadline:
-            raise TooMuch(f"the expansion takes longer than {MAX_SECONDS:g} s")
+            raise DocumentTooLarge(f"the expansion takes longer than {MAX_SECONDS:g} s")
 
 
 def deadline() -> float:

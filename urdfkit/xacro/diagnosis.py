@@ -12,11 +12,11 @@ from urdfkit.core.suggest import nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Related
 from urdfkit.text.source import Span
-from urdfkit.text.xml_reader import Problem, TooMuch
+from urdfkit.text.xml_reader import DocumentTooLarge, Problem
 from urdfkit.xacro.annotations import notes_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
-from urdfkit.xacro.locator import Located, Spot, spot
+from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, spot
 from urdfkit.xacro.messages import bare_property, macro_of, words
 from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
 from urdfkit.xacro.substitution import EnvironmentRefused
@@ -52,7 +52,11 @@ def node_in(frame: FrameType | None) -> tuple[Node | None, dict[str, Any]]:
 
 
 def problem(
-    run: Run, error: Exception, located: Located, used: Located, frame: FrameType
+    run: Run,
+    error: Exception,
+    located: LocatedExpression,
+    used: LocatedExpression,
+    frame: FrameType,
 ) -> Problem:
     """An expression that failed, at its place.
 
@@ -70,7 +74,7 @@ def problem(
     if bare := bare_property(run, root_cause(error)):
         return _without_prefix(run, *bare, node and spot(node, local, used).span)
     if node is None:
-        return _made(run, error, located, Spot(Span(run.source, 0, 0), None))
+        return _made(run, error, located, ErrorLocation(Span(run.source, 0, 0), None))
     if located.resolving:
         table, key = located.resolving[-1]
         definer = notes_of(table).definers.get(key)
@@ -87,7 +91,7 @@ def _in_yaml(cause: BaseException) -> tuple[Related, ...]:
     return related(cause.span, cause.reason) if isinstance(cause, BrokenYaml) else ()
 
 
-def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]:
+def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Related, ...]:
     """Where the names of a failing expression were defined."""
     found: list[Related] = []
     table = local.get("symbols", local.get("table"))
@@ -103,7 +107,7 @@ def _definitions(local: dict[str, Any], located: Located) -> tuple[Related, ...]
     return tuple(found)
 
 
-def _made(run: Run, error: Exception, located: Located, at: Spot) -> Problem:
+def _made(run: Run, error: Exception, located: LocatedExpression, at: ErrorLocation) -> Problem:
     code, message, help = classify(run, error)
     token = located.token if located.token.startswith("$") else ""
     if code in ("XAC001", "XAC009", "XAC013") and token and token[:60] not in message:
@@ -152,7 +156,7 @@ def classify(run: Run, error: BaseException) -> tuple[str, str, str]:
         return "XAC009", f"refused: {cause}", ""
     if isinstance(cause, EnvironmentRefused):
         return "XAC009", str(cause), ""
-    if isinstance(cause, (TooLarge, TooMuch, YamlTooLarge)):
+    if isinstance(cause, (TooLarge, DocumentTooLarge, YamlTooLarge)):
         return "XAC013", f"refused: {cause}", ""
     if isinstance(cause, RecursionError):
         return "XAC013", "macros, includes or properties refer to themselves without end", ""

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 from xml.dom import minidom
 
-from urdfkit.text.document import Attribute, Document, Element, Frame, Tag
+from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 
@@ -92,7 +92,7 @@ class Node(_StockElement):  # type: ignore[misc]
     tag_at: Tag
     around: int
     raw: list[str]
-    frame: Frame | None
+    frame: CallFrame | None
     given: dict[str, Tag] | None = None
     traces: dict[str, tuple[Origin, ...]] | None = None
     budget: Budget
@@ -110,13 +110,13 @@ class Node(_StockElement):  # type: ignore[misc]
             return _clone(self, frame, keep=False)
         return _clone(self, frame, keep=True)
 
-    def _frame_of_call(self) -> Frame | None:
+    def _frame_of_call(self) -> CallFrame | None:
         """The frame of the call that xacro's ``handle_macro_call`` is expanding."""
         call = sys._getframe(2).f_locals.get("node")
         if not isinstance(call, Node):
             return self.frame
         name = call.tagName.removeprefix("xacro:")
-        return Frame("macro", name, call.tag_at, self.tag_at, call.frame)
+        return CallFrame("macro", name, call.tag_at, self.tag_at, call.frame)
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -143,7 +143,7 @@ class Node(_StockElement):  # type: ignore[misc]
             self.given = {**(self.given or {}), name: giver.tag_at}
 
 
-def _clone(node: Node, frame: Frame | None, *, keep: bool) -> Node:
+def _clone(node: Node, frame: CallFrame | None, *, keep: bool) -> Node:
     """A deep copy. ``keep``: every node keeps its own frame instead of taking ``frame``.
 
     ``minidom`` does the same five times slower, by way of ``setAttributeNS``.

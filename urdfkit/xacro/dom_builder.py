@@ -6,9 +6,9 @@ from typing import Any
 from xml.dom import XMLNS_NAMESPACE, expatbuilder
 from xml.parsers import expat
 
-from urdfkit.text.document import Frame, Tag
+from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import Problem, TooMuch, entity_problem
+from urdfkit.text.xml_reader import DocumentTooLarge, Problem, entity_problem
 from urdfkit.xacro.budget import ELEMENT_SIZE, Budget
 from urdfkit.xacro.dom import TEXT, Attr, Dom, Node, Text
 
@@ -22,7 +22,7 @@ _parse_ns_name: Any = vars(expatbuilder)["_parse_ns_name"]
 
 
 def parse(
-    source: Source, frame: Frame | None, budget: Budget
+    source: Source, frame: CallFrame | None, budget: Budget
 ) -> tuple[Dom, list[Problem], list[Node]]:
     """Parse one xacro file.
 
@@ -49,7 +49,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
 
     curNode: Any  # noqa: N815
 
-    def __init__(self, source: Source, frame: Frame | None, budget: Budget) -> None:
+    def __init__(self, source: Source, frame: CallFrame | None, budget: Budget) -> None:
         super().__init__()
         self._source = source
         self._frame = frame
@@ -71,7 +71,7 @@ class _Builder(_StockBuilder):  # type: ignore[misc]
         node.budget = self._budget
         self._budget.charge(ELEMENT_SIZE)
         if len(self._starts) > MAX_DEPTH:
-            raise TooMuch(f"elements are nested more than {MAX_DEPTH} levels deep")
+            raise DocumentTooLarge(f"elements are nested more than {MAX_DEPTH} levels deep")
         if tag == "xacro:arg":
             self.arguments.append(node)
 

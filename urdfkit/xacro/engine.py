@@ -25,7 +25,7 @@ from urdfkit.core import libraries
 from urdfkit.errors import UrdfkitError
 from urdfkit.xacro import dom, patterns
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.evaluation import POISON, Evaluation, Tainted
+from urdfkit.xacro.evaluation import POISON, DependsOnError, Evaluation
 from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
@@ -46,13 +46,13 @@ _REQUIRED = (
 
 
 @lru_cache(maxsize=1)
-def load_engine() -> Engine:
+def load_engine() -> XacroEngine:
     """The engine; loaded at the first call.
 
     Raises:
         UrdfkitError: the xacro on the path is not one of the supported versions.
     """
-    return Engine(_private_copy())
+    return XacroEngine(_private_copy())
 
 
 def _private_copy() -> Any:
@@ -83,7 +83,7 @@ def _private_copy() -> Any:
     return module
 
 
-class Engine:
+class XacroEngine:
     """The private xacro; it works for one run at a time, as its state is global.
 
     Attributes:
@@ -139,7 +139,7 @@ class Engine:
         def eval_default_arg(*arguments: Any) -> Any:
             try:
                 return stock_default(*arguments)
-            except Tainted:  # the property that it forwards failed
+            except DependsOnError:  # the property that it forwards failed
                 return POISON
 
         def resolve(table: Any, key: str) -> Any:

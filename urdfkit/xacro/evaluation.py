@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.xacro.expressions import evaluate
-from urdfkit.xacro.locator import Located
+from urdfkit.xacro.locator import LocatedExpression
 
 if TYPE_CHECKING:
     from urdfkit.xacro.expansion import Run
@@ -23,7 +23,7 @@ _TOKEN = re.compile(
 )
 
 
-class Poison(str):
+class FailedValue(str):
     """The value of what failed and was reported.
 
     Its text is that of no model. An error of xacro that has it in its words is a consequence.
@@ -32,12 +32,12 @@ class Poison(str):
     __slots__ = ()
 
 
-class Tainted(Exception):
+class DependsOnError(Exception):
     """An expression uses the value of something that failed and was reported."""
 
 
 #: The one Poison; a private character of Unicode around its text.
-POISON = Poison("\ue000failed\ue000")
+POISON = FailedValue("\ue000failed\ue000")
 
 
 @lru_cache(maxsize=4096)
@@ -87,7 +87,7 @@ class Evaluation:
             tracer.begin()
         try:
             return self._value(text, symbols)
-        except Tainted:
+        except DependsOnError:
             if self._depth > 1:
                 raise
             return POISON
@@ -104,16 +104,16 @@ class Evaluation:
                 continue
             try:
                 values.append(self._value_of(kind, token, symbols))
-            except Tainted:
+            except DependsOnError:
                 values.append(POISON)
             except Exception as error:
                 values.append(POISON)
                 self.run.locate(text, offset, token)
                 if self._depth > 1:
                     raise
-                self.run.report(error, Located(text, offset, token), sys._getframe(2))
+                self.run.report(error, LocatedExpression(text, offset, token), sys._getframe(2))
         if any(value is POISON for value in values):
-            raise Tainted
+            raise DependsOnError
         fence = self.run.fence
         if len(values) > 1:
             return fence.keep("".join(fence.keep(str(value)) for value in values))
@@ -127,7 +127,7 @@ class Evaluation:
             return self.run.substitute(str(inner), symbols)
         try:
             return self.safe_eval(inner, symbols)
-        except Tainted:
+        except DependsOnError:
             raise
         except Exception as error:
             suffix = f"\nwhen evaluating expression '{inner}'"
@@ -180,7 +180,7 @@ class Evaluation:
                 run.tracer.defined(table, key)
         value = dict.__getitem__(table, key)
         if value is POISON:
-            raise Tainted(key)
+            raise DependsOnError(key)
         if run.tracer is not None:
             run.tracer.looked_up(table, key, value)
         return value

@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
-from urdfkit.text.document import Frame, Tag
-from urdfkit.text.xml_reader import Problem, TooMuch
+from urdfkit.text.document import CallFrame, Tag
+from urdfkit.text.xml_reader import DocumentTooLarge, Problem
 from urdfkit.xacro import dom_builder
 from urdfkit.xacro.annotations import notes_of
 from urdfkit.xacro.budget import Budget
 from urdfkit.xacro.dom import Dom, Node
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import MissingArgument, root_cause
-from urdfkit.xacro.evaluation import POISON, Tainted
-from urdfkit.xacro.expansion_log import ANY, Ledger, Message
+from urdfkit.xacro.evaluation import POISON, DependsOnError
+from urdfkit.xacro.expansion_log import ANY, ExpansionLog, Message
 from urdfkit.xacro.file_reader import Reader
-from urdfkit.xacro.locator import Located
-from urdfkit.xacro.sandbox import Fence
+from urdfkit.xacro.locator import LocatedExpression
+from urdfkit.xacro.sandbox import Sandbox
 from urdfkit.xacro.substitution import Context, SubstitutionError, substitute
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class Definition(Record):
 
     name: str
     tag: Tag
-    frame: Frame | None
+    frame: CallFrame | None
     attributes: dict[str, str]
 
 
@@ -84,9 +84,9 @@ class Run:
         trust: bool,
         root_dir: str,
         traced: bool,
-        frame: Frame | None,
+        frame: CallFrame | None,
         without: frozenset[tuple[str, int]],
-        ledger: Ledger,
+        ledger: ExpansionLog,
         reader: Reader,
         deadline: float,
     ) -> None:
@@ -98,7 +98,7 @@ class Run:
         self.frame = frame
         self.without = without
         self.budget = Budget(deadline)
-        self.fence = Fence(self.budget)
+        self.fence = Sandbox(self.budget)
         self.ledger = ledger
         self.reader = reader
         self.tracer = _tracer(self) if traced else None
@@ -111,7 +111,7 @@ class Run:
         # What the instrumented engine is doing at the moment.
         self.resolving: list[tuple[Any, str]] = []
         self.including: list[Node] = []
-        self._location: Located | None = None
+        self._location: LocatedExpression | None = None
         self._declared_nodes: list[Node] = []
         self._defaulting: set[str] = set()
         self._calls = 0
@@ -125,7 +125,7 @@ class Run:
             frame, source = self.frame, self.source
         else:
             self.included.add((include.tag_at.source.path, include.tag_at.start))
-            frame = Frame("include", filename, include.tag_at, None, include.frame)
+            frame = CallFrame("include", filename, include.tag_at, None, include.frame)
             source = self._included(filename)
         try:
             document, problems, arguments = dom_builder.parse(source, frame, self.budget)
@@ -144,7 +144,7 @@ class Run:
     def _included(self, filename: str) -> Source:
         xacro = load_engine().xacro
         if POISON in filename:  # no missing file, which may be optional
-            raise Tainted(filename)
+            raise DependsOnError(filename)
         try:
             return self.reader.xacro(self._from_root(filename))
         except OSError as error:
@@ -283,9 +283,11 @@ class Run:
         """
         self._calls += 1
         if depth > MAX_MACRO_DEPTH:
-            raise TooMuch(f"macros call each other more than {MAX_MACRO_DEPTH} levels deep")
+            raise DocumentTooLarge(
+                f"macros call each other more than {MAX_MACRO_DEPTH} levels deep"
+            )
         if self._calls > MAX_CALLS:
-            raise TooMuch(f"more than {MAX_CALLS} macro calls")
+            raise DocumentTooLarge(f"more than {MAX_CALLS} macro calls")
 
     def note_macro(self, node: Node) -> None:
         """A macro is defined."""
@@ -347,12 +349,12 @@ class Run:
 
     def locate(self, text: str, offset: int, token: str) -> None:
         """Note where an error arose; the innermost property and its outermost text count."""
-        here = Located(text, offset, token, tuple(self.resolving))
+        here = LocatedExpression(text, offset, token, tuple(self.resolving))
         before = self._location
         if before is None or len(before.resolving) == len(here.resolving):
             self._location = here
 
-    def report(self, error: Exception, used: Located, frame: FrameType) -> None:
+    def report(self, error: Exception, used: LocatedExpression, frame: FrameType) -> None:
         """An expression failed: note it with its place, and go on.
 
         Args:
@@ -361,7 +363,7 @@ class Run:
             frame: of the function that evaluates it.
         """
         located, self._location = self._location, None
-        if isinstance(root_cause(error), (TooMuch, RecursionError, MemoryError)):
+        if isinstance(root_cause(error), (DocumentTooLarge, RecursionError, MemoryError)):
             raise error
         from urdfkit.xacro import diagnosis
 

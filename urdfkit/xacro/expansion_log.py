@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.xml_reader import Problem
 from urdfkit.xacro.errors import MissingArgument, root_cause
-from urdfkit.xacro.evaluation import POISON, Tainted
+from urdfkit.xacro.evaluation import POISON, DependsOnError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -35,7 +35,7 @@ class Message(Record):
     span: Span | None
 
 
-class Ledger:
+class ExpansionLog:
     """Problems and messages, as they are met.
 
     Attributes:
@@ -89,7 +89,7 @@ class Ledger:
     def is_consequence(self, error: BaseException) -> bool:
         """True if an error follows from one that was already reported."""
         cause = root_cause(error)
-        if isinstance(cause, Tainted) or POISON in str(error):
+        if isinstance(cause, DependsOnError) or POISON in str(error):
             return True
         if not self.lost:
             return False

@@ -16,7 +16,7 @@ from functools import lru_cache
 from types import CodeType
 from typing import Any
 
-from urdfkit.xacro.sandbox import Fence, TooLarge, UnsafeExpression
+from urdfkit.xacro.sandbox import Sandbox, TooLarge, UnsafeExpression
 
 #: Longer than any expression of a model; the longest known has 156 characters.
 MAX_EXPRESSION = 4000
@@ -164,7 +164,7 @@ class Scope(dict[str, Any]):
         return self._names[name] if guard is None else guard
 
 
-def evaluate(text: str, names: Any, fence: Fence) -> Any:
+def evaluate(text: str, names: Any, fence: Sandbox) -> Any:
     """The value of an expression; of an iterator the list.
 
     Args:

@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.text.document import Frame
+from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 from urdfkit.xacro.dom import Node
 
@@ -25,7 +25,7 @@ _WRITTEN = {
 }
 
 
-class Located(Record):
+class LocatedExpression(Record):
     """An expression in a text.
 
     Attributes:
@@ -40,14 +40,14 @@ class Located(Record):
     resolving: tuple[tuple[Any, str], ...] = ()
 
 
-class Spot(Record):
+class ErrorLocation(Record):
     """A place, and the calls that led there."""
 
     span: Span
-    frame: Frame | None
+    frame: CallFrame | None
 
 
-def spot(node: Node, local: dict[str, Any], located: Located) -> Spot:
+def spot(node: Node, local: dict[str, Any], located: LocatedExpression) -> ErrorLocation:
     """The place of an expression: in an attribute, a text, or the default of a parameter.
 
     Args:
@@ -56,15 +56,15 @@ def spot(node: Node, local: dict[str, Any], located: Located) -> Spot:
         located: the expression.
     """
     if (span := _in_attribute(node, local, located)) is not None:
-        return Spot(span, node.frame)
+        return ErrorLocation(span, node.frame)
     macro = getattr(local.get("m"), "body", None)
     if isinstance(macro, Node) and (span := _in_parameters(macro, local, located)) is not None:
         name = macro.getAttribute("name")
-        return Spot(span, Frame("macro", name, node.tag_at, macro.tag_at, node.frame))
-    return Spot(_in_text(node, local.get("node"), located) or node.tag_at.span, node.frame)
+        return ErrorLocation(span, CallFrame("macro", name, node.tag_at, macro.tag_at, node.frame))
+    return ErrorLocation(_in_text(node, local.get("node"), located) or node.tag_at.span, node.frame)
 
 
-def _in_attribute(node: Node, local: dict[str, Any], located: Located) -> Span | None:
+def _in_attribute(node: Node, local: dict[str, Any], located: LocatedExpression) -> Span | None:
     values = dict(zip(node.raw[::2], node.raw[1::2], strict=True))
     names = [name for name, value in values.items() if value == located.text]
     if local.get("name") in names:  # of two that are alike, the one that it works on
@@ -75,7 +75,7 @@ def _in_attribute(node: Node, local: dict[str, Any], located: Located) -> Span |
     return _find(span, located, located.text[: located.offset].count(located.token)) or span
 
 
-def _in_parameters(macro: Node, local: dict[str, Any], located: Located) -> Span | None:
+def _in_parameters(macro: Node, local: dict[str, Any], located: LocatedExpression) -> Span | None:
     """The expression in the default of a parameter."""
     params = macro.tag_at.attribute_spans().get("params")
     if params is None:
@@ -85,7 +85,7 @@ def _in_parameters(macro: Node, local: dict[str, Any], located: Located) -> Span
     return _find(params._replace(start=params.start + len(skipped.encode())), located)
 
 
-def _in_text(node: Node, text: Any, located: Located) -> Span | None:
+def _in_text(node: Node, text: Any, located: LocatedExpression) -> Span | None:
     """The expression in a text or a comment, counted from its end."""
     inner = node.tag_at.inner_span
     end = getattr(text, "ends", None)
@@ -95,7 +95,7 @@ def _in_text(node: Node, text: Any, located: Located) -> Span | None:
     return _find(inner._replace(end=end), located, -1 - rest.count(located.token))
 
 
-def _find(around: Span, located: Located, number: int = 0) -> Span | None:
+def _find(around: Span, located: LocatedExpression, number: int = 0) -> Span | None:
     """The expression in a piece of a file, of several that are alike the one of a number."""
     if not located.token or len(located.token) > _MAX_TOKEN:
         return None

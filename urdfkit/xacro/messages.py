@@ -39,14 +39,14 @@ _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w
 _OPENED = re.compile(rb"<xacro:(if|unless|macro)\b[^<>]*(?<!/)>|</xacro:(?:if|unless|macro)\s*>")
 
 
-class Words(Record):
+class MessageText(Record):
     """A message and a help; the rule's own help if empty."""
 
     message: str
     help: str = ""
 
 
-def words(run: Run, error: BaseException, cause: BaseException) -> Words:
+def words(run: Run, error: BaseException, cause: BaseException) -> MessageText:
     """An error of an expression, a call or a tag.
 
     Args:
@@ -56,27 +56,29 @@ def words(run: Run, error: BaseException, cause: BaseException) -> Words:
     """
     if isinstance(cause, FileNotFoundError) and cause.filename:
         path = os.fspath(cause.filename)
-        return Words(f"file not found: {shown(path)}", _nearest_file(path))
+        return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
     if isinstance(cause, OSError) and cause.filename:
-        return Words(f"{cause.filename}: {cause.strerror}")
+        return MessageText(f"{cause.filename}: {cause.strerror}")
     if isinstance(cause, SyntaxError):
-        return Words(f"not an expression: {cause.msg}", "write it as Python would read it")
+        return MessageText(f"not an expression: {cause.msg}", "write it as Python would read it")
     if isinstance(cause, BrokenYaml):
         where = cause.span.source.path
-        return Words(f"{where} is no YAML: {cause.reason}", "correct the file")
+        return MessageText(f"{where} is no YAML: {cause.reason}", "correct the file")
     if isinstance(cause, KeyError):
-        return Words(f"there is no key {cause}", "correct the key, or what the key comes from")
+        return MessageText(
+            f"there is no key {cause}", "correct the key, or what the key comes from"
+        )
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
     if isinstance(cause, NameError) and (found := _UNDEFINED.search(text)):
         return _undefined_name(run, text, found.group(1))
     if isinstance(cause, AttributeError) and "'_setitem'" in text:
         message = 'scope="parent" stands outside of every macro, where there is no parent'
-        return Words(message, "delete the scope")
+        return MessageText(message, "delete the scope")
     if found := _UNKNOWN_MACRO.search(text):
         return _unknown_macro(run, found.group(1))
     if isinstance(cause, TypeError) and (help := _help_with_types(text)):
-        return Words(text, help)
-    return _of_call(text, macro_of(error)) or Words(
+        return MessageText(text, help)
+    return _of_call(text, macro_of(error)) or MessageText(
         text.replace("\n", "; ") or type(cause).__name__
     )
 
@@ -99,48 +101,54 @@ def macro_of(error: BaseException) -> Any:
     return macros[0] if isinstance(getattr(macros[0], "body", None), Node) else None
 
 
-def _of_call(text: str, macro: Any) -> Words | None:
+def _of_call(text: str, macro: Any) -> MessageText | None:
     """Calls with other parameters or blocks than the macro has, and the like."""
     who = f"macro '{macro.body.getAttribute('name')}'" if macro is not None else "the macro"
     params: list[str] = list(macro.params) if macro is not None else []
     if found := _PARAMETER.search(text):
         name = found.group(1)
         has = ", ".join(params) or "none"
-        return Words(
+        return MessageText(
             f"{who} has no parameter '{name}'", f"it has: {has}{did_you_mean(name, params)}"
         )
     if found := _WITHOUT_VALUE.search(text):
         names = found.group(1).replace(",", ", ")
-        return Words(f"{who} is called without {names}", "give every parameter without a default")
+        return MessageText(
+            f"{who} is called without {names}", "give every parameter without a default"
+        )
     if text.startswith("Not enough blocks"):
         blocks = ", ".join(param for param in params if param.startswith("*"))
         what = f"put an element for each of {blocks} into the call"
-        return Words(f"{who} is called without an element for {blocks or 'its block'}", what)
+        return MessageText(f"{who} is called without an element for {blocks or 'its block'}", what)
     if found := _BLOCK_TOO_MANY.search(text):
         what = "delete it, or give the macro a parameter with * for it"
-        return Words(f"{who} has no block parameter for <{found.group(1)}>", what)
+        return MessageText(f"{who} has no block parameter for <{found.group(1)}>", what)
     if found := _NO_BLOCK.search(text):
         what = "insert_block takes the name of a parameter with *, or of a property with elements"
-        return Words(f"block '{found.group(1)}' is not defined", what)
+        return MessageText(f"block '{found.group(1)}' is not defined", what)
     if found := _CONDITION.search(text):
         value = found.group(2)[:60]
-        return Words(f"the condition is '{value}', neither true nor false", "write true or false")
+        return MessageText(
+            f"the condition is '{value}', neither true nor false", "write true or false"
+        )
     if found := _UNCLOSED.search(text):
         bracket = "}" if found.group(1)[1] == "{" else ")"
-        return Words(f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'")
+        return MessageText(
+            f"'{found.group(1)[:60]}' is never closed", f"write the missing '{bracket}'"
+        )
     return None
 
 
-def _unknown_macro(run: Run, name: str) -> Words:
+def _unknown_macro(run: Run, name: str) -> MessageText:
     known = [macro.name for macro in run.macros]
     if tag := nearest(name, XACRO_TAGS, _SLIP):
         known.append(tag)
     if defined := _defined_elsewhere(run, "macro", name):
-        return Words(f"macro '{name}' is not defined", defined)
+        return MessageText(f"macro '{name}' is not defined", defined)
     help = "define the macro above its call, or include the file that does"
     if any(map(_BARE_INCLUDE.search, (one.data for one in run.reader.sources.values()))):
         help = "write <xacro:include>: xacro passes over an <include> without the prefix"
-    return Words(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+    return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
 def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
@@ -157,12 +165,12 @@ def bare_property(run: Run, cause: BaseException) -> tuple[str, Span] | None:
     return None
 
 
-def _undefined_name(run: Run, text: str, name: str) -> Words:
+def _undefined_name(run: Run, text: str, name: str) -> MessageText:
     if defined := _defined_elsewhere(run, "property", name):
-        return Words(text, defined)
+        return MessageText(text, defined)
     later = [named for _, named in _definitions(run, "property")]
     help = f"define the property '{name}' above its use, or correct the name"
-    return Words(text, help + did_you_mean(name, later))
+    return MessageText(text, help + did_you_mean(name, later))
 
 
 def _defined_elsewhere(run: Run, kind: str, name: str) -> str:

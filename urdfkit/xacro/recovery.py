@@ -13,7 +13,7 @@ from urdfkit.xacro.budget import deadline
 from urdfkit.xacro.engine import load_engine
 from urdfkit.xacro.errors import root_cause
 from urdfkit.xacro.expansion import Run
-from urdfkit.xacro.expansion_log import ANY, Ledger
+from urdfkit.xacro.expansion_log import ANY, ExpansionLog
 from urdfkit.xacro.file_reader import Reader
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def attempt(source: Source, resolver: Resolver, arguments: dict[str, str], **opt
     Returns:
         The last run; its ledger has the problems of all.
     """
-    ledger = Ledger()
+    ledger = ExpansionLog()
     near = os.path.join(options["root_dir"], source.path)
     reader = Reader(source, resolver, near=near, trust=options["trust"])
     without: set[tuple[str, int]] = set()

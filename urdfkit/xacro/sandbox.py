@@ -102,7 +102,7 @@ def is_name_space(table: Any) -> bool:
     return "parent" in getattr(table, "__dict__", ())
 
 
-class Fence:
+class Sandbox:
     """The guards of one expansion.
 
     Attributes:

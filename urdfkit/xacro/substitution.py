@@ -17,7 +17,7 @@ from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.sandbox import UnsafeExpression
 
 if TYPE_CHECKING:
-    from urdfkit.xacro.sandbox import Fence
+    from urdfkit.xacro.sandbox import Sandbox
 
 #: Variables that ``$(env)`` and ``$(optenv)`` may read without ``--trust``.
 ENVIRONMENT_PREFIXES = ("ROS_", "AMENT_", "GAZEBO_", "GZ_", "IGN_", "ROBOT_")
@@ -51,7 +51,7 @@ class Context(Record):
     folder: str
     working_directory: str
     environment: Mapping[str, str]
-    fence: Fence | None
+    fence: Sandbox | None
     functions: Mapping[str, Any]
 
 

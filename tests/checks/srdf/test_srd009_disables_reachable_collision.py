@@ -12,7 +12,7 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import joint, link, revolute, sphere
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.physics.collision.sampled_poses import Still
+from urdfkit.physics.collision.sampled_poses import SampledPoses
 
 TURN = revolute(-3, 3, "0 1 0")
 ARM = whole_robot(
@@ -82,12 +82,12 @@ def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.Mo
     asked: list[tuple[int, int]] = []
 
     def colliding(
-        _: Still, pairs: Sequence[tuple[str, str]], samples: int, is_checked: object
+        _: SampledPoses, pairs: Sequence[tuple[str, str]], samples: int, is_checked: object
     ) -> list[None]:
         asked.append((len(pairs), samples))
         return [None] * len(pairs)
 
-    monkeypatch.setattr(Still, "colliding", colliding)
+    monkeypatch.setattr(SampledPoses, "colliding", colliding)
     told(tmp_path, pair("hand", "base"))
     told(tmp_path, pair("hand", "base") * 1000)
     assert asked == [(1, 2000), (1000, 400)]

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.mesh import made
-from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.facts import Defect, DefectKind
 from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.ascii_stl()
@@ -37,33 +37,33 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.ascii_stl([]), Kind.EMPTY, "holds no triangles"),
-        (SOUND[:-15], Kind.TRUNCATED, "ends after 4 triangles, without 'endsolid'"),
-        (SOUND[:220], Kind.TRUNCATED, "ends after 1 triangle, without 'endsolid'"),
-        (SOUND[:40], Kind.TRUNCATED, "ends before its first triangle, without 'endsolid'"),
+        (made.ascii_stl([]), DefectKind.EMPTY, "holds no triangles"),
+        (SOUND[:-15], DefectKind.TRUNCATED, "ends after 4 triangles, without 'endsolid'"),
+        (SOUND[:220], DefectKind.TRUNCATED, "ends after 1 triangle, without 'endsolid'"),
+        (SOUND[:40], DefectKind.TRUNCATED, "ends before its first triangle, without 'endsolid'"),
         (
             SOUND + SOUND[:220],
-            Kind.TRUNCATED,
+            DefectKind.TRUNCATED,
             "ends after 5 triangles, without 'endsolid'",
         ),
         (
             SOUND.replace(b"vertex 0 1 0", b"vertex 0,0 1,0 0,0"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has 'vertex 0,0 1,0 0,0' in line 5, not three numbers",
         ),
         (
             SOUND.replace(b"vertex 0 1 0", b"vertex 0 1"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has 'vertex 0 1' in line 5, not three numbers",
         ),
         (
             SOUND.replace(b"      vertex 0 1 0\n", b"", 1),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "holds 4 triangles and only 11 corners",
         ),
     ],
 )
-def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
 
 

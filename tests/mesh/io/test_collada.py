@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.mesh import made
-from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.facts import Defect, DefectKind
 from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.collada()
@@ -48,53 +48,53 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (made.collada(faces=0), Kind.EMPTY, "holds no triangles"),
-        (changed("triangles", "lines"), Kind.EMPTY, "holds no triangles, only lines"),
-        (b"<COLLADA></COLLADA>", Kind.EMPTY, "holds no triangles"),
+        (made.collada(faces=0), DefectKind.EMPTY, "holds no triangles"),
+        (changed("triangles", "lines"), DefectKind.EMPTY, "holds no triangles, only lines"),
+        (b"<COLLADA></COLLADA>", DefectKind.EMPTY, "holds no triangles"),
         (
             changed('<instance_geometry url="#part"/>', ""),
-            Kind.EMPTY,
+            DefectKind.EMPTY,
             "holds geometry, but its scene shows none of it",
         ),
         (
             changed('<instance_visual_scene url="#scene"/>', ""),
-            Kind.EMPTY,
+            DefectKind.EMPTY,
             "holds geometry, but no <scene> that shows it",
         ),
         (
             changed('source="#positions"', 'source="#elsewhere"'),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "refers in <input> to '#elsewhere', which is not in it",
         ),
         (
             changed('url="#part"', 'url="#other"'),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "refers in <instance_geometry> to '#other', which is not in it",
         ),
         (
             changed("</technique_common>\n        </source>", "</source>"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "is not well-formed XML: mismatched tag in line 10",
         ),
         (
             changed("0 0 0 1", "0 0 \0 1"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "is not well-formed XML: not well-formed (invalid token) in line 9",
         ),
-        (SOUND[:20], Kind.TRUNCATED, "ends inside its first tag, before any triangle"),
+        (SOUND[:20], DefectKind.TRUNCATED, "ends inside its first tag, before any triangle"),
         (
             SOUND[: SOUND.index(b"1 0 0 0 1")],
-            Kind.TRUNCATED,
+            DefectKind.TRUNCATED,
             "ends inside <float_array> in <source>, before any triangle",
         ),
         (
             SOUND[: SOUND.index(b"<visual_scene")],
-            Kind.TRUNCATED,
+            DefectKind.TRUNCATED,
             "ends inside <library_visual_scenes> in <COLLADA>",
         ),
     ],
 )
-def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
 
 
@@ -109,5 +109,5 @@ def test_a_coordinate_that_is_not_finite(word: str) -> None:
 def test_more_than_one_error_names_the_first_line() -> None:
     data = SOUND.replace(b"<asset>", b"<asset><a>").replace(b"<scene>", b"<scene><b>")
     assert judged(data)[0] == Defect(
-        Kind.UNREADABLE, "is not well-formed XML: mismatched tag in line 4"
+        DefectKind.UNREADABLE, "is not well-formed XML: mismatched tag in line 4"
     )

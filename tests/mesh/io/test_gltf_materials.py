@@ -13,7 +13,7 @@ import numpy as np
 
 from tests.mesh import made
 from tests.mesh.gltfs import CORNERS, PIXEL, Content, floats, uri
-from urdfkit.mesh.geometry import Material, Part
+from urdfkit.mesh.geometry import MeshMaterial, MeshPart
 from urdfkit.mesh.io.load import load_bytes
 
 
@@ -64,14 +64,14 @@ def with_looks() -> Content:
     return content
 
 
-def looks(content: Content, path: str = "a.gltf") -> Part:
+def looks(content: Content, path: str = "a.gltf") -> MeshPart:
     (part,) = load_bytes(json.dumps(content).encode(), path).parts
     return part
 
 
 def test_looks() -> None:
     part = looks(with_looks())
-    assert part.material == Material("paint", (0.5, 0.25, 1, 0.75), PIXEL)
+    assert part.material == MeshMaterial("paint", (0.5, 0.25, 1, 0.75), PIXEL)
     # Corners may be in another order than in the file.
     order = [int(np.flatnonzero((part.vertices == corner).all(axis=1))[0]) for corner in CORNERS]
     assert part.uv is not None
@@ -110,7 +110,7 @@ def test_an_older_material() -> None:
     content["materials"][0]["extensions"] = {
         "KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0, 1, 0, 1]}
     }
-    assert looks(content).material == Material("paint", (0, 1, 0, 1))
+    assert looks(content).material == MeshMaterial("paint", (0, 1, 0, 1))
 
 
 def test_an_image_in_a_file(tmp_path: Path) -> None:

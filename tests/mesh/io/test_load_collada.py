@@ -14,7 +14,7 @@ import numpy as np
 
 from tests.mesh import made
 from tests.mesh.measures import bounds, volume
-from urdfkit.mesh.geometry import Material, Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.hull import hull
 from urdfkit.mesh.io.load import UnloadableMesh, load, salvage
 from urdfkit.mesh.writers import encode
@@ -93,7 +93,7 @@ def test_a_square(tmp_path: Path) -> None:
     (part,) = mesh.parts
     assert part.vertices.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     assert part.faces.tolist() == [[0, 1, 2], [0, 2, 3]]
-    assert part.material == Material("red paint", (1, 0, 0, 1))
+    assert part.material == MeshMaterial("red paint", (1, 0, 0, 1))
     assert (part.normals, part.uv, part.colors) == (None, None, None)
     assert (mesh.unit, mesh.up_axis, mesh.losses, mesh.extras) == (1, "", (), ())
     assert mesh.textures == ()
@@ -212,7 +212,7 @@ TEXTURED = '<diffuse><texture texture="{}" texcoord="UV"/></diffuse>'
 def test_a_texture(tmp_path: Path, sampler: str, parameters: str, image: str) -> None:
     (tmp_path / "picture.png").write_bytes(PIXEL)
     mesh = square(tmp_path, looks=TEXTURED.format(sampler), parameters=parameters, image=image)
-    expected = Material("red paint", (1, 1, 1, 1), str(tmp_path / "picture.png"))
+    expected = MeshMaterial("red paint", (1, 1, 1, 1), str(tmp_path / "picture.png"))
     assert mesh.parts[0].material == expected
     assert (mesh.losses, mesh.textures, mesh.missing) == ((), (image,), ())
 
@@ -239,7 +239,7 @@ def test_decimal_commas_are_named(tmp_path: Path) -> None:
 
 def test_a_texture_that_is_missing(tmp_path: Path) -> None:
     mesh = square(tmp_path, looks=TEXTURED.format("sampler"), parameters=PARAMETERS)
-    assert mesh.parts[0].material == Material("red paint")
+    assert mesh.parts[0].material == MeshMaterial("red paint")
     assert mesh.missing == ("picture.png",)
     assert mesh.losses == ()
 
@@ -268,7 +268,7 @@ def test_transparency(tmp_path: Path, looks: str, alpha: float) -> None:
 def test_a_constant_shader_shines(tmp_path: Path) -> None:
     looks = "<emission><color>0 1 0 1</color></emission>"
     mesh = square(tmp_path, shader="constant", looks=looks)
-    assert mesh.parts[0].material == Material("red paint", (0, 1, 0, 1))
+    assert mesh.parts[0].material == MeshMaterial("red paint", (0, 1, 0, 1))
 
 
 @pytest.mark.parametrize(
@@ -366,12 +366,12 @@ def test_what_is_left_of_a_truncated_file(tmp_path: Path) -> None:
         load(path)
     mesh = salvage(path)
     assert len(mesh.faces) == 2
-    assert mesh.parts[0].material == Material("red paint", (1, 0, 0, 1))
+    assert mesh.parts[0].material == MeshMaterial("red paint", (1, 0, 0, 1))
 
 
 def test_what_is_left_of_a_file_without_its_end_is_shown_where_it_is(tmp_path: Path) -> None:
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 2) for z in (0, 3)], dtype=float)
-    whole = hull(Mesh((Part(corners, np.arange(8).reshape(1, -1)),)))
+    whole = hull(Mesh((MeshPart(corners, np.arange(8).reshape(1, -1)),)))
     data = encode(whole, "a.dae")["a.dae"]
     start, end = data.index(b"<p>"), data.index(b"</p>")
     path = tmp_path / "a.dae"

@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("numpy")
 
 from tests.mesh.measures import bounds
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.io.load import UnloadableMesh, load
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -91,14 +91,14 @@ def test_materials(tmp_path: Path) -> None:
         "usemtl picture\nf 1 2 3\nusemtl red\nf 1 2 4\nusemtl unknown\nf 1 2 3\n"
     )
     mesh = read(tmp_path, text, my_mtl=MTL)
-    default = Material().rgba
+    default = MeshMaterial().rgba
     assert [part.material for part in mesh.parts] == [
         None,
-        Material("red", (1, 0, 0, 0.5)),
-        Material("glass", (*default[:3], 0.25)),
-        Material("picture", default, str(tmp_path / "a picture.png")),
-        Material("red", (1, 0, 0, 0.5)),
-        Material("unknown"),
+        MeshMaterial("red", (1, 0, 0, 0.5)),
+        MeshMaterial("glass", (*default[:3], 0.25)),
+        MeshMaterial("picture", default, str(tmp_path / "a picture.png")),
+        MeshMaterial("red", (1, 0, 0, 0.5)),
+        MeshMaterial("unknown"),
     ]
     assert mesh.textures == ("a picture.png",)
     assert mesh.losses == ()

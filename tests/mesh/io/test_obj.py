@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.mesh import made
-from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.facts import Defect, DefectKind
 from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.obj()
@@ -34,22 +34,22 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (b"# only a comment\n", Kind.EMPTY, "holds no faces (number of vertices: 0)"),
-        (b"v 0 0 0\nv 1 0 0\n", Kind.EMPTY, "holds no faces (number of vertices: 2)"),
-        (SOUND + b"f 1 2", Kind.TRUNCATED, "ends inside a face: 'f 1 2'"),
+        (b"# only a comment\n", DefectKind.EMPTY, "holds no faces (number of vertices: 0)"),
+        (b"v 0 0 0\nv 1 0 0\n", DefectKind.EMPTY, "holds no faces (number of vertices: 2)"),
+        (SOUND + b"f 1 2", DefectKind.TRUNCATED, "ends inside a face: 'f 1 2'"),
         (
             SOUND.replace(b"f 1/1 2/1 4/1", b"f 1/1 2/1 5/1"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "names vertex 5 in line 8 and holds 4 vertices",
         ),
         (
             SOUND.replace(b"f 1/1 2/1 4/1", b"f -1 -2 -5"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "names vertex 5 in line 8 and holds 4 vertices",
         ),
     ],
 )
-def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
 
 

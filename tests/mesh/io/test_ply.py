@@ -5,7 +5,7 @@ from math import inf, nan
 import pytest
 
 from tests.mesh import made
-from urdfkit.mesh.io.facts import Defect, Kind
+from urdfkit.mesh.io.facts import Defect, DefectKind
 from urdfkit.mesh.io.sniff import sniff
 
 ASCII = made.ascii_ply()
@@ -37,37 +37,37 @@ def test_sound_files(data: bytes) -> None:
 @pytest.mark.parametrize(
     ("data", "kind", "reason"),
     [
-        (ASCII.replace(b"face 1", b"face 0"), Kind.EMPTY, "holds no triangles"),
-        (ASCII.replace(b"vertex 3", b"vertex 0"), Kind.EMPTY, "holds no triangles"),
-        (ASCII[:90], Kind.TRUNCATED, "ends inside its header"),
-        (ASCII[:-3], Kind.TRUNCATED, "declares 1 face and holds 0"),
-        (ASCII[:-12], Kind.TRUNCATED, "declares 3 vertices and holds 2"),
-        (BINARY[:-1], Kind.TRUNCATED, "declares 1 face and holds 0"),
-        (BINARY[:-20], Kind.TRUNCATED, "declares 3 vertices and holds 2"),
-        (ASCII.replace(b"face 1", b"face 2"), Kind.TRUNCATED, "declares 2 faces and holds 1"),
+        (ASCII.replace(b"face 1", b"face 0"), DefectKind.EMPTY, "holds no triangles"),
+        (ASCII.replace(b"vertex 3", b"vertex 0"), DefectKind.EMPTY, "holds no triangles"),
+        (ASCII[:90], DefectKind.TRUNCATED, "ends inside its header"),
+        (ASCII[:-3], DefectKind.TRUNCATED, "declares 1 face and holds 0"),
+        (ASCII[:-12], DefectKind.TRUNCATED, "declares 3 vertices and holds 2"),
+        (BINARY[:-1], DefectKind.TRUNCATED, "declares 1 face and holds 0"),
+        (BINARY[:-20], DefectKind.TRUNCATED, "declares 3 vertices and holds 2"),
+        (ASCII.replace(b"face 1", b"face 2"), DefectKind.TRUNCATED, "declares 2 faces and holds 1"),
         (
             ASCII.replace(b"ascii", b"text"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has the format 'text', which PLY does not know",
         ),
         (
             ASCII.replace(b"float z", b"real z"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has the property 'z real', which PLY does not know",
         ),
         (
             ASCII.replace(b"list uchar", b"list float"),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has the property 'vertex_indices int float', which PLY does not know",
         ),
         (
             ASCII.replace(b"end_header", b"comment " + b"x" * 70_000),
-            Kind.UNREADABLE,
+            DefectKind.UNREADABLE,
             "has no 'end_header'",
         ),
     ],
 )
-def test_broken_files(data: bytes, kind: Kind, reason: str) -> None:
+def test_broken_files(data: bytes, kind: DefectKind, reason: str) -> None:
     assert judged(data) == (Defect(kind, reason), "")
 
 
@@ -82,7 +82,7 @@ def test_a_vertex_that_is_not_finite(number: float) -> None:
 def test_counts_beyond_all_measure_take_no_time() -> None:
     huge = b"99999999999999999"
     assert judged(BINARY.replace(b"face 1", b"face " + huge))[0] == Defect(
-        Kind.TRUNCATED, f"declares {huge.decode()} faces and holds 1"
+        DefectKind.TRUNCATED, f"declares {huge.decode()} faces and holds 1"
     )
     nothing = BINARY.replace(b"element face", b"element user " + huge + b"\nelement face")
     assert judged(nothing) == (None, "")

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 from tests.conftest import CORPUS, needs_corpus
 from tests.mesh import made
 from urdfkit.mesh.io import sniff as module
-from urdfkit.mesh.io.facts import BY_SUFFIX, Kind, MeshFacts
+from urdfkit.mesh.io.facts import BY_SUFFIX, DefectKind, MeshFacts
 from urdfkit.mesh.io.sniff import sniff, sniff_file
 
 SUFFIXES = [*BY_SUFFIX, ".txt", ""]
 
 
-def judged(data: bytes, suffix: str = ".stl") -> tuple[Kind | None, str]:
+def judged(data: bytes, suffix: str = ".stl") -> tuple[DefectKind | None, str]:
     facts = sniff(data, suffix)
     assert facts.size == len(data)
     return (facts.defect.kind, facts.defect.reason) if facts.defect else (None, "")
@@ -63,7 +63,7 @@ def test_other_formats_are_recognised_and_left_alone(data: bytes, form: str) -> 
 )
 def test_empty_files(data: bytes, reason: str) -> None:
     for suffix in SUFFIXES:
-        assert judged(data, suffix) == (Kind.EMPTY, reason)
+        assert judged(data, suffix) == (DefectKind.EMPTY, reason)
 
 
 LFS = b"version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 4048584\n"
@@ -95,11 +95,11 @@ LFS = b"version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 404858
 )
 def test_files_that_are_no_meshes(data: bytes, reason: str) -> None:
     for suffix in SUFFIXES:
-        assert judged(data, suffix) == (Kind.NOT_A_MESH, reason)
+        assert judged(data, suffix) == (DefectKind.NOT_A_MESH, reason)
 
 
 def test_a_zip_archive_that_is_no_mesh() -> None:
-    assert judged(b"PK\x03\x04" + b"\0" * 40) == (Kind.NOT_A_MESH, "is a zip archive")
+    assert judged(b"PK\x03\x04" + b"\0" * 40) == (DefectKind.NOT_A_MESH, "is a zip archive")
 
 
 @pytest.mark.parametrize(
@@ -112,7 +112,7 @@ def test_a_zip_archive_that_is_no_mesh() -> None:
     ],
 )
 def test_unreadable_files(data: bytes, reason: str) -> None:
-    assert judged(data, ".dae") == (Kind.UNREADABLE, reason)
+    assert judged(data, ".dae") == (DefectKind.UNREADABLE, reason)
 
 
 def test_files(tmp_path: Path) -> None:
@@ -127,7 +127,7 @@ def test_files(tmp_path: Path) -> None:
     ):
         defect = sniff_file(name).defect
         assert defect is not None
-        assert (defect.kind, defect.reason) == (Kind.UNREADABLE, reason)
+        assert (defect.kind, defect.reason) == (DefectKind.UNREADABLE, reason)
 
 
 def test_a_pipe_does_not_stop_the_program(tmp_path: Path) -> None:

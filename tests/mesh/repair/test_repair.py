@@ -17,7 +17,7 @@ import trimesh
 from tests.conftest import CORPUS, needs_corpus
 from tests.mesh.defects import KINDS, shapes
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
-from urdfkit.mesh.geometry import Material, Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.health import examine
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.repair import Repair, repair
@@ -30,7 +30,7 @@ SHAPES = shapes()
 
 def spoilt(name: str, kind: int) -> Mesh:
     rng = np.random.default_rng([SEED, kind, len(name)])
-    return Mesh((Part(*KINDS[kind](rng, SHAPES[name])),))
+    return Mesh((MeshPart(*KINDS[kind](rng, SHAPES[name])),))
 
 
 @cache
@@ -50,8 +50,8 @@ def test_a_healthy_mesh_is_not_touched(name: str) -> None:
     assert repair(loose).mesh is loose
 
 
-def _unindexed(part: Part) -> Part:
-    return Part(
+def _unindexed(part: MeshPart) -> MeshPart:
+    return MeshPart(
         part.vertices[part.faces].reshape(-1, 3), np.arange(3 * len(part.faces)).reshape(-1, 3)
     )
 
@@ -95,7 +95,7 @@ def test_repairing_twice_is_repairing_once() -> None:
 def test_what_it_did_is_told_with_the_distance_both_ways() -> None:
     ball = trimesh.creation.icosphere(3, 0.1)
     fin = np.vstack([ball.vertices, [[0, 0, 0.2]]])
-    mesh = Mesh((Part(fin, np.vstack([ball.faces, [[*ball.faces[0, :2], 642]]])),))
+    mesh = Mesh((MeshPart(fin, np.vstack([ball.faces, [[*ball.faces[0, :2], 642]]])),))
     done = repair(mesh)
     assert [(step.name, step.removed) for step in done.steps] == [("dropped fins", 1)]
     assert done.lost == pytest.approx(0.1, rel=0.02)
@@ -105,7 +105,7 @@ def test_what_it_did_is_told_with_the_distance_both_ways() -> None:
 def test_a_fill_lies_in_the_plane_of_its_hole() -> None:
     box = trimesh.creation.box((0.2, 0.1, 0.05)).subdivide().subdivide()
     faces = box.faces[box.triangles_center[:, 2] < 0.0249]
-    done = repair(Mesh((Part(np.array(box.vertices), np.array(faces)),)))
+    done = repair(Mesh((MeshPart(np.array(box.vertices), np.array(faces)),)))
     assert as_trimesh(done.mesh).volume == pytest.approx(0.001)
     assert done.after.is_solid
     assert done.gained == pytest.approx(0.05, rel=0.1), "half the width of the opening"
@@ -113,7 +113,7 @@ def test_a_fill_lies_in_the_plane_of_its_hole() -> None:
 
 def test_holes_can_be_kept() -> None:
     box = trimesh.creation.box()
-    mesh = Mesh((Part(np.array(box.vertices), np.array(box.faces[2:])),))
+    mesh = Mesh((MeshPart(np.array(box.vertices), np.array(box.faces[2:])),))
     assert not repair(mesh, holes=False).steps
     assert repair(mesh).after.is_solid
 
@@ -132,7 +132,7 @@ def test_a_cavity_is_no_body_inside_out() -> None:
 
 def test_materials_and_texture_coordinates_stay() -> None:
     ball = trimesh.creation.icosphere(2, 1.0)
-    red, blue = Material("red"), Material("blue")
+    red, blue = MeshMaterial("red"), MeshMaterial("blue")
     is_upper = ball.triangles_center[:, 2] > 0
     lower = ball.faces[~is_upper]
     missing = int(np.argmin(ball.triangles_center[~is_upper, 2]))
@@ -156,7 +156,7 @@ def test_materials_and_texture_coordinates_stay() -> None:
 @pytest.mark.parametrize("faces", [[], [[0, 1, 2]], [[0, 0, 1]], [[0, 1, 2], [2, 1, 0]]])
 def test_what_is_no_surface_is_not_made_one(faces: list[list[int]]) -> None:
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
-    mesh = Mesh((Part(points, np.array(faces, dtype=np.int64).reshape(-1, 3)),))
+    mesh = Mesh((MeshPart(points, np.array(faces, dtype=np.int64).reshape(-1, 3)),))
     done = repair(mesh)
     assert not done.after.is_solid
     assert done.after.ailments <= done.before.ailments

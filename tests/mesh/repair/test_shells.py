@@ -11,7 +11,7 @@ import numpy as np
 import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.health import examine_mesh
 from urdfkit.mesh.repair import repair
 
@@ -74,7 +74,7 @@ def test_what_counts_twice_is_no_solid_until_it_is_united(name: str) -> None:
 
 
 def test_united_bodies_keep_their_materials() -> None:
-    red, blue = Material("red", (1, 0, 0, 1)), Material("blue", (0, 0, 1, 1))
+    red, blue = MeshMaterial("red", (1, 0, 0, 1)), MeshMaterial("blue", (0, 0, 1, 1))
     done = repair(Mesh((as_part(box(1), red), as_part(box(1, 0.5), blue))), union=True)
     colours = {part.material: part.vertices[:, 0] for part in done.mesh.parts}
     assert colours[red].min() == pytest.approx(-0.5)

@@ -22,7 +22,7 @@ from PIL import Image
 
 from tests.mesh.shapes_made import as_part
 from tests.mesh.writers.test_writers import GLASS, PARTS
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.parts import PARTS as REAL_PARTS
 from urdfkit.mesh.writers import encode, write
 
@@ -34,7 +34,7 @@ def picture(color: tuple[int, int, int]) -> bytes:
 
 
 def textured(data: bytes, name: str = "photo") -> Mesh:
-    part = as_part(trimesh.creation.box(), Material(name, texture=data))
+    part = as_part(trimesh.creation.box(), MeshMaterial(name, texture=data))
     return Mesh((part._replace(uv=part.vertices[:, :2] + 0.5),))
 
 
@@ -71,7 +71,7 @@ def test_it_is_valid_and_pycollada_reads_it_without_an_error(mesh: Mesh) -> None
 
 def test_names_that_the_schema_forbids() -> None:
     names = ("1 red & <blue>", "ünï", "\x00", "-")
-    parts = tuple(as_part(trimesh.creation.box(), Material(name)) for name in names)
+    parts = tuple(as_part(trimesh.creation.box(), MeshMaterial(name)) for name in names)
     assert_valid(encode(Mesh(parts), "a.dae")["a.dae"])
 
 

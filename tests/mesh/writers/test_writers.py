@@ -15,13 +15,13 @@ import numpy as np
 import trimesh
 
 from tests.mesh.shapes_made import as_mesh, as_part, as_trimesh, cube
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.io.load import load
 from urdfkit.mesh.transforms import upright
 from urdfkit.mesh.writers import SUFFIXES, UnwritableMesh, encode, losses, write
 
-RED = Material("red", (1.0, 0.0, 0.0, 1.0))
-GLASS = Material("clear glass", (0.2, 0.4, 0.6, 0.5))
+RED = MeshMaterial("red", (1.0, 0.0, 0.0, 1.0))
+GLASS = MeshMaterial("clear glass", (0.2, 0.4, 0.6, 0.5))
 PARTS = Mesh(
     (
         as_part(trimesh.creation.cylinder(0.1, 0.2, sections=24), RED),
@@ -121,7 +121,7 @@ def test_what_cannot_be_written_is_said() -> None:
         with pytest.raises(UnwritableMesh, match="not finite, or absurdly far away"):
             encode(broken, "a.stl")
     lost = cube()._replace(
-        parts=(cube().parts[0]._replace(material=Material("m", texture="/no/such.png")),)
+        parts=(cube().parts[0]._replace(material=MeshMaterial("m", texture="/no/such.png")),)
     )
     with pytest.raises(UnwritableMesh, match=r"such\.png: cannot be read"):
         encode(lost, "a.dae")

@@ -14,7 +14,7 @@ import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from tests.output.report.browsers import Page, browser, needs_browser
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.loading import read
 from urdfkit.output.report.writing import report
 from urdfkit.robot.joints import bounds
@@ -47,7 +47,7 @@ def written(robot: Path, folder: Path, language: str = "en") -> Path:
     return file
 
 
-def matrix(frame: Frame) -> list[float]:
+def matrix(frame: Transform) -> list[float]:
     """As three.js has it: sixteen numbers, column by column."""
     columns = [[row[i] for row in frame.rotation] + [0.0] for i in range(3)]
     return [*columns[0], *columns[1], *columns[2], *frame.position, 1.0]

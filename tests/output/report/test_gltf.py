@@ -102,7 +102,7 @@ def test_colours_are_linear() -> None:
 
 
 def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
-    from urdfkit.render.materials import Look
+    from urdfkit.render.materials import SurfaceMaterial
 
     item = pictured.build(read(MISSION)).items[0]
     png = b"\x89PNG\r\n\x1a\n" + bytes(20)
@@ -115,7 +115,7 @@ def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
         (str(tmp_path / "secret"), 0),
         (str(tmp_path / "none"), 0),
     ):
-        look = Look((1.0, 1.0, 1.0, 1.0), texture)
+        look = SurfaceMaterial((1.0, 1.0, 1.0, 1.0), texture)
         data = gltf.write([item._replace(look=look, uv=uv)])[0]
         assert len(opened(data)[0].get("images", ())) == images
         assert b"password" not in data
@@ -123,13 +123,15 @@ def test_textures_travel_along_and_other_files_do_not(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", ["bmp", "tga", "tiff", "webp"])
 def test_what_no_browser_shows_travels_as_a_jpeg(suffix: str, tmp_path: Path) -> None:
-    from urdfkit.render.materials import Look
+    from urdfkit.render.materials import SurfaceMaterial
 
     path = tmp_path / f"a.{suffix}"
     Image.new("RGB", (64, 32), (200, 100, 0)).save(path)
     item = pictured.build(read(MISSION)).items[0]
     uv = np.zeros((len(item.vertices), 2), np.float32)
-    data = gltf.write([item._replace(look=Look((1.0, 1.0, 1.0, 1.0), str(path)), uv=uv)])[0]
+    data = gltf.write(
+        [item._replace(look=SurfaceMaterial((1.0, 1.0, 1.0, 1.0), str(path)), uv=uv)]
+    )[0]
     document, chunk = opened(data)
     view = document["bufferViews"][document["images"][0]["bufferView"]]
     file = chunk[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]

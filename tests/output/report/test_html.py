@@ -17,7 +17,7 @@ from urdfkit.lint import rules
 from urdfkit.lint.context import Unavailable
 from urdfkit.output.comparison import KINDS
 from urdfkit.output.report import engine, html, scene
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.translations import Translator
 from urdfkit.output.report.writing import report
 from urdfkit.robot.stability import VERDICTS
 from urdfkit.text.diagnostic import Confidence
@@ -210,7 +210,7 @@ def words_of_pages() -> set[str]:
 def test_every_word_has_a_chinese_one() -> None:
     wanted = words_of_pages()
     assert len(wanted) > 90
-    assert wanted - Words("zh").known.keys() == set()
+    assert wanted - Translator("zh").known.keys() == set()
 
 
 def test_what_is_translated_is_somewhere_used() -> None:
@@ -220,7 +220,7 @@ def test_what_is_translated_is_somewhere_used() -> None:
     text = "".join(file.read_text(encoding="utf-8") for file in sources) + " ".join(KINDS)
     text += "".join(file.read_text(encoding="utf-8") for file in TEMPLATES.iterdir())
     text += " ".join((*Confidence, *VERDICTS.values()))
-    known = Words("zh").known.keys() - set(rules.FAMILIES.values())
+    known = Translator("zh").known.keys() - set(rules.FAMILIES.values())
     assert {word for word in known if word not in text} == set()
 
 

@@ -13,7 +13,7 @@ import pytest
 from tests.conftest import CORPUS, MODELS, ROOT, needs_corpus
 from urdfkit.output.report.document import VERSION
 from urdfkit.output.report.writing import report
-from urdfkit.physics.collision.matrix import Verdict
+from urdfkit.physics.collision.matrix import PairVerdict
 
 SCHEMA = json.loads((ROOT / "urdfkit/output/report/report.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -83,4 +83,4 @@ def test_the_schema_says_all() -> None:
         if one["additionalProperties"] is False:
             assert sorted(one["required"]) == sorted(one["properties"])
     pair = SCHEMA["properties"]["collisions"]["properties"]["pairs"]["items"]["properties"]
-    assert pair["verdict"]["enum"] == [verdict.value for verdict in Verdict]
+    assert pair["verdict"]["enum"] == [verdict.value for verdict in PairVerdict]

@@ -14,20 +14,26 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.samples import stl
-from urdfkit.physics.collision.bounds import Cover, apart, moved, poses
-from urdfkit.physics.collision.collision_geometry import TOUCH, Form, Gauge, form, volume
+from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
+from urdfkit.physics.collision.collision_geometry import (
+    TOUCH,
+    CollisionGeometry,
+    DistanceQuery,
+    form,
+    volume,
+)
 from urdfkit.physics.collision.geometry_arrays import solids
 
 SAME = np.eye(3)
 
 
-def forms(*shapes: str) -> list[Form]:
+def forms(*shapes: str) -> list[CollisionGeometry]:
     subject = robot(link("a", *shapes))
     return [form(solid) for solid in solids(subject.model, subject.meshes)[0]]
 
 
 def distance(first: str, second: str, *at: float, limit: float = inf) -> float:
-    return Gauge(*forms(first, second)).distance(SAME, np.array(at), limit)
+    return DistanceQuery(*forms(first, second)).distance(SAME, np.array(at), limit)
 
 
 @pytest.mark.parametrize("gap", [0.5, 1e-3, -1e-3, -0.05])
@@ -55,7 +61,7 @@ def test_surfaces_that_overlap_are_seen_and_touching_ones_are_not(tmp_path: Path
 
 
 def test_touching_bodies_do_not_collide_however_they_are_turned() -> None:
-    gauge = Gauge(*forms(box(1, 1, 1), box(1, 1, 1)))
+    gauge = DistanceQuery(*forms(box(1, 1, 1), box(1, 1, 1)))
     random = np.random.default_rng(0)
     for _ in range(100):
         shift = np.array([1, *random.uniform(-0.9, 0.9, 2)])
@@ -80,7 +86,7 @@ def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
     shell = mesh(cube(tmp_path / "o.stl", 0.5, 5))
     (one, two) = forms(shell, sphere(0.1))
     assert not one.is_convex
-    assert Gauge(one, two).distance(SAME, np.array([0.0, 0, 0.45]), inf) > 0
+    assert DistanceQuery(one, two).distance(SAME, np.array([0.0, 0, 0.45]), inf) > 0
 
 
 def test_the_volume_of_a_cube(tmp_path: Path) -> None:
@@ -100,7 +106,7 @@ def test_boxes_bound_the_distance_from_below_and_tell_parted_ones_apart() -> Non
     turns = rotations(400, 0)
     offsets = np.random.default_rng(1).normal(size=(400, 3)) * 0.6
     bound = apart(first.half, second.half, first.radius + second.radius, turns, offsets, inf)
-    gauge = Gauge(first, second)
+    gauge = DistanceQuery(first, second)
     true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
     assert (bound <= np.maximum(true, 0) + 1e-9).all()
     near = np.abs(true) > 1e-6
@@ -122,10 +128,10 @@ def test_no_point_of_a_body_moves_farther_than_told() -> None:
 
 def test_what_was_measured_bounds_what_is_around() -> None:
     turns, offsets = rotations(300, 4), np.random.default_rng(5).normal(size=(300, 3)) * 0.4
-    gauge = Gauge(*forms(box(0.3, 0.2, 0.1), sphere(0.1)))
+    gauge = DistanceQuery(*forms(box(0.3, 0.2, 0.1), sphere(0.1)))
     some = poses(turns, offsets, gauge.second.radius)
     true = np.array([gauge.distance(*pose, inf) for pose in zip(turns, offsets, strict=True)])
-    cover = Cover()
+    cover = DistanceBound()
     assert (cover.bound(some) == -inf).all()
     for known in range(200):
         cover.add(some[known], max(0.0, true[known]))

@@ -12,10 +12,16 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere, stl
 from urdfkit.lint.context import Subject
 from urdfkit.physics.collision.collision_geometry import form
-from urdfkit.physics.collision.geometry_arrays import LARGEST, THINNEST, Omitted, Solid, solids
+from urdfkit.physics.collision.geometry_arrays import (
+    LARGEST,
+    THINNEST,
+    CollisionArrays,
+    OmittedCollision,
+    solids,
+)
 
 
-def made(subject: Subject) -> tuple[tuple[Solid, ...], tuple[Omitted, ...]]:
+def made(subject: Subject) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
     return solids(subject.model, subject.meshes)
 
 
@@ -54,7 +60,7 @@ def test_primitives_stay_exact(shape: str, kind: str, size: tuple[float, ...]) -
 def test_what_cannot_be_used_is_left_out_with_the_reason(shape: str, reason: str) -> None:
     found, omitted = made(robot(link("a", shape, box(1, 1, 1))))
     assert [solid.number for solid in found] == [1]
-    assert omitted == (Omitted("a", 0, reason),)
+    assert omitted == (OmittedCollision("a", 0, reason),)
 
 
 FLAT = [
@@ -87,14 +93,14 @@ def test_triangles_without_area_or_finite_corners_are_dropped(tmp_path: Path) ->
 def test_a_mesh_without_any_area_is_left_out(tmp_path: Path) -> None:
     line = [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]]
     _, omitted = made(robot(link("a", mesh(stl(tmp_path / "line.stl", line)))))
-    assert omitted == (Omitted("a", 0, "none of its triangles has an area"),)
+    assert omitted == (OmittedCollision("a", 0, "none of its triangles has an area"),)
     _, omitted = made(robot(link("a", mesh(cube(tmp_path / "c.stl", 0.5), "0 0 0"))))
-    assert omitted == (Omitted("a", 0, "none of its triangles has an area"),)
+    assert omitted == (OmittedCollision("a", 0, "none of its triangles has an area"),)
 
 
 def test_a_huge_mesh_is_left_out(tmp_path: Path) -> None:
     _, omitted = made(robot(link("a", mesh(cube(tmp_path / "c.stl", 0.5), "1e12 1 1"))))
-    assert omitted == (Omitted("a", 0, f"it is larger than {LARGEST:g} m"),)
+    assert omitted == (OmittedCollision("a", 0, f"it is larger than {LARGEST:g} m"),)
 
 
 def test_a_cube_of_triangles_is_convex_and_an_open_one_is_not(tmp_path: Path) -> None:
@@ -141,7 +147,7 @@ def test_a_mesh_of_next_to_nothing_is_left_out(tmp_path: Path) -> None:
     """coal's hull of it would end the process."""
     tiny = mesh(cube(tmp_path / "c.stl", 0.5), "1e-80 1e-80 1e-80")
     _, omitted = made(robot(link("a", tiny)))
-    assert omitted == (Omitted("a", 0, f"it is smaller than {THINNEST:g} m"),)
+    assert omitted == (OmittedCollision("a", 0, f"it is smaller than {THINNEST:g} m"),)
     (small,), _ = made(robot(link("a", mesh(tmp_path / "c.stl", "2e-6 2e-6 2e-6"))))
     form(small)
 

@@ -12,7 +12,7 @@ pytest.importorskip("coal")
 from tests.physics.collision.robots import cube, joint, link, mesh, stl
 from urdfkit import check
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.matrix import Verdict
+from urdfkit.physics.collision.matrix import PairVerdict
 from urdfkit.physics.collision.sampling import collisions
 from urdfkit.text.source import Source
 
@@ -93,4 +93,4 @@ def test_sampling_survives(seed: int, tmp_path: Path) -> None:
     text = model(seed, tmp_path)
     robot = read(Source(str(tmp_path / "r.urdf"), text.encode()))
     found = collisions(robot, samples=300, jobs=1)
-    assert all(pair.verdict is not Verdict.UNKNOWN for pair in found.pairs)
+    assert all(pair.verdict is not PairVerdict.UNKNOWN for pair in found.pairs)

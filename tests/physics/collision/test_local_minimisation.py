@@ -15,11 +15,11 @@ from tests.physics.collision.robots import box, joint, link, revolute, robot, sp
 from tests.physics.collision.test_pair_queries import arm, everything, examiner
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.collision_geometry import TOUCH
-from urdfkit.physics.collision.local_minimisation import Closest, closest
+from urdfkit.physics.collision.local_minimisation import ClosestPair, closest
 from urdfkit.physics.collision.pair_queries import Examiner
 
 
-def of(one: Examiner, first: str, second: str) -> Closest:
+def of(one: Examiner, first: str, second: str) -> ClosestPair:
     names = one.chain.links
     a, b = sorted((names.index(first), names.index(second)))
     return closest(one, (a, b))

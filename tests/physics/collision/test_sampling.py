@@ -19,11 +19,11 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision import sampling
 from urdfkit.physics.collision import worker_pool as crews
-from urdfkit.physics.collision.matrix import Matrix, Verdict
+from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 from urdfkit.physics.collision.pair_queries import Examiner
 from urdfkit.physics.collision.sampling import collisions
-from urdfkit.physics.collision.task import Found, Pose, Task
-from urdfkit.physics.collision.worker_pool import CollisionError, Crew
+from urdfkit.physics.collision.task import PairFindings, Pose, Task
+from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 
 
 def verdicts(matrix: Matrix) -> dict[tuple[str, str], str]:
@@ -51,14 +51,14 @@ def test_how_often_a_two_link_arm_hits_itself_is_what_geometry_says() -> None:
         (p.first, p.second): p for p in collisions(spheres(radius, upper, lower), jobs=1).pairs
     }
     pair = found["base", "lower"]
-    assert pair.verdict is Verdict.SOMETIMES
+    assert pair.verdict is PairVerdict.SOMETIMES
     deviation = sqrt(expected * (1 - expected) / sampling.COUNTED)
     assert pair.frequency == pytest.approx(expected, abs=4 * deviation)
     assert pair.nearest is not None
     assert pair.nearest.distance == pytest.approx(upper - lower - 2 * radius, abs=0.01)
     assert set(pair.nearest.pose) == {"base_upper", "upper_lower"}
     assert abs(pair.nearest.pose["upper_lower"]) == pytest.approx(pi, abs=0.2)
-    assert found["base", "upper"].verdict is Verdict.ADJACENT
+    assert found["base", "upper"].verdict is PairVerdict.ADJACENT
 
 
 def test_a_collision_that_no_sample_shows_is_found_from_the_near_ones() -> None:
@@ -238,7 +238,7 @@ def test_too_many_pairs_are_refused_at_once() -> None:
 class Crash(Pose):
     """A pose that ends the process for one pair."""
 
-    def run(self, examiner: Examiner) -> list[Found]:
+    def run(self, examiner: Examiner) -> list[PairFindings]:
         if (0, 2) in self.pairs:
             os.abort()
         return super().run(examiner)
@@ -247,12 +247,12 @@ class Crash(Pose):
         return [Crash((pair,), self.configuration) for pair in self.pairs]
 
 
-def crew(subject: Subject, count: int = 2) -> tuple[Crew, Floats]:
+def crew(subject: Subject, count: int = 2) -> tuple[WorkerPool, Floats]:
     from urdfkit.physics.collision.batch_kinematics import chain
     from urdfkit.physics.collision.geometry_arrays import solids
 
     arrays = chain(subject.tree)
-    return Crew(arrays, solids(subject.model, subject.meshes)[0], count), arrays.default
+    return WorkerPool(arrays, solids(subject.model, subject.meshes)[0], count), arrays.default
 
 
 def test_a_crash_costs_one_pair() -> None:

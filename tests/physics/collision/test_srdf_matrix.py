@@ -11,7 +11,7 @@ pytest.importorskip("coal")
 
 from tests.physics.collision.robots import robot
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.matrix import Matrix, PairResult, Verdict
+from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.sampling import collisions
 from urdfkit.physics.collision.srdf_matrix import compare, updated, written
 from urdfkit.physics.collision.worker_pool import CollisionError
@@ -22,17 +22,17 @@ from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
 
-def matrix(*pairs: tuple[str, str, Verdict], robot: str = "r") -> Matrix:
+def matrix(*pairs: tuple[str, str, PairVerdict], robot: str = "r") -> Matrix:
     results = tuple(PairResult(*pair, True, 0.1, None) for pair in pairs)
     return Matrix(robot, results, 10, 10, 10, 0, (), (), {}, False)
 
 
 MATRIX = matrix(
-    ("a", "b", Verdict.ADJACENT),
-    ("a", "c", Verdict.NEVER),
-    ("a", "d", Verdict.SOMETIMES),
-    ("b", "d", Verdict.DEFAULT),
-    ("c", "d", Verdict.UNKNOWN),
+    ("a", "b", PairVerdict.ADJACENT),
+    ("a", "c", PairVerdict.NEVER),
+    ("a", "d", PairVerdict.SOMETIMES),
+    ("b", "d", PairVerdict.DEFAULT),
+    ("c", "d", PairVerdict.UNKNOWN),
 )
 
 
@@ -55,7 +55,7 @@ def test_a_new_file_holds_the_pairs_that_need_not_be_checked() -> None:
 
 
 def test_names_are_escaped() -> None:
-    odd = matrix(('a"<&', "b", Verdict.ALWAYS), robot='r"<&')
+    odd = matrix(('a"<&', "b", PairVerdict.ALWAYS), robot='r"<&')
     assert reasons(written(odd)) == {('a"<&', "b"): "Always"}
 
 
@@ -152,7 +152,7 @@ def test_who_checks_what_seldom_collides_is_right(
     frequency: float | None, need_not_be: bool
 ) -> None:
     """Though it does where the robot begins."""
-    pair = PairResult("a", "b", Verdict.DEFAULT, True, frequency, None)
+    pair = PairResult("a", "b", PairVerdict.DEFAULT, True, frequency, None)
     document, _ = read_xml(source('<robot name="r"/>'))
     assert document is not None
     found = compare(matrix()._replace(pairs=(pair,)), Srdf("r.srdf", document.root, robot().tree))
@@ -175,9 +175,9 @@ def test_the_fanuc_matrix_is_the_one_that_it_comes_with(corpus: Path) -> None:
     assert srdf is not None
     found = collisions(fanuc)
     assert {one.verdict for one in found.pairs} == {
-        Verdict.ADJACENT,
-        Verdict.NEVER,
-        Verdict.SOMETIMES,
+        PairVerdict.ADJACENT,
+        PairVerdict.NEVER,
+        PairVerdict.SOMETIMES,
     }
     expected = {pair: one.get("reason") for pair, one in srdf.disabled.items()}
     assert expected == {
@@ -215,7 +215,7 @@ def test_the_panda_matrix_differs_in_what_can_be_shown(corpus: Path) -> None:
     at_zero = {
         frozenset((o.first, o.second)): o.verdict for o in collisions(panda, samples=0).pairs
     }
-    folded = [pair for pair, one in at_zero.items() if one is Verdict.DEFAULT]
+    folded = [pair for pair, one in at_zero.items() if one is PairVerdict.DEFAULT]
     assert sorted(map(sorted, folded)) == [
         ["panda_hand", "panda_link5"],
         ["panda_leftfinger", "panda_rightfinger"],

@@ -9,7 +9,7 @@ pytest.importorskip("pinocchio")
 from tests.conftest import MODELS
 from urdfkit.lint.loading import read
 from urdfkit.physics.dynamics import pinocchio_process, pinocchio_reading
-from urdfkit.physics.dynamics.pinocchio_reading import Opinion
+from urdfkit.physics.dynamics.pinocchio_reading import PinocchioReading
 
 
 def test_the_mission_s_model() -> None:
@@ -74,5 +74,7 @@ def test_a_crash_is_contained() -> None:
 
 def test_what_takes_too_long_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pinocchio_reading, "TIMEOUT", 0.05)
-    assert pinocchio_reading.opinion(b"<robot/>") == Opinion("it takes longer than 0.05 s", ())
+    assert pinocchio_reading.opinion(b"<robot/>") == PinocchioReading(
+        "it takes longer than 0.05 s", ()
+    )
     assert pinocchio_process.SECONDS < 60

@@ -17,8 +17,8 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.measure_cache import Store
 from urdfkit.mesh.samples import BOX, box, collada, stl
 from urdfkit.robot import inertia
-from urdfkit.robot.assets.measured_meshes import Measured
-from urdfkit.robot.shapes import Lump, solid
+from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
+from urdfkit.robot.shapes import MeshSolid, solid
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -30,15 +30,15 @@ INERTIAL = (
 )
 
 
-def measured(folder: Path, robot: str, **files: bytes) -> Measured:
+def measured(folder: Path, robot: str, **files: bytes) -> MeasuredMeshes:
     for name, data in files.items():
         (folder / name.replace("_", ".")).write_bytes(data)
     source = Source(str(folder / "robot.urdf"), whole_robot(robot).encode())
     subject = Subject(source, Resolver(environment={}))
-    return Measured(subject.model, subject.files, Store(None))
+    return MeasuredMeshes(subject.model, subject.files, Store(None))
 
 
-def lump(folder: Path, part: str, data: bytes = BLOCK) -> Lump:
+def lump(folder: Path, part: str, data: bytes = BLOCK) -> MeshSolid:
     (use,) = measured(folder, link(part), a_stl=data).uses
     found = use.lump
     assert found is not None

@@ -21,9 +21,9 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.parts import PARTS
 from urdfkit.mesh.writers import GoodMesh, write
 from urdfkit.robot.assets.placeholder_meshes import (
+    GeneratedMesh,
     NoSuchMesh,
-    StandIn,
-    Undone,
+    NotGenerated,
     generate,
     generate_missing,
     generate_part,
@@ -61,12 +61,12 @@ def robot(
     return file
 
 
-def made(file: Path) -> StandIn:
+def made(file: Path) -> GeneratedMesh:
     (one,) = generate_missing(read(file)).made
     return one
 
 
-def bounds(one: StandIn) -> tuple[np.ndarray, np.ndarray]:
+def bounds(one: GeneratedMesh) -> tuple[np.ndarray, np.ndarray]:
     return one.mesh.vertices.min(axis=0), one.mesh.vertices.max(axis=0)
 
 
@@ -243,12 +243,12 @@ def test_one_mesh_by_its_reference(tmp_path: Path) -> None:
     with pytest.raises(NoSuchMesh, match=r"'god\.stl'; did you mean 'good\.stl'\?"):
         generate(subject, "god.stl")
     one = generate(subject, "good.stl", size=(0.1, 0.2, 0.3), force=True)
-    assert isinstance(one, StandIn)
+    assert isinstance(one, GeneratedMesh)
     assert one.mesh.vertices.max(axis=0) == pytest.approx([0.05, 0.1, 0.15])
     camera = generate(subject, "good.stl", part=PARTS_BY_MODULE["camera"], force=True)
-    assert isinstance(camera, StandIn)
+    assert isinstance(camera, GeneratedMesh)
     assert camera.reason.startswith("industrial camera")
-    assert not isinstance(camera, Undone)
+    assert not isinstance(camera, NotGenerated)
 
 
 def test_a_part_for_a_new_file(tmp_path: Path) -> None:

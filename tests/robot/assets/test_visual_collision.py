@@ -4,9 +4,9 @@ from itertools import product
 
 import pytest
 
-from urdfkit.core.spatial import IDENTITY, Frame, Rotation, multiply, rotate, transposed
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, multiply, rotate, transposed
 from urdfkit.robot.assets.visual_collision import QUARTERS, turned
-from urdfkit.robot.shapes import Box
+from urdfkit.robot.shapes import BoundingBox
 
 
 def test_the_quarter_turns_are_the_rotations_of_a_cube() -> None:
@@ -21,8 +21,8 @@ def test_the_quarter_turns_are_the_rotations_of_a_cube() -> None:
 
 @pytest.mark.parametrize("turn", QUARTERS)
 def test_a_box_is_turned_about_a_point(turn: Rotation) -> None:
-    about = Frame(position=(1, -2, 3))
-    box = Box((0.5, 0, 1), (2, 1, 4))
+    about = Transform(position=(1, -2, 3))
+    box = BoundingBox((0.5, 0, 1), (2, 1, 4))
     corners = [
         about.apply(rotate(turn, (x - 1, y + 2, z - 3)))
         for x, y, z in product(*zip(*box, strict=True))

@@ -16,7 +16,7 @@ from urdfkit.robot.inertials.diagnosis import (
     values,
     written,
 )
-from urdfkit.robot.inertials.link_comparison import Weighed
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Tensor
 from urdfkit.text.diagnostic import Confidence, Fix
@@ -47,14 +47,14 @@ def test_many_links_with_one_tensor_are_compared_with_each_other_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """2000 of them took a minute."""
-    calls: list[Weighed] = []
-    fits = Weighed.fits
+    calls: list[LinkInertia] = []
+    fits = LinkInertia.fits
 
-    def counted(weighed: Weighed, expected: Tensor, factor: float) -> bool:
+    def counted(weighed: LinkInertia, expected: Tensor, factor: float) -> bool:
         calls.append(weighed)
         return fits(weighed, expected, factor)
 
-    monkeypatch.setattr(Weighed, "fits", counted)
+    monkeypatch.setattr(LinkInertia, "fits", counted)
     count = 50
     found = masses("".join(part(f"l{n}", 12, (7, 7, 7), BOX) for n in range(count)))
     for weighed in found.weighed:

@@ -5,12 +5,12 @@ import pytest
 from tests.gazebos import BASE, WHEELS, wheel
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.gazebo.drives import Rolling, rolling, wrong_sides
+from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_sides
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 
-def rolling_of(robot: str, *names: str) -> list[Rolling]:
+def rolling_of(robot: str, *names: str) -> list[DrivenWheel]:
     subject = Subject(Source("r.urdf", whole_robot(robot).encode()), Resolver(environment={}))
     joints = subject.model.joints_by_name
     found = [rolling(joints[f"{name}_joint"], subject.tree) for name in names]

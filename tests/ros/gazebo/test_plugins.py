@@ -7,7 +7,7 @@ import pytest
 from tests.gazebos import BASE, block, child, plugin, sensor
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.gazebo.plugins import Use, fate, generations
+from urdfkit.ros.gazebo.plugins import PluginUse, fate, generations
 from urdfkit.ros.targets import parse
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -20,7 +20,7 @@ def subject(text: str, *targets: str) -> Subject:
     return Subject(source, Resolver(environment={}), targets=parse(targets) if targets else None)
 
 
-def only(text: str, *targets: str) -> Use:
+def only(text: str, *targets: str) -> PluginUse:
     (use,) = subject(text, *targets).plugins
     return use
 

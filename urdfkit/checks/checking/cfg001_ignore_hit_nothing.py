@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, matching, rule
+from urdfkit.lint.rules import Finding, Location, matching, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 
@@ -42,7 +42,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for ignore in subject.ignores:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
-            place = Written(ignore.span)
+            place = Location(ignore.span)
             # Of a file that others include, somebody else may need it.
             is_own = ignore.span.source is subject.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None

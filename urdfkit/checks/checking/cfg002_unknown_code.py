@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnknownRule
-from urdfkit.lint.rules import Finding, Written, matching, rule
+from urdfkit.lint.rules import Finding, Location, matching, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -38,4 +38,4 @@ def check(subject: Subject) -> Iterator[Finding]:
             try:
                 matching(word)
             except UnknownRule as error:
-                yield Finding(Written(span), str(error))
+                yield Finding(Location(span), str(error))

@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.text.diagnostic import Related, Severity
 from urdfkit.text.source import Span
 
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     top = Span(subject.source, *((start, start + len("<robot")) if start >= 0 else (0, 0)))
     wanting = [one for one in subject.reading.problems if missing_argument(one)]
     yield Finding(
-        Written(top),
+        Location(top),
         f"robot not checked: {why}",
         help,
         related=tuple(Related(one.span, f"argument '{missing_argument(one)}'") for one in wanting),

@@ -24,7 +24,7 @@ from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.physics.collision.sampled_poses import Meeting
+    from urdfkit.physics.collision.sampled_poses import Contact
     from urdfkit.robot.model import Material, RobotModel
 
 BAD = """\
@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not subject.is_crowded or subject.is_part:
         return
     still = subject.collisions.still
-    swallowed: dict[str, list[Meeting]] = {}
+    swallowed: dict[str, list[Contact]] = {}
     for one in still.meetings:
         if one.is_out_of_reach and not one.is_rigid and still.always(one):
             swallowed.setdefault(one.large.link, []).append(one)
@@ -92,7 +92,7 @@ def _is_transparent(material: Material | None) -> bool:
     return len(rgba) == 4 and rgba[3] < 1
 
 
-def _single(model: RobotModel, one: Meeting) -> Finding:
+def _single(model: RobotModel, one: Contact) -> Finding:
     small, large = (model.collision(*body) for body in one.bodies)
     return Finding(
         small,
@@ -102,7 +102,7 @@ def _single(model: RobotModel, one: Meeting) -> Finding:
     )
 
 
-def _several(model: RobotModel, meetings: list[Meeting]) -> Finding:
+def _several(model: RobotModel, meetings: list[Contact]) -> Finding:
     """Of one link that swallows several others, which are sooner right than it is."""
     names = [one.small.link for one in meetings]
     more = f" and {len(names) - _NOTES} more" if len(names) > _NOTES else ""

@@ -15,8 +15,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.core.suggest import Suggester
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = set(subject.model.joints_by_name)
     for component in components(subject.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
-    speller = Speller(known)
+    speller = Suggester(known)
     for file, found in controllers(subject):
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
@@ -69,7 +69,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 hint = speller.hint(value.text)
                 if is_of_robot or hint or not any_known:
                     yield Finding(
-                        Written(value.span),
+                        Location(value.span),
                         f"controller '{controller.name}' names joint '{value.text}', "
                         f"which is not in the model{hint}",
                         related=(file.note,),

@@ -16,12 +16,12 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import Vector, dot, minus
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.robot.model import length, number
 from urdfkit.ros.catalog.ros_control import Measure
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, controllers
-from urdfkit.ros.gazebo.drives import Rolling, rolling
+from urdfkit.ros.gazebo.drives import DrivenWheel, rolling
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
 
@@ -51,7 +51,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 if value is None or not real or any(map(_near(value), real)):
                     continue
                 yield Finding(
-                    Written(said[0].span),
+                    Location(said[0].span),
                     f"controller '{controller.name}': {measure.parameter} is {value:g} m, "
                     f"and in the model it is {real[0]:.4g} m",
                     f"write {real[0]:.4g}",
@@ -82,9 +82,9 @@ def _real(measure: Measure, controller: Controller, subject: Subject) -> list[fl
     return _distances(left, right, left.axis) if left.is_parallel(right) else []
 
 
-def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[Rolling]:
+def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) -> list[DrivenWheel]:
     """The wheels that some parameters name; empty if one of them is unknown."""
-    wheels: list[Rolling] = []
+    wheels: list[DrivenWheel] = []
     for value in controller.values(names):
         joint = subject.model.joints_by_name.get(value.text)
         wheel = rolling(joint, subject.tree) if joint else None
@@ -94,12 +94,12 @@ def _wheels(controller: Controller, names: tuple[str, ...], subject: Subject) ->
     return wheels
 
 
-def _centre(wheels: list[Rolling]) -> Vector:
+def _centre(wheels: list[DrivenWheel]) -> Vector:
     x, y, z = (sum(part) / len(wheels) for part in zip(*(w.origin for w in wheels), strict=True))
     return x, y, z
 
 
-def _distances(a: Rolling, b: Rolling, along: Vector | None = None) -> list[float]:
+def _distances(a: DrivenWheel, b: DrivenWheel, along: Vector | None = None) -> list[float]:
     """Between the tyres and between the joints of two wheels; along a direction if there is one."""
     apart = [minus(a.origin, b.origin)]
     if a.hub and b.hub:

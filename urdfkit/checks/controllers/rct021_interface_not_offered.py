@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -92,7 +92,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 if missing and has is not None:
                     there = ", ".join(sorted(has)) or "none"
                     yield Finding(
-                        Written(value.span),
+                        Location(value.span),
                         f"controller '{controller.name}' commands the {' and the '.join(missing)} "
                         f"of joint '{value.text}', whose command interfaces are: {there}",
                         related=(file.note,),

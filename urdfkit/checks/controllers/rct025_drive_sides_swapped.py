@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.controllers import controllers
-from urdfkit.ros.gazebo.drives import Rolling, rolling, wrong_sides
+from urdfkit.ros.gazebo.drives import DrivenWheel, rolling, wrong_sides
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
@@ -48,13 +48,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             if wheels[0] and wheels[1] and (wrong := wrong_sides(wheels[0], wheels[1])):
                 message, help = wrong
                 yield Finding(
-                    Written(left[0].span),
+                    Location(left[0].span),
                     f"controller '{controller.name}': {message}",
                     help,
                     related=(file.note,),
                 )
 
 
-def _wheel(value: Value, subject: Subject) -> Rolling | None:
+def _wheel(value: Value, subject: Subject) -> DrivenWheel | None:
     joint = subject.model.joints_by_name.get(value.text)
     return rolling(joint, subject.tree) if joint else None

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.controllers import lost, unparsed
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.text.diagnostic import Severity
@@ -41,7 +41,7 @@ FILES = {
 @rule("RCT026", "parameters-not-read", Severity.ERROR, help="mend the file of controllers")
 def check(subject: Subject) -> Iterator[Finding]:
     for file, span, reason in unparsed(subject):
-        yield Finding(Written(span), f"the file is not YAML: {reason}", related=(file.note,))
+        yield Finding(Location(span), f"the file is not YAML: {reason}", related=(file.note,))
     for file, found in lost(subject):
         for span, message, help in found:
-            yield Finding(Written(span), message, help, related=(file.note,))
+            yield Finding(Location(span), message, help, related=(file.note,))

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.catalog.ros_control import parameters
 from urdfkit.ros.controllers import Controller, controllers
@@ -51,7 +51,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for controller in found:
             for span, word, meant in _slips(controller):
                 yield Finding(
-                    Written(span),
+                    Location(span),
                     f"controller '{controller.name}': '{word}' is nearly '{meant}'",
                     f"write {meant}",
                     related=(file.note,),

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
 from urdfkit.text.diagnostic import Severity
@@ -52,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 parent = above.value if above else root
                 message = f"'{name}' hangs on '{parent}' already, and a frame has one parent"
             yield Finding(
-                Written(value.span),
+                Location(value.span),
                 f"controller '{controller.name}' sends the transform to '{name}': {message}",
                 f"name the root link '{root}'",
                 related=(file.note,),

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.controllers import Parameters, of_manager, parameters_of
 from urdfkit.ros.controllers import ParameterFile, Section, controllers, managers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -75,7 +75,7 @@ def _refused(
     note = (file.note,)
     for name, node in section.given.items():
         wanted, kind = known.type_of(name), type_of(node)
-        place = Written(section.places[name] if isinstance(node, list) else node.span)
+        place = Location(section.places[name] if isinstance(node, list) else node.span)
         if wanted and kind and kind != wanted:
             yield Finding(
                 place,

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.controllers import Controller, Section, controllers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -55,7 +55,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             own = everywhere.get(one.name, one.section)
             if told := _told(one, own, {n: s for n, s in everywhere.items() if n not in names}):
                 at, message, help = told
-                yield Finding(Written(at), message, help, related=(file.note,))
+                yield Finding(Location(at), message, help, related=(file.note,))
 
 
 def _told(

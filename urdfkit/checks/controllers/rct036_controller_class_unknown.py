@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.controllers import classes, successor
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -52,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             if told := _unknown(controller):
                 message, help = told
                 note = (file.note,)
-                yield Finding(Written(controller.type_at), message, help, related=note)
+                yield Finding(Location(controller.type_at), message, help, related=note)
 
 
 def _unknown(controller: Controller) -> tuple[str, str] | None:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.catalog.ros_control import controllers as catalogue
 from urdfkit.ros.controllers import Controller, controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
@@ -81,7 +81,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 missing = [name for name in wanted if has is not None and name not in has]
                 if missing and has is not None:
                     yield Finding(
-                        Written(value.span),
+                        Location(value.span),
                         f"controller '{controller.name}' needs the {' and the '.join(missing)} of "
                         f"joint '{value.text}', whose state interfaces are: "
                         + (", ".join(sorted(has)) or "none"),

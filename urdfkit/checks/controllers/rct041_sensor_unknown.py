@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.ros.controllers import controllers
 from urdfkit.ros.gazebo.samples import ARM, CONTROL
 from urdfkit.ros.ros_control import components
@@ -81,7 +81,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 name = value.text
                 if name and not is_expression(name) and all(part.name != name for part in parts):
                     yield Finding(
-                        Written(value.span),
+                        Location(value.span),
                         f"controller '{controller.name}' publishes the sensor '{name}', which no "
                         f"<ros2_control> has{did_you_mean(name, sensors)}",
                         related=(file.note,),

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
@@ -47,7 +47,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
-    speller = Speller(known)
+    speller = Suggester(known)
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.ros.catalog.extensions import copied, extensions, meant
 from urdfkit.text.diagnostic import Fix, Related, Severity
@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
                 strange.setdefault(child.tag, []).append(child)
-    speller = Speller(known)
+    speller = Suggester(known)
     for tag, elements in strange.items():
         right = meant().get(tag) or speller.meant(tag)
         if right:

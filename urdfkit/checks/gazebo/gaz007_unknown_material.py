@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.text.diagnostic import Fix, Severity
@@ -49,7 +49,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
-    speller = Speller(bare)
+    speller = Suggester(bare)
     for block in subject.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()

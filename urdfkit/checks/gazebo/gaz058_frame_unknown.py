@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Confidence, Fix, Severity
@@ -24,7 +24,7 @@ from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.document import Attribute, Element
 
 BAD = """\
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:
         return
     known = subject.model.links_by_name
-    speller = Speller(known)
+    speller = Suggester(known)
     for who, at, name in _frames(subject):
         bare = name.strip("/").rpartition("/")[2]
         if not bare or is_expression(name):
@@ -94,7 +94,7 @@ def _is_of_the_world(name: str) -> bool:
     return any(word in name.lower() for word in _ELSEWHERE)
 
 
-def _is_of_ros1(use: Use) -> bool:
+def _is_of_ros1(use: PluginUse) -> bool:
     return use.plugin is not None and use.plugin.generation == "classic-ros1"
 
 

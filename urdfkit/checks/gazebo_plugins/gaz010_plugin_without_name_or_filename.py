@@ -20,7 +20,7 @@ from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 yield Finding(use.at, message, f'add {attribute}="...", {what}', fix)
 
 
-def _named(subject: Subject, use: Use) -> Fix | None:
+def _named(subject: Subject, use: PluginUse) -> Fix | None:
     """The name of the library for a plugin that has no attribute of that name, if it is free."""
     name = use.filename.removeprefix("lib").removesuffix(".so")
     taken = {other.name for other in subject.plugins}

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES, find
-from urdfkit.ros.gazebo.plugins import Use, generations
+from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.ros.targets import CLASSIC, GAZEBO, GZ, target_of_plugin
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import all_or_none, replace_value
@@ -69,20 +69,20 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _is_of_another_family(use: Use, targets: Targets) -> bool:
+def _is_of_another_family(use: PluginUse, targets: Targets) -> bool:
     """True of a plugin of Gazebo Classic in a robot for gz-sim, and the other way round."""
     target = target_of_plugin(use.at.get("filename") or "", use.at)
     family = CLASSIC if target in CLASSIC else GZ
     return target is not None and not targets.any_of(family)
 
 
-def _runs(use: Use, target: str) -> bool:
+def _runs(use: PluginUse, target: str) -> bool:
     if target == "gz-fortress" and use.name.startswith("gz::sim::"):
         return False
     return not generations(use).isdisjoint(GENERATIONS[target])
 
 
-def _fix(use: Use) -> Fix | None:
+def _fix(use: PluginUse) -> Fix | None:
     """The names of Fortress: the same system, which reads the same tags."""
     plugin = next((one for one in use.known if one.generation == "gz"), None)
     if plugin is None or not plugin.fortress_files or not plugin.fortress_class:
@@ -92,7 +92,7 @@ def _fix(use: Use) -> Fix | None:
     return Fix.of("take the names of Fortress", edits)
 
 
-def _successor(use: Use, target: str) -> str:
+def _successor(use: PluginUse, target: str) -> str:
     """What replaces it, one or two generations on."""
     if target == "gz-fortress" and any(plugin.generation == "gz" for plugin in use.known):
         return "take the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.plugins import GENERATIONS, TITLES
-from urdfkit.ros.gazebo.plugins import Use, generations
+from urdfkit.ros.gazebo.plugins import PluginUse, generations
 from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     wanted = [GENERATIONS[name][0] for name in subject.targets.names if name in GENERATIONS]
     if len(set(wanted)) == 1 and not subject.targets.evidence:
         return  # the target is given, and GAZ012 tells what is not of it
-    first: Use | None = None
+    first: PluginUse | None = None
     common: set[str] = set()
     for use in subject.plugins:
         possible = generations(use)

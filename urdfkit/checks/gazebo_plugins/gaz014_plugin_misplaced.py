@@ -19,7 +19,7 @@ from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -60,7 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(use.at, message, f"put it {where}", alike=f"{use.place} {where}")
 
 
-def _is_wrong(use: Use, kinds: tuple[str, ...]) -> bool:
+def _is_wrong(use: PluginUse, kinds: tuple[str, ...]) -> bool:
     """True for a kind that Gazebo refuses there.
 
     gz-sim runs a world's system in a model or sensor, too, which GAZ033 tells; others that stand

@@ -20,7 +20,7 @@ from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="arm">
@@ -45,7 +45,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from found
 
 
-def _missing(use: Use, plugin: Plugin, subject: Subject) -> Iterator[Finding]:
+def _missing(use: PluginUse, plugin: Plugin, subject: Subject) -> Iterator[Finding]:
     given = {item.path for item in use.items if item.text}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():
@@ -63,7 +63,7 @@ def _missing(use: Use, plugin: Plugin, subject: Subject) -> Iterator[Finding]:
         yield Finding(use.at, f"{use.title} needs {wanted}", f"add {wanted}")
 
 
-def _is_of_another(use: Use) -> bool:
+def _is_of_another(use: PluginUse) -> bool:
     """True if it is written for another generation; GAZ018 then tells its tags."""
     assert use.plugin is not None
     others = [one for one in use.known if one.generation != use.plugin.generation]
@@ -71,7 +71,7 @@ def _is_of_another(use: Use) -> bool:
     return any(not one.removed and len(use.unread(one)) < left for one in others)
 
 
-def _finding(use: Use, parameter: Parameter, default: str) -> Finding:
+def _finding(use: PluginUse, parameter: Parameter, default: str) -> Finding:
     assert use.plugin is not None
     block, _, name = parameter.name.rpartition("/")
     what = f"attribute {name[1:]}" if name.startswith("@") else f"<{name}>"

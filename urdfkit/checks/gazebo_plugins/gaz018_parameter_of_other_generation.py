@@ -24,7 +24,7 @@ from urdfkit.text.editing.edits import rename_element
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.ros.catalog.plugins import Plugin
-    from urdfkit.ros.gazebo.plugins import Item
+    from urdfkit.ros.gazebo.plugins import PluginParameter
 
 BAD = """\
 <link name="base">
@@ -73,7 +73,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _renamed(item: Item, plugin: Plugin) -> str | None:
+def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
     """The name that the same parameter has in this generation."""
     table = renames()
     if plugin.generation == "classic-ros1":
@@ -83,7 +83,7 @@ def _renamed(item: Item, plugin: Plugin) -> str | None:
     return name if found and name and "/" not in name else None
 
 
-def _advice(item: Item, plugin: Plugin) -> str:
+def _advice(item: PluginParameter, plugin: Plugin) -> str:
     if plugin.generation != "classic-ros2":
         return "see which tags it reads there, or take the plugin of that generation"
     if item.path == "robotNamespace":

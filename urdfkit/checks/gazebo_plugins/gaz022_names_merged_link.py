@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.extensions import rewritten
-from urdfkit.ros.gazebo.plugins import Reference, Use, fate
+from urdfkit.ros.gazebo.plugins import PluginUse, Reference, fate
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
@@ -79,7 +79,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield _finding(subject, use, reference)
 
 
-def _finding(subject: Subject, use: Use, reference: Reference) -> Finding:
+def _finding(subject: Subject, use: PluginUse, reference: Reference) -> Finding:
     joint = _fixed_joint(subject, reference)
     child = joint.child.value if joint and joint.child else reference.name
     survivor = subject.gazebo.survivor.get(child, "")
@@ -104,7 +104,7 @@ def _fixed_joint(subject: Subject, reference: Reference) -> Joint | None:
     return above[0] if len(above) == 1 else None
 
 
-def _fix(use: Use, joint: Joint) -> Fix | None:
+def _fix(use: PluginUse, joint: Joint) -> Fix | None:
     if from_macro(use.block):  # the name would be that of one call
         return None
     lines = (

@@ -18,13 +18,13 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import dot, minus
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.ros.gazebo.drives import Kind, Wheel, drive_of, given, pairs, wheels
+from urdfkit.ros.gazebo.drives import DriveKind, Wheel, drive_of, given, pairs, wheels
 from urdfkit.ros.gazebo.samples import WHEELED
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.text.document import Attribute, Element
 
 #: Relative difference; real robots are calibrated within this.
@@ -60,7 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _separation(use, kind, found)
 
 
-def _size(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
+def _size(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator[Finding]:
     radii = [radius for wheel in found if (radius := wheel.rolling.radius) is not None]
     size = given(use, kind.size) if kind.size else None
     if size is None or not radii or max(radii) > (1 + TOLERANCE) * min(radii):
@@ -71,7 +71,7 @@ def _size(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
         yield _finding(use, kind.size, size, shape, factor * radii[0])
 
 
-def _separation(use: Use, kind: Kind, found: list[Wheel]) -> Iterator[Finding]:
+def _separation(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator[Finding]:
     distance = given(use, kind.separation) if kind.separation else None
     if distance is None:
         return
@@ -97,7 +97,7 @@ def _differ(said: float, real: float) -> bool:
 
 
 def _finding(
-    use: Use, name: str, said: tuple[Element | Attribute, float], shape: str, real: float
+    use: PluginUse, name: str, said: tuple[Element | Attribute, float], shape: str, real: float
 ) -> Finding:
     at, value = said
     default = " (the default)" if at is use.at else ""

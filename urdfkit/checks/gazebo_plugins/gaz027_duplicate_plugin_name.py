@@ -18,7 +18,7 @@ from urdfkit.text.diagnostic import Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -46,7 +46,7 @@ GOOD = BAD.replace('"drive" filename="libgazebo_ros_p3d', '"pose" filename="libg
     help="give each plugin a name of its own, or another <ros><namespace>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    first: dict[tuple[str, str], Use] = {}
+    first: dict[tuple[str, str], PluginUse] = {}
     for use in subject.plugins:
         if use.plugin is None or not use.plugin.node or not use.name:
             continue

@@ -20,7 +20,7 @@ from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.gazebo.plugins import Item, Use
+    from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 
 BAD = """\
 <link name="base_footprint">
@@ -85,19 +85,19 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _fix(written: list[Item], root: str) -> Fix | None:
+def _fix(written: list[PluginParameter], root: str) -> Fix | None:
     edits = rewrite(written[0].at, root) if written else None
     return Fix.of(f"name the root link '{root}'", edits)
 
 
-def _odometry(use: Use) -> str:
+def _odometry(use: PluginUse) -> str:
     """The frame in which the plugin tells where the robot is."""
     assert use.plugin is not None
     named = (use.value(name) for name in _ODOMETRY if name in use.plugin.parameters)
     return next(named, "") or "odom"
 
 
-def _sends(use: Use) -> bool:
+def _sends(use: PluginUse) -> bool:
     """True if the plugin sends the transform of its odometry."""
     assert use.plugin is not None
     parameters = use.plugin.parameters

@@ -22,7 +22,7 @@ from urdfkit.text.editing.edits import replace_value
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
     from urdfkit.ros.catalog.plugins import Plugin
-    from urdfkit.ros.gazebo.plugins import Use
+    from urdfkit.ros.gazebo.plugins import PluginUse
 
 BAD = """\
 <link name="base">
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _class_of(plugin: Plugin, use: Use) -> str:
+def _class_of(plugin: Plugin, use: PluginUse) -> str:
     """As the file is called: that of Fortress has a class of Fortress."""
     return plugin.fortress_class if "ignition" in use.filename else plugin.class_name
 

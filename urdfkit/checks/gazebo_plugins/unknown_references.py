@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding
 from urdfkit.text.diagnostic import Fix
 from urdfkit.text.editing.edits import rewrite
@@ -25,7 +25,7 @@ def unknown(subject: Subject, kind: str) -> Iterator[Finding]:
     model = subject.model
     own = model.links_by_name.keys() if kind == "link" else model.joints_by_name.keys()
     known = own | subject.gazebo.added | ({"world"} if kind == "link" else set())
-    speller = Speller(own)
+    speller = Suggester(own)
     for use in subject.plugins:
         for reference in use.references():
             if reference.kind != kind or reference.name in known:

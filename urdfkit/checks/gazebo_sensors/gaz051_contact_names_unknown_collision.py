@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.text.diagnostic import Fix, Severity
@@ -68,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             if name in known or name == "__default__":
                 continue
             renamed = [new for new, at in known.items() if name in _called(at)]
-            meant = renamed[0] if len(renamed) == 1 else Speller(known).meant(name)
+            meant = renamed[0] if len(renamed) == 1 else Suggester(known).meant(name)
             hint = f"; Gazebo calls it '{meant}'" if renamed else f"; did you mean '{meant}'?"
             yield Finding(
                 named,

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP
 from urdfkit.text.diagnostic import Confidence, Edit, Fix, Related, Severity
@@ -74,8 +74,8 @@ def _sides(link: Link) -> tuple[Body, Body]:
     That is the collision, which nobody sees, unless its origin was written for the inertia, too.
     """
     collision, visual = link.collisions[0], link.visuals[0]
-    inertial = link.inertial.origin if link.inertial else Frame()
-    if Frame() != inertial == collision.origin != visual.origin:
+    inertial = link.inertial.origin if link.inertial else Transform()
+    if Transform() != inertial == collision.origin != visual.origin:
         return visual, collision
     return collision, visual
 

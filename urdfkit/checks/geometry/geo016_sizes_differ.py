@@ -21,7 +21,7 @@ from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.shapes import Box
+    from urdfkit.robot.shapes import BoundingBox
 
 BAD = """\
 <link name="base">
@@ -83,5 +83,5 @@ def _times(factor: float) -> str:
     return f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"
 
 
-def _edges(box: Box) -> str:
+def _edges(box: BoundingBox) -> str:
     return " x ".join(f"{edge:.3g}" for edge in box.edges) + " m"

@@ -18,11 +18,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import Frame, Vector, rotate
+from urdfkit.core.spatial import Transform, Vector, rotate
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.robot.assets.point_containment import Enclosure
+from urdfkit.robot.assets.point_containment import PointContainment
 from urdfkit.robot.shapes import AXES
-from urdfkit.ros.gazebo.optical_sensors import Eye, eyes, kind_of
+from urdfkit.ros.gazebo.optical_sensors import OpticalSensor, eyes, kind_of
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _mounting(subject: Subject, eye: Eye, body: RigidBody) -> Joint | None:
+def _mounting(subject: Subject, eye: OpticalSensor, body: RigidBody) -> Joint | None:
     """The joint that holds the sensor on the body: above it are other parts of the sensor."""
     found, name = None, eye.link
     for _ in body.links[1:]:
@@ -95,7 +95,9 @@ def _mounting(subject: Subject, eye: Eye, body: RigidBody) -> Joint | None:
     return found
 
 
-def _around(subject: Subject, eye: Eye, body: RigidBody) -> tuple[Body, Link, float] | None:
+def _around(
+    subject: Subject, eye: OpticalSensor, body: RigidBody
+) -> tuple[Body, Link, float] | None:
     """The shape around a sensor, its link, and how far away it is in the middle."""
     frames = {link.name: frame for link, frame in body.links}
     place = frames[eye.link] @ eye.frame
@@ -106,7 +108,7 @@ def _around(subject: Subject, eye: Eye, body: RigidBody) -> tuple[Body, Link, fl
         there = frame.inverse @ place
         ahead, aside = (_turned(there, ways) for ways in (eye.directions, _ASIDE[eye.kind]))
         for bodies in (link.visuals, link.collisions if eye.type == "ray" else ()):
-            enclosure = Enclosure(bodies, subject.lump, subject.meshes)
+            enclosure = PointContainment(bodies, subject.lump, subject.meshes)
             walls = enclosure.depths(there.position, ahead + aside, eye.least, least)
             # Nobody knows which way a camera looks that only its name gives away.
             is_blunt = eye.kind == "camera" and not eye.type
@@ -123,5 +125,5 @@ _ASIDE: dict[str, list[Vector]] = {
 }
 
 
-def _turned(frame: Frame, ways: list[Vector]) -> list[Vector]:
+def _turned(frame: Transform, ways: list[Vector]) -> list[Vector]:
     return [rotate(frame.rotation, way) for way in ways]

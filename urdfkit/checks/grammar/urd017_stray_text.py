@@ -14,7 +14,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.grammar import owner
 from urdfkit.text.source import Span
@@ -52,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield Finding(_place(element, text.encode(), subject.document.sources), message)
 
 
-def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Written | Element:
+def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Location | Element:
     """Where the text stands, if it stands there word for word; else the tag around it."""
     source, start, end = element.tag_at.inner_span
     at = start + re.sub(_TAGS, _blank, source.data[start:end]).find(text)
@@ -61,7 +61,7 @@ def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Writte
         if sum(bare.count(text) for bare in texts.values()) != 1:
             return element
         source, at = next((one, bare.find(text)) for one, bare in texts.items() if text in bare)
-    return Written(Span(source, at, at + len(text)), element.frame)
+    return Location(Span(source, at, at + len(text)), element.frame)
 
 
 def _blank(tag: re.Match[bytes]) -> bytes:

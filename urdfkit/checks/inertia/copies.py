@@ -6,21 +6,21 @@ from collections.abc import Callable, Iterable, Iterator
 
 from urdfkit.lint.rules import Finding
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
-from urdfkit.robot.inertials.link_comparison import Weighed
+from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.text.diagnostic import Fix, Related
 from urdfkit.text.editing.edits import from_macro
 
 
 def together(
-    findings: Iterable[tuple[Weighed, Finding]],
-    by: Callable[[Weighed], object] = lambda weighed: weighed.tensor,
+    findings: Iterable[tuple[LinkInertia, Finding]],
+    by: Callable[[LinkInertia], object] = lambda weighed: weighed.tensor,
 ) -> Iterator[Finding]:
     """Findings about copies of one tensor as one, the worst first.
 
     ``by`` gives what the copies have in common, where that is less than the whole tensor.
     What a macro wrote stays apart: the engine makes one finding of it, with its calls.
     """
-    groups: dict[object, list[tuple[Weighed, Finding]]] = {}
+    groups: dict[object, list[tuple[LinkInertia, Finding]]] = {}
     for weighed, finding in findings:
         if from_macro(weighed.at):
             yield finding
@@ -47,7 +47,7 @@ def _merged(fixes: list[Fix]) -> Fix | None:
     return Fix(f"write the tensors of {len(fixes)} shapes", edits)
 
 
-def and_more(others: list[tuple[Weighed, Finding]]) -> str:
+def and_more(others: list[tuple[LinkInertia, Finding]]) -> str:
     """Such as ``and likewise 'b', 'c' and 3 more``."""
     names = [f"'{weighed.link.name}'" for weighed, _ in others]
     if len(names) > 3:

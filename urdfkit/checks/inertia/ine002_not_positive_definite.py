@@ -24,7 +24,7 @@ from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
     from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
 
 
-def _finding(weighed: Weighed, masses: Masses) -> Finding:
+def _finding(weighed: LinkInertia, masses: Masses) -> Finding:
     low, *_, high = weighed.moments
     diagnosis = of_impossible(weighed, masses)
     return Finding(

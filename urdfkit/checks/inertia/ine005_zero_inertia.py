@@ -22,7 +22,7 @@ from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
     from urdfkit.robot.inertials.masses import Masses
     from urdfkit.robot.model import Joint
 
@@ -58,7 +58,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from together(_findings(subject.masses))
 
 
-def _findings(masses: Masses) -> Iterator[tuple[Weighed, Finding]]:
+def _findings(masses: Masses) -> Iterator[tuple[LinkInertia, Finding]]:
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
@@ -66,7 +66,7 @@ def _findings(masses: Masses) -> Iterator[tuple[Weighed, Finding]]:
                 yield weighed, _finding(weighed, body.joint)
 
 
-def _finding(weighed: Weighed, joint: Joint) -> Finding:
+def _finding(weighed: LinkInertia, joint: Joint) -> Finding:
     return Finding(
         weighed.at,
         f"link '{weighed.link.name}' of {weighed.mass:g} kg has no moment of inertia and is moved "

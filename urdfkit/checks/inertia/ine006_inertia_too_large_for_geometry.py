@@ -25,7 +25,7 @@ from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
     from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
@@ -65,7 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from together(found, by=lambda weighed: max(weighed.diagonal))
 
 
-def _finding(weighed: Weighed, masses: Masses) -> Finding:
+def _finding(weighed: LinkInertia, masses: Masses) -> Finding:
     diagnosis = of_unlike_shape(weighed, masses)
     high, bound = weighed.moments[2], weighed.largest_possible
     return Finding(
@@ -80,13 +80,13 @@ def _finding(weighed: Weighed, masses: Masses) -> Finding:
     )
 
 
-def _radius(weighed: Weighed) -> str:
+def _radius(weighed: LinkInertia) -> str:
     radius = weighed.radius_of_gyration
     striking = radius > _STRIKING * weighed.reach
     return f"; its radius of gyration is {radius:.3g} m" if striking else ""
 
 
-def _share(weighed: Weighed, masses: Masses) -> str:
+def _share(weighed: LinkInertia, masses: Masses) -> str:
     """How much of a simulated body's inertia it is, if fixed joints make it a part of one."""
     if sum(link.mass > 0 for link, _ in weighed.body.links) < 2:
         return ""

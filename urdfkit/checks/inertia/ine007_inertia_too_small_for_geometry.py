@@ -25,7 +25,7 @@ from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
     from urdfkit.robot.inertials.masses import Masses
 
 BAD = """\
@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
 
 
-def _finding(weighed: Weighed, masses: Masses) -> Finding:
+def _finding(weighed: LinkInertia, masses: Masses) -> Finding:
     diagnosis = of_unlike_shape(weighed, masses)
     assert weighed.expected is not None
     high, expected = weighed.moments[2], principal_moments(weighed.expected)[2]

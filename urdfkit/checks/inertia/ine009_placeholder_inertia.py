@@ -23,7 +23,7 @@ from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="arm">
@@ -52,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     yield from together((weighed, _finding(weighed)) for weighed in claimed)
 
 
-def _finding(weighed: Weighed) -> Finding:
+def _finding(weighed: LinkInertia) -> Finding:
     return Finding(
         weighed.at,
         f"link '{weighed.link.name}' of {weighed.mass:g} kg: placeholder inertia "

@@ -26,7 +26,7 @@ from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="wheel">
@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from together(found)
 
 
-def _of_the_robot(found: list[tuple[Weighed, Finding]]) -> Finding:
+def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
     """One for most links of a robot: somebody took one unit for another."""
     (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
     in_grams = [one for one, _ in found if unit_slip(one) == "g"]
@@ -77,7 +77,7 @@ def _of_the_robot(found: list[tuple[Weighed, Finding]]) -> Finding:
     )
 
 
-def _finding(weighed: Weighed) -> Finding:
+def _finding(weighed: LinkInertia) -> Finding:
     density = implausible_density(weighed)
     assert density is not None
     assert weighed.inertial.mass is not None
@@ -93,7 +93,7 @@ def _finding(weighed: Weighed) -> Finding:
     )
 
 
-def _in_kilograms(weighed: Weighed) -> Fix | None:
+def _in_kilograms(weighed: LinkInertia) -> Fix | None:
     """The mass by 1000, and the tensor as well if it was computed from the mass in grams."""
     assert weighed.inertial.mass is not None
     assert weighed.expected is not None
@@ -105,7 +105,7 @@ def _in_kilograms(weighed: Weighed) -> Fix | None:
     return Fix.of(f"write {weighed.mass / 1000:g} kg", edits)
 
 
-def _advice(weighed: Weighed) -> str:
+def _advice(weighed: LinkInertia) -> str:
     unit = unit_slip(weighed)
     if unit == "g":
         return f"the mass is probably in g: write {weighed.mass / 1000:g}, and the tensor in kg m^2"

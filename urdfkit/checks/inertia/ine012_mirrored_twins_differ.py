@@ -21,7 +21,7 @@ from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="hand"/>
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
 
 
-def _of_mass(left: Weighed, right: Weighed) -> Finding:
+def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:
     assert left.inertial.mass is not None
     assert right.inertial.mass is not None
     ratio = max(left.mass, right.mass) / min(left.mass, right.mass)
@@ -76,7 +76,7 @@ def _of_mass(left: Weighed, right: Weighed) -> Finding:
     )
 
 
-def _of_inertia(left: Weighed, right: Weighed) -> Finding:
+def _of_inertia(left: LinkInertia, right: LinkInertia) -> Finding:
     return Finding(
         right.at,
         f"link '{right.link.name}' has principal moments of inertia of {values(right.moments)}"

@@ -20,7 +20,7 @@ from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="base">
@@ -58,7 +58,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield _finding(sorted(group, key=lambda weighed: -weighed.mass))
 
 
-def _finding(group: list[Weighed]) -> Finding:
+def _finding(group: list[LinkInertia]) -> Finding:
     heaviest, lightest = group[0], group[-1]
     return Finding(
         lightest.at,

@@ -22,7 +22,7 @@ from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.inertials.link_comparison import Weighed
+    from urdfkit.robot.inertials.link_comparison import LinkInertia
 
 BAD = """\
 <link name="wheel">
@@ -62,14 +62,14 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _moments(weighed: Weighed) -> str:
+def _moments(weighed: LinkInertia) -> str:
     return (
         f"link '{weighed.link.name}' has moments of inertia of {values(weighed.diagonal)}"
         f" about x, y and z; {as_solid(weighed)} as it lies"
     )
 
 
-def _signs(weighed: Weighed, keys: list[str]) -> str:
+def _signs(weighed: LinkInertia, keys: list[str]) -> str:
     """Products of inertia, of which only the sign differs from that of the shape."""
     pairs = [(getattr(weighed.tensor, key), getattr(weighed.expected, key)) for key in keys]
     return (

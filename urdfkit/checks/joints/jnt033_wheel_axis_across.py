@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.shapes import AXES, Lump, Solid, solid
+from urdfkit.robot.shapes import AXES, LinkSolid, MeshSolid, solid
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _is_wheel(joint: Joint, link: Link) -> bool:
     return "wheel" in names and not any(word in names for word in _OTHERS)
 
 
-def _tyre(link: Link, lump: Callable[[Body], Lump | None]) -> tuple[Body, Vector] | None:
+def _tyre(link: Link, lump: Callable[[Body], MeshSolid | None]) -> tuple[Body, Vector] | None:
     """The flat shape of a wheel about its joint, and the axis of it; None if it has none."""
     for bodies in (link.collisions, link.visuals):
         shape = bodies[0].shape if len(bodies) == 1 else None
@@ -98,7 +98,7 @@ def _tyre(link: Link, lump: Callable[[Body], Lump | None]) -> tuple[Body, Vector
     return None
 
 
-def _axle(mesh: Solid | None) -> Vector | None:
+def _axle(mesh: LinkSolid | None) -> Vector | None:
     """The direction in which a mesh is thin, if it is round about it and about its link."""
     if mesh is None:
         return None

@@ -13,10 +13,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.robot.shapes import Box, Solid, solid
+from urdfkit.robot.shapes import BoundingBox, LinkSolid, solid
 from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _gap(subject: Subject, here: Link, there: Link, frame: Frame) -> tuple[float, float] | None:
+def _gap(subject: Subject, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
@@ -115,11 +115,11 @@ def _is_bridged(subject: Subject, parent: Link, child: Link) -> bool:
     return False
 
 
-def _solid(subject: Subject, link: Link) -> Solid | None:
+def _solid(subject: Subject, link: Link) -> LinkSolid | None:
     return solid(link.visuals, subject.lump) or solid(link.collisions, subject.lump)
 
 
-def _moved(box: Box, frame: Frame) -> Box:
+def _moved(box: BoundingBox, frame: Transform) -> BoundingBox:
     """The box around a box that a frame turns and shifts."""
     low, high = box
     corners = [
@@ -129,4 +129,4 @@ def _moved(box: Box, frame: Frame) -> Box:
         for z in (low[2], high[2])
     ]
     xs, ys, zs = zip(*corners, strict=True)
-    return Box((min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs)))
+    return BoundingBox((min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs)))

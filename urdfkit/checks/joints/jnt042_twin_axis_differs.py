@@ -22,7 +22,7 @@ from urdfkit.robot.kinematics import TURNING, direction
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
-    from urdfkit.core.spatial import Frame, Vector
+    from urdfkit.core.spatial import Transform, Vector
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Joint
 
@@ -74,12 +74,12 @@ def check(subject: Subject) -> Iterator[Finding]:
             )
 
 
-def _are_mirrored(one: Frame, other: Frame) -> bool:
+def _are_mirrored(one: Transform, other: Transform) -> bool:
     (x, y, z), (a, b, c) = one.position, other.position
     return abs(y) > _NEAR and max(abs(x - a), abs(y + b), abs(z - c)) <= _NEAR
 
 
-def _axis(joint: Joint, frame: Frame) -> Vector:
+def _axis(joint: Joint, frame: Transform) -> Vector:
     """Of a joint, in the frame of the root."""
     return rotate(frame.rotation, direction(joint))
 

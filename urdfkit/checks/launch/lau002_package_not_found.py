@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -35,7 +35,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         known = comes_with_ros(package.name) or package.name in declared
         if package.searched is not None and not known:
             searched = ", ".join(package.searched)
-            place = Written(package.span)
+            place = Location(package.span)
             yield Finding(
                 place,
                 f"package '{package.name}' is not found",

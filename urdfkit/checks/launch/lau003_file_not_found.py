@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
-from urdfkit.workspace.install_rules import Shipping
+from urdfkit.workspace.install_rules import InstallRules
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -39,7 +39,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not file.exists and not _may_come_from_elsewhere(subject, file.path):
             meant = nearest_file(file.path)
             hint = f"there is '{meant}' beside it" if meant else ""
-            yield Finding(Written(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
+            yield Finding(Location(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
 
 
 def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
@@ -48,4 +48,4 @@ def _may_come_from_elsewhere(subject: Subject, path: str) -> bool:
     home = packages.enclosing(path)
     if home is None:
         return not packages.searches(path, subject.source.path)
-    return Shipping(home[1], home[0]).makes_files
+    return InstallRules(home[1], home[0]).makes_files

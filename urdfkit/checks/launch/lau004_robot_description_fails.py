@@ -14,12 +14,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.launch.contents import Description
+    from urdfkit.ros.launch.contents import LaunchedDescription
 
 NAME = "robot.launch"
 _ROBOT = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="%s"/></robot>'
@@ -41,11 +41,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         if robot.reading.document is None and not _may_expand(description, robot):
             first, *others = (problem.message for problem in robot.reading.problems)
             more = f", and {len(others)} more" if others else ""
-            place = Written(description.frame.call.span, description.frame.outer)
+            place = Location(description.frame.call.span, description.frame.outer)
             yield Finding(place, f"'{description.path}' does not expand: {first}{more}")
 
 
-def _may_expand(description: Description, robot: Subject) -> bool:
+def _may_expand(description: LaunchedDescription, robot: Subject) -> bool:
     """True if it lacks arguments only, and is given some whose values are not known here.
 
     Or packages only, that this machine lacks: that is reported where they are needed.

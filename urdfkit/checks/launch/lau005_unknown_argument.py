@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for name in description.arguments:
             if name not in known:
                 yield Finding(
-                    Written(description.frame.call.span, description.frame.outer),
+                    Location(description.frame.call.span, description.frame.outer),
                     f"'{description.path}' has no argument '{name}'{did_you_mean(name, known)}",
                     "pass one of: " + ", ".join(sorted(known)) if known else "pass none",
                 )

@@ -17,9 +17,9 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller, did_you_mean, nearest
+from urdfkit.core.suggest import Suggester, did_you_mean, nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.controllers import controllers as in_files
 from urdfkit.ros.controllers import read
 from urdfkit.ros.launch.spawned_controllers import controllers
@@ -67,13 +67,13 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = loaded.union(*(_defined(subject, path) for path in _package_files(subject)))
     # Names may be put together when the launch file is run.
     is_whole = bool(loaded) and _is_whole(subject) and not any("$" in name for name in known)
-    speller = Speller({name for name in known if "$" not in name})
+    speller = Suggester({name for name in known if "$" not in name})
     for word, frame in wanted:
         name = (word.text or "").strip("/").rpartition("/")[2]
         is_slip = speller.meant(name) and nearest(name, known, _SLIP)
         if name not in known and (is_whole or is_slip):
             yield Finding(
-                Written(word.span, frame),
+                Location(word.span, frame),
                 f"no file of parameters defines the controller '{name}'{did_you_mean(name, known)}",
             )
 

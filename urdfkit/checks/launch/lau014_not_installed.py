@@ -15,10 +15,10 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Span
-from urdfkit.workspace.install_rules import Shipping
+from urdfkit.workspace.install_rules import InstallRules
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -42,7 +42,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if home is None:
         return
     name, folder = home
-    shipping = Shipping(folder, name)
+    shipping = InstallRules(folder, name)
     own = os.path.abspath(source.path)
     if not os.path.relpath(own, folder).startswith("launch"):
         return  # a test or an example, which stay in the source tree
@@ -56,4 +56,4 @@ def check(subject: Subject) -> Iterator[Finding]:
         if not shipping.installs(relative):
             told.add(top)
             message = f"'{relative}' is in the source tree, and {shipping.file} does not install it"
-            yield Finding(Written(span), message, shipping.remedy(top))
+            yield Finding(Location(span), message, shipping.remedy(top))

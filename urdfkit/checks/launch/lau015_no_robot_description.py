@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -50,4 +50,4 @@ def check(subject: Subject) -> Iterator[Finding]:
             slip = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
             other = f"; '{slip}' is not '{_PARAMETER}'" if slip else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
-            yield Finding(Written(node.span, node.frame), message)
+            yield Finding(Location(node.span, node.frame), message)

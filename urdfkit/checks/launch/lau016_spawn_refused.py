@@ -18,9 +18,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import Started, Word
+from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawning import SPAWNERS, Spawner, options
 from urdfkit.text.diagnostic import Severity
 
@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         given, is_known = options(started, spawner)
         for option, word in given.items():
-            place = Written(word.span, started.frame)
+            place = Location(word.span, started.frame)
             if option not in spawner.known and spawner.is_strict:
                 hint = did_you_mean(option, spawner.known)
                 message = f"{started.executable} has no option '-{option}'{hint}"
@@ -68,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield from _missing(started, spawner, given)
 
 
-def _value(option: str, word: Word, place: Written) -> Iterator[Finding]:
+def _value(option: str, word: Word, place: Location) -> Iterator[Finding]:
     """What is wrong with the value of an option."""
     text = word.text or ""
     if option == "file" and text.endswith(".xacro"):
@@ -84,9 +84,11 @@ def _value(option: str, word: Word, place: Written) -> Iterator[Finding]:
             yield Finding(place, f"'{name}' is not '{_TOPIC}'", f"write {_TOPIC}")
 
 
-def _missing(started: Started, spawner: Spawner, given: dict[str, Word]) -> Iterator[Finding]:
+def _missing(
+    started: StartedProgram, spawner: Spawner, given: dict[str, Word]
+) -> Iterator[Finding]:
     for group in spawner.required:
         if not any(option in given for option in group):
             wanted = " or ".join(f"-{option}" for option in group)
             message = f"{started.executable} needs {wanted}"
-            yield Finding(Written(started.span, started.frame), message, f"write {wanted}")
+            yield Finding(Location(started.span, started.frame), message, f"write {wanted}")

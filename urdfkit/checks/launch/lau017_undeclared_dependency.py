@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.manifest import depends_on, manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -48,7 +48,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         near = subject.source.path
         if not depends_on(package.name, manifest.package, near, subject.resolver):
             yield Finding(
-                Written(package.span),
+                Location(package.span),
                 f"package '{package.name}' is used, and {manifest.path} does not declare it",
                 f"add <{tag}>{package.name}</{tag}> to package.xml",
                 alike="undeclared",

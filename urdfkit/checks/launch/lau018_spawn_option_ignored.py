@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.launch.spawning import SPAWNERS, options
 from urdfkit.text.diagnostic import Severity
 
@@ -43,7 +43,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             if option not in spawner.known:
                 is_name = option in ("entity", "model")
                 yield Finding(
-                    Written(word.span, started.frame),
+                    Location(word.span, started.frame),
                     f"{started.executable} passes over '-{option}'"
                     + did_you_mean(option, spawner.known),
                     "write -name" if is_name else "remove it",

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
@@ -70,7 +70,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     document, problems = read_xml(source)
     broken = [problem for problem in problems if problem.code in _BROKEN]
     for problem in broken[:1]:
-        yield Finding(Written(problem.span), f"no build reads this: {problem.message}")
+        yield Finding(Location(problem.span), f"no build reads this: {problem.message}")
     if document is None or broken or document.root.tag != "package":
         return
     if not {"description", "maintainer", "license"} & {c.tag for c in document.root.children}:
@@ -84,10 +84,10 @@ def _missing(package: Element) -> Iterator[Finding]:
     tags = [child.tag for child in package.children]
     for tag in REQUIRED:
         if tag not in tags:
-            yield Finding(Written(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+            yield Finding(Location(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
     for tag in ("name", "version", "description", "export"):
         for again in package.all(tag)[1:]:
-            yield Finding(Written(again.span), f"a second <{tag}>", "keep one")
+            yield Finding(Location(again.span), f"a second <{tag}>", "keep one")
 
 
 def _tags(package: Element) -> Iterator[Finding]:
@@ -100,28 +100,28 @@ def _tags(package: Element) -> Iterator[Finding]:
         meant = renamed.get(child.tag) or nearest(child.tag, known)
         help = f"write <{meant}>" if meant in known else "remove it"
         number = package.get("format") or "1"
-        yield Finding(Written(child.span), f"<{child.tag}> is not a tag of format {number}", help)
+        yield Finding(Location(child.span), f"<{child.tag}> is not a tag of format {number}", help)
 
 
 def _values(package: Element) -> Iterator[Finding]:
     name, version = package.child("name"), package.child("version")
     if name and not _is_name(name.text.strip()):
-        yield Finding(Written(name.span), f"'{name.text.strip()}' is not a name for a package")
+        yield Finding(Location(name.span), f"'{name.text.strip()}' is not a name for a package")
     if version and not _is_version(version.text.strip()):
         message = f"the version '{version.text.strip()}' is not three numbers"
-        yield Finding(Written(version.span), message, "write it as 1.0.0")
+        yield Finding(Location(version.span), message, "write it as 1.0.0")
     for maintainer in package.all("maintainer"):
         if not maintainer.get("email"):
             yield Finding(
-                Written(maintainer.span), "the maintainer has no email", 'write email="..."'
+                Location(maintainer.span), "the maintainer has no email", 'write email="..."'
             )
     for child in package.all("license"):
         if not child.text.strip():
-            yield Finding(Written(child.span), "the license is empty", "name the licence")
+            yield Finding(Location(child.span), "the license is empty", "name the licence")
     own = name.text.strip() if name else ""
     for child in package.children:
         if own and child.tag.endswith("depend") and child.text.strip() == own:
-            yield Finding(Written(child.span), "the package depends on itself", "remove it")
+            yield Finding(Location(child.span), "the package depends on itself", "remove it")
 
 
 def _is_name(text: str) -> bool:

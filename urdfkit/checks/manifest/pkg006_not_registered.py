@@ -20,7 +20,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, Span
@@ -79,7 +79,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _unregistered(setup, folder, name)
     elif not named and _INDEX.encode() in setup.data:
         yield Finding(
-            Written(Span(manifest, 0, 0)),
+            Location(Span(manifest, 0, 0)),
             "no build type: colcon looks for a CMakeLists.txt",
             "write <export><build_type>ament_python</build_type></export>",
         )
@@ -88,7 +88,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _unregistered(setup: Source, folder: str, name: str) -> Iterator[Finding]:
     if b"resource_index" not in setup.data:
         yield Finding(
-            Written(Span(setup, 0, 0)),
+            Location(Span(setup, 0, 0)),
             f"nothing is installed into {_INDEX}: ROS will not find the package '{name}'",
             f"add ('{_INDEX}', ['resource/{name}']) to data_files, and make that empty file",
         )
@@ -96,4 +96,4 @@ def _unregistered(setup: Source, folder: str, name: str) -> Iterator[Finding]:
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
     if marker and not os.path.exists(os.path.join(folder, "resource", name)):
         message = f"setup.py installs 'resource/{name}', and there is no such file"
-        yield Finding(Written(Span(setup, *marker.span())), message, "make it; it may be empty")
+        yield Finding(Location(Span(setup, *marker.span())), message, "make it; it may be empty")

@@ -26,7 +26,7 @@ from urdfkit.text.editing.edits import replace_value
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.workspace.resolve import Located
+    from urdfkit.workspace.resolve import ResolvedReference
 
 BAD = """\
 <link name="arm">
@@ -77,7 +77,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _lost_folder(located: Located) -> str:
+def _lost_folder(located: ResolvedReference) -> str:
     """The topmost folder that is not there; the file's own if that is there."""
     lost = os.path.dirname(os.path.abspath(located.tried[0]))
     while not os.path.isdir(above := os.path.dirname(lost)):

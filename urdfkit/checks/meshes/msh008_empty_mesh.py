@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.mesh.io.facts import Kind
+from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 
@@ -41,5 +41,5 @@ FILES = {"meshes/empty.stl": b"", "meshes/plate.stl": PLATE}
     help="export the mesh again, or copy it from where the robot comes from",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for mesh, reason in subject.files.with_defect(Kind.EMPTY):
+    for mesh, reason in subject.files.with_defect(DefectKind.EMPTY):
         yield Finding(mesh.at, f"{mesh.who} {reason}")

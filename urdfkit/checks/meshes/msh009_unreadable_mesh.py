@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.mesh.io.facts import Kind
+from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 
@@ -45,5 +45,5 @@ FILES = {
     help="export the mesh again, or copy it from where the robot comes from",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for mesh, reason in subject.files.with_defect(Kind.UNREADABLE):
+    for mesh, reason in subject.files.with_defect(DefectKind.UNREADABLE):
         yield Finding(mesh.at, f"{mesh.who} {reason}")

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.mesh.io.facts import Kind
+from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 
@@ -43,6 +43,6 @@ FILES = {
     help="fetch the file itself: from the raw link of the page, or with git lfs pull",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for mesh, reason in subject.files.with_defect(Kind.NOT_A_MESH):
+    for mesh, reason in subject.files.with_defect(DefectKind.NOT_A_MESH):
         pull = "run git lfs pull" if "Git LFS" in reason else ""
         yield Finding(mesh.at, f"{mesh.who} {reason}", pull, alike=pull)

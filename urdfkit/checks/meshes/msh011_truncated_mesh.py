@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.mesh.io.facts import Kind
+from urdfkit.mesh.io.facts import DefectKind
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 
@@ -42,5 +42,5 @@ FILES = {"meshes/half.stl": PLATE[:70], "meshes/plate.stl": PLATE}
     help="fetch or export the mesh again",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for mesh, reason in subject.files.with_defect(Kind.TRUNCATED):
+    for mesh, reason in subject.files.with_defect(DefectKind.TRUNCATED):
         yield Finding(mesh.at, f"{mesh.who} {reason}")

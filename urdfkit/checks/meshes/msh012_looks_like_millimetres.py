@@ -24,7 +24,7 @@ from urdfkit.text.editing import edits
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.robot.assets.measured_meshes import Use
+    from urdfkit.robot.assets.measured_meshes import MeshUse
 
 BAD = """\
 <link name="base"/>
@@ -66,7 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _fix(use: Use) -> Fix | None:
+def _fix(use: MeshUse) -> Fix | None:
     """A thousandth of the scale, where the source holds this very mesh."""
     name = use.at.at
     if not isinstance(name, Attribute) or not name.literal:

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before, replace_value
@@ -48,7 +48,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.links_by_name
     children = {joint.child.value for joint in subject.model.joints if joint.child}
     # A second parent would be another error.
-    spellers = {"parent": Speller(known), "child": Speller(known.keys() - children)}
+    spellers = {"parent": Suggester(known), "child": Suggester(known.keys() - children)}
     for joint in subject.model.joints:
         for role in ("parent", "child"):
             element = joint.at.child(role)

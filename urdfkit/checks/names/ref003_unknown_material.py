@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.text.diagnostic import Edit, Fix, Related, Severity
 from urdfkit.text.document import Attribute, Element
@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
-    speller = Speller([name for name in (*top, *filled) if name])
+    speller = Suggester([name for name in (*top, *filled) if name])
     for word, uses in _uses_without_colour(top, used).items():
         fix = None
         related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
@@ -111,7 +111,7 @@ def _is_filled(material: Element) -> bool:
     return material.child("color") is not None or bool(texture and texture.get("filename"))
 
 
-def _hint(name: str, speller: Speller) -> str:
+def _hint(name: str, speller: Suggester) -> str:
     if name.startswith("Gazebo/"):
         return "; Gazebo's own materials work in <gazebo reference> only"
     return speller.hint(name)

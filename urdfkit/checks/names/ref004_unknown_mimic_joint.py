@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Attribute
@@ -52,7 +52,7 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
-    speller = Speller(known)
+    speller = Suggester(known)
     for joint in subject.model.joints:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import insert_after, insert_last
@@ -71,12 +71,12 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         message = f"package '{name}' is used, and {manifest.path} does not declare it"
         if depends_on(name, manifest.package, near, subject.resolver):
-            yield Finding(Written(mention.span), message, _CYCLE.format(name, manifest.package))
+            yield Finding(Location(mention.span), message, _CYCLE.format(name, manifest.package))
             continue
         tag = manifest.dependency_tag
         help_ = f"add <{tag}>{name}</{tag}> to package.xml"
         fix = _fix(subject.resolver.read(manifest.path), name, tag)
-        yield Finding(Written(mention.span), message, help_, fix, alike="undeclared")
+        yield Finding(Location(mention.span), message, help_, fix, alike="undeclared")
 
 
 def _fix(source: Source, name: str, tag: str) -> Fix | None:

@@ -15,10 +15,10 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
-from urdfkit.workspace.install_rules import Shipping
+from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.package_references import of_package
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if home is None:
         return
     name, folder = home
-    shipping = Shipping(folder, name)
+    shipping = InstallRules(folder, name)
     told: set[str] = set()
     for mention in of_package(subject.document.sources, packages):
         top = mention.relative.partition("/")[0]
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if there and not shipping.installs(mention.relative):
             told.add(top)
             yield Finding(
-                Written(mention.span),
+                Location(mention.span),
                 f"'{mention.relative}' is in the source tree, and "
                 f"{shipping.file} does not install it",
                 shipping.remedy(top),

@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Written, rule
+from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, Span
@@ -65,7 +65,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         found = re.search(pattern, source.data)
         if found and found.group(1).decode() != name:
             yield Finding(
-                Written(Span(source, *found.span(1))),
+                Location(Span(source, *found.span(1))),
                 f"{file} calls the package '{found.group(1).decode()}', and package.xml calls it "
                 f"'{name}'",
             )

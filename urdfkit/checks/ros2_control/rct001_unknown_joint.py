@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.ros.ros_control import called, components, driven_joints, reads_transmissions
 from urdfkit.text.diagnostic import Fix, Severity
@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
     if not known:
         return  # a description of the hardware alone; Webots, say, has the joints in its world
-    speller = Speller(known)
+    speller = Suggester(known)
     for name, owner in _named(subject):
         if name.value in known or is_expression(name.value):
             continue

@@ -30,7 +30,7 @@ from urdfkit.text.editing.edits import rewrite
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
-    from urdfkit.ros.ros_control import Component, Interface, Part
+    from urdfkit.ros.ros_control import Component, ControlPart, Interface
     from urdfkit.text.document import Attribute, Element
 
 BAD = """\
@@ -74,7 +74,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield from _of_ros1(subject)
 
 
-def _of_ros2(component: Component, part: Part, interface: Interface) -> Iterator[Finding]:
+def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> Iterator[Finding]:
     name = interface.name
     if not name or part.kind == "gpio":
         return

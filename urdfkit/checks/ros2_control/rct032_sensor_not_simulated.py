@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.ros.catalog.ros_control import hardware
 from urdfkit.ros.gazebo.sensors import sensors
@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:
         return
     simulated = {sensor.name for sensor in sensors(subject.model)}
-    speller = Speller(simulated)
+    speller = Suggester(simulated)
     for component in components(subject.model):
         if component.hardware not in hardware():
             continue

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for kind, attribute in srdf.references():
         known = srdf.known(kind)
         if attribute.value and attribute.value not in known and not _is_free_flyer(attribute):
-            hint = Speller(known, _LIKE).hint(attribute.value)
+            hint = Suggester(known, _LIKE).hint(attribute.value)
             message = f"there is no {kind} '{attribute.value}'{hint}"
             fix = _fix(attribute, known)
             yield Finding(attribute, message, fix=fix, alike=attribute.value if fix else kind)
@@ -74,6 +74,6 @@ def _is_free_flyer(attribute: Attribute) -> bool:
 
 
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
-    meant = Speller(known).meant(attribute.value)
+    meant = Suggester(known).meant(attribute.value)
     edits = replace_value(attribute, meant) if meant else None
     return Fix.of(f"rename it to '{meant}'", edits)

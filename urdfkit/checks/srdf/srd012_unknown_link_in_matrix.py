@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
@@ -68,7 +68,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         for key in ("link1", "link2"):
             attribute = pair.attributes.get(key)
             if attribute is not None and attribute.value not in links:
-                hint = Speller(links, _LIKE).hint(attribute.value)
+                hint = Suggester(links, _LIKE).hint(attribute.value)
                 message = f"there is no link '{attribute.value}'{hint}"
                 fix = _fix(attribute, links)
                 alike = attribute.value if fix else "link"
@@ -76,6 +76,6 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
-    meant = Speller(known).meant(attribute.value)
+    meant = Suggester(known).meant(attribute.value)
     edits = replace_value(attribute, meant) if meant else None
     return Fix.of(f"rename it to '{meant}'", edits)

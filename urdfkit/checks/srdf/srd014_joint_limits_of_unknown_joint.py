@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.core.suggest import Speller
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.core.suggest import Suggester
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.text.diagnostic import Severity
 
@@ -49,7 +49,7 @@ joint_limits:
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
-    speller = Speller(known)
+    speller = Suggester(known)
     planned = list(planned_limits(subject))
     strange = [limit for limit in planned if limit.joint not in known]
     if len(strange) == len(planned) > 1:
@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     for limit in strange:
         meant = speller.meant(limit.joint)
         yield Finding(
-            Written(limit.at.span),
+            Location(limit.at.span),
             f"limits for joint '{limit.joint}', which is not in the model",
             f"did you mean '{meant}'?" if meant else "",
         )

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.robot.joints import bounds, unit
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.text.diagnostic import Related, Severity
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 assert joint is not None
                 limit = joint.limit
                 yield Finding(
-                    Written(planned.values[name].span),
+                    Location(planned.values[name].span),
                     f"joint '{joint.name}': MoveIt plans with {name} {said:g} {measure}, the "
                     f"robot allows {allowed:g} {measure}",
                     related=(Related(limit.at.span, "the robot's limit"),) if limit else (),

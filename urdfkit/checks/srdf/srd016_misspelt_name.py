@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.srdf_grammar import slips
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
@@ -63,5 +63,5 @@ def check(subject: Subject) -> Iterator[Finding]:
             what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
         message = f"unknown {what} in <{slip.parent.tag}> (ignored); did you mean '{slip.meant}'?"
         fix = Fix.of(f"rename it to {slip.meant}", edits)
-        at = Written(edits[0].span) if edits else slip.at
+        at = Location(edits[0].span) if edits else slip.at
         yield Finding(at, message, fix=fix)

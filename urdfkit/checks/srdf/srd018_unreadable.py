@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.srdf import unreadable
 from urdfkit.text.diagnostic import Severity
 
@@ -42,5 +42,5 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     name = subject.model.name
     for problem in unreadable(subject.source.path, name, subject.resolver):
-        at = Written(problem.span, problem.frame)
+        at = Location(problem.span, problem.frame)
         yield Finding(at, problem.message, problem.help, related=problem.related)

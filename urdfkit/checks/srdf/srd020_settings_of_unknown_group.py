@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.text.diagnostic import Severity
 
@@ -66,4 +66,4 @@ def check(subject: Subject) -> Iterator[Finding]:
         is_ours = entry.is_alone or any(other.name in known for other in entries)
         if known and entry.name not in known and is_ours:
             message = f"the SRDF has no group '{entry.name}'{did_you_mean(entry.name, known)}"
-            yield Finding(Written(entry.name.span), message)
+            yield Finding(Location(entry.name.span), message)

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.config import joint_entries, names_without_settings
 from urdfkit.text.diagnostic import Severity
 
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         strange = []  # of another robot, or of another variant of this one
     for who, joint in strange:
         message = f"{who} names joint '{joint.text}', which is not in the model"
-        yield Finding(Written(joint.span), f"{message}{did_you_mean(joint.text, known)}")
+        yield Finding(Location(joint.span), f"{message}{did_you_mean(joint.text, known)}")
     for name, others in names_without_settings(srdf, subject.resolver):
         message = f"controller '{name.text}' has no settings{did_you_mean(name.text, others)}"
-        yield Finding(Written(name.span), message)
+        yield Finding(Location(name.span), message)

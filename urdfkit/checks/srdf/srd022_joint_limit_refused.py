@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of
 from urdfkit.text.diagnostic import Severity
@@ -61,7 +61,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             value = limit.values.get(name) if limit.is_on(switch) else None
             if value is not None and (told := _wrong(name, value, _ros(subject))):
                 message, help = told
-                yield Finding(Written(value.span), f"joint '{limit.joint}': {message}", help)
+                yield Finding(Location(value.span), f"joint '{limit.joint}': {message}", help)
 
 
 def _ros(subject: Subject) -> int | None:

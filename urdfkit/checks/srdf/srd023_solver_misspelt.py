@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.located_yaml import Value
@@ -82,4 +82,4 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if meant := nearest(solver.text, _KNOWN, _SLIP):
             message = f"group '{entry.name}': '{solver.text}' is nearly '{meant}'"
-            yield Finding(Written(solver.span), message, f"write {meant}")
+            yield Finding(Location(solver.span), message, f"write {meant}")

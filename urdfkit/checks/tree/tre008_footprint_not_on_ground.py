@@ -26,7 +26,7 @@ from urdfkit.text.editing.edits import insert_before, replace_value
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.core.spatial import Frame, Rotation, Vector
+    from urdfkit.core.spatial import Rotation, Transform, Vector
     from urdfkit.lint.context import Subject
     from urdfkit.robot.model import Body, Joint
     from urdfkit.robot.tree import KinematicTree
@@ -186,7 +186,7 @@ def _limbs(tree: KinematicTree) -> set[str]:
     return {name for name, count in hinges.items() if count > 1}
 
 
-def _bottom(body: Body, link: Frame, up: Vector) -> float | None:
+def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
     """Height of the lowest point of a primitive, in m; None for other shapes."""
     shape = body.shape
     half = shape.half_extents if shape else None

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.workspace.includes import is_included
@@ -52,7 +52,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     ]
     if unused and not is_included(subject.source.path, subject.resolver.packages):
         for definition in unused:
-            place = Written(definition.tag.span, definition.frame)
+            place = Location(definition.tag.span, definition.frame)
             name = definition.name.removeprefix("**")
             edits = remove_spans([definition.tag.whole_span])
             yield Finding(

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.includes import is_included
 
@@ -52,5 +52,5 @@ def check(subject: Subject) -> Iterator[Finding]:
         unused = [macro for macro in unused if macro.name not in tags]
     if unused and not is_included(subject.source.path, subject.resolver.packages):
         for macro in unused:
-            place = Written(macro.tag.span, macro.frame)
+            place = Location(macro.tag.span, macro.frame)
             yield Finding(place, f"macro '{macro.name}' is never called")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.workspace.includes import is_included
 
@@ -47,5 +47,5 @@ def check(subject: Subject) -> Iterator[Finding]:
     ]
     if unused and not is_included(subject.source.path, subject.resolver.packages):
         for argument in unused:
-            place = Written(argument.tag.span, argument.frame)
+            place = Location(argument.tag.span, argument.frame)
             yield Finding(place, f"argument '{argument.name}' is never used", alike="unused")

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from math import pi
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.robot.model import number
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.editing.edits import remove_spans
@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         off = abs(value - pi)
         if off < _CERTAIN or (off < _NAMED and re.search(_NAME, definition.name)):
             yield Finding(
-                Written(definition.tag.span, definition.frame),
+                Location(definition.tag.span, definition.frame),
                 f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi",
                 fix=Fix("use the built-in pi", _edits(definition)),
             )

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.robot.inertials.macro_fixes import computing
 from urdfkit.text.diagnostic import Related, Severity
 
@@ -92,7 +92,7 @@ def _finding(links: list[Link], masses: list[float], tag: Tag) -> Finding:
     written = tag.attribute_spans()  # in which a moment may be missing: urdfdom takes it for 0
     moments = ", ".join(written[key].text for key in ("ixx", "iyy", "izz") if key in written)
     return Finding(
-        Written(macro.definition),
+        Location(macro.definition),
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "
         f"the same inertia tensor ({moments} kg m^2)",
         related=tuple(

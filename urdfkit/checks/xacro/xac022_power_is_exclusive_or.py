@@ -17,7 +17,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Edit, Fix, Severity
 from urdfkit.text.source import Source, Span
 
@@ -64,7 +64,7 @@ def _in_source(source: Source) -> Iterator[Finding]:
                 Edit(Span(source, at, at + 1), "**") for at in map(match.start(1).__add__, signs)
             ]
             yield Finding(
-                Written(Span(source, match.start(), match.end())),
+                Location(Span(source, match.start(), match.end())),
                 f"the ^ in {_as_read(expression)} is an exclusive or, and no power",
                 fix=Fix(f"write {expression.replace('^', '**')}", tuple(edits)),
             )

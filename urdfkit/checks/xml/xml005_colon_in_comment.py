@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Finding, Need, Written, rule
+from urdfkit.lint.rules import Finding, Location, Need, rule
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import Source, Span
 
@@ -53,7 +53,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         found = next(filter(None, (_written(xacro.sources, text) for text in texts)), None)
     if found:
         yield Finding(
-            Written(found),
+            Location(found),
             "':' and white space in a comment: a ROS 2 launch file may take the robot for YAML",
             confidence=Confidence.INFERRED,
         )

@@ -6,22 +6,22 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from urdfkit.mesh.io.facts import counted
-from urdfkit.physics.collision.matrix import NEAR, Matrix, Nearest, PairResult, Verdict
+from urdfkit.physics.collision.matrix import NEAR, ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.text.markdown import escape, table
 from urdfkit.text.terminal import columns, printable, wrap
 
 if TYPE_CHECKING:
-    from urdfkit.physics.collision.srdf_matrix import Comparison
+    from urdfkit.physics.collision.srdf_matrix import MatrixComparison
 
 VERSION = 1
 
 _MEANING = {
-    Verdict.ADJACENT: "a joint holds them together",
-    Verdict.DEFAULT: "they collide where the robot begins",
-    Verdict.ALWAYS: "they collide in more than 95 % of the samples",
-    Verdict.SOMETIMES: "they can collide, and must be checked",
-    Verdict.NEVER: "no collision was found",
-    Verdict.UNKNOWN: "measuring them crashed coal",
+    PairVerdict.ADJACENT: "a joint holds them together",
+    PairVerdict.DEFAULT: "they collide where the robot begins",
+    PairVerdict.ALWAYS: "they collide in more than 95 % of the samples",
+    PairVerdict.SOMETIMES: "they can collide, and must be checked",
+    PairVerdict.NEVER: "no collision was found",
+    PairVerdict.UNKNOWN: "measuring them crashed coal",
 }
 
 #: Pairs in a list for people; the rest are counted. JSON has them all.
@@ -36,12 +36,12 @@ class _List(NamedTuple):
     pairs: Sequence[PairResult]
 
 
-def text(matrix: Matrix, comparison: Comparison | None) -> str:
+def text(matrix: Matrix, comparison: MatrixComparison | None) -> str:
     """For a terminal."""
     return "\n".join(_lines(matrix, comparison)) + "\n"
 
 
-def _lines(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
+def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]:
     yield _title(matrix)
     yield ""
     for verdict, meaning in _MEANING.items():
@@ -72,7 +72,7 @@ def _aligned(names: Sequence[str]) -> list[str]:
     return [cell + " " * (wide - columns(cell)) for cell in cells]
 
 
-def markdown(matrix: Matrix, comparison: Comparison | None) -> str:
+def markdown(matrix: Matrix, comparison: MatrixComparison | None) -> str:
     """For a page or a comment."""
     sections = [f"### Collisions of {escape(_title(matrix))}\n"]
     counts = [
@@ -92,7 +92,7 @@ def markdown(matrix: Matrix, comparison: Comparison | None) -> str:
     return "\n".join(sections)
 
 
-def as_json(matrix: Matrix, comparison: Comparison | None) -> dict[str, Any]:
+def as_json(matrix: Matrix, comparison: MatrixComparison | None) -> dict[str, Any]:
     """For programs."""
     found: dict[str, Any] = {
         "version": VERSION,
@@ -135,12 +135,12 @@ def _title(matrix: Matrix) -> str:
     )
 
 
-def _lists(matrix: Matrix, comparison: Comparison | None) -> Iterator[_List]:
+def _lists(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[_List]:
     """What deserves a list: never the pairs that nobody has to care for."""
-    often = sorted(matrix.of(Verdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
+    often = sorted(matrix.of(PairVerdict.SOMETIMES), key=lambda pair: -(pair.frequency or 0))
     named = [
-        ("collide where the robot begins", matrix.of(Verdict.DEFAULT)),
-        ("always collide", matrix.of(Verdict.ALWAYS)),
+        ("collide where the robot begins", matrix.of(PairVerdict.DEFAULT)),
+        ("always collide", matrix.of(PairVerdict.ALWAYS)),
         ("can collide", often),
         (f"never collide, and come nearer than {1000 * NEAR:g} mm", matrix.near_misses),
     ]
@@ -154,7 +154,7 @@ def _lists(matrix: Matrix, comparison: Comparison | None) -> Iterator[_List]:
             yield _List(title, pairs)
 
 
-def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
+def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]:
     rare = [pair for pair in matrix.pairs if pair.is_seldom]
     if rare:
         yield (
@@ -192,12 +192,12 @@ def _notes(matrix: Matrix, comparison: Comparison | None) -> Iterator[str]:
 
 
 def _frequency(pair: PairResult) -> str:
-    if pair.frequency is None or pair.verdict in (Verdict.NEVER, Verdict.ADJACENT):
+    if pair.frequency is None or pair.verdict in (PairVerdict.NEVER, PairVerdict.ADJACENT):
         return ""
     return f"{100 * pair.frequency:.1f} %" if pair.frequency else "rarely"
 
 
-def _distance(nearest: Nearest | None) -> str:
+def _distance(nearest: ClosestApproach | None) -> str:
     if nearest is None:
         return ""
     if nearest.distance < 0:
@@ -206,5 +206,5 @@ def _distance(nearest: Nearest | None) -> str:
     return f"{apart:.2g} mm apart" if apart < 100 else f"{apart:.0f} mm apart"
 
 
-def _pose(nearest: Nearest) -> str:
+def _pose(nearest: ClosestApproach) -> str:
     return "at " + ", ".join(f"{printable(n)} {v:.3g}" for n, v in nearest.pose.items())

@@ -11,7 +11,7 @@ from urdfkit.cli import options, output, progress
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.robot import one_robot, robot
-from urdfkit.robot.assets.collision_shapes import Proposal, edited, propose
+from urdfkit.robot.assets.collision_shapes import CollisionProposal, edited, propose
 from urdfkit.text.source import shown
 
 
@@ -64,7 +64,7 @@ def command(
     return int(bool(left))
 
 
-def render(proposals: Sequence[Proposal]) -> Iterator[str]:
+def render(proposals: Sequence[CollisionProposal]) -> Iterator[str]:
     """For each visual, the shapes that were tried and the one that is taken."""
     if not proposals:
         yield "every link with a visual mesh has a collision of its own"

@@ -13,8 +13,8 @@ from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.parts import PARTS
 from urdfkit.robot.assets.placeholder_meshes import (
-    StandIn,
-    Undone,
+    GeneratedMesh,
+    NotGenerated,
     generate,
     generate_missing,
     generate_part,
@@ -71,14 +71,14 @@ def command(
                 f"name the robot with --model{hint}; or name a file and what to make with --part"
             )
         made = [generate_part(files[0], part, size, force=force)]
-        undone: tuple[Undone, ...] = ()
+        undone: tuple[NotGenerated, ...] = ()
     else:
         arguments = tuple(word for word in words if ":=" in word)
         subject = robot({**asked, options.FILES: (model, *arguments)})
         if files:
             one = generate(subject, files[0], part=part, size=size, force=force)
-            made = [one] if isinstance(one, StandIn) else []
-            undone = (one,) if isinstance(one, Undone) else ()
+            made = [one] if isinstance(one, GeneratedMesh) else []
+            undone = (one,) if isinstance(one, NotGenerated) else ()
         elif part or size or force:
             raise options.UsageError("--part, --size and --force are for one mesh; name it")
         else:
@@ -91,7 +91,9 @@ def command(
     return int(bool(undone))
 
 
-def render(made: list[StandIn], undone: tuple[Undone, ...], dry_run: bool) -> Iterator[str]:
+def render(
+    made: list[GeneratedMesh], undone: tuple[NotGenerated, ...], dry_run: bool
+) -> Iterator[str]:
     """What was made, and what was not."""
     if not made and not undone:
         yield "nothing is missing"

@@ -10,8 +10,8 @@ from urdfkit.cli import output
 from urdfkit.cli.epilog import examples
 from urdfkit.cli.mesh import tables
 from urdfkit.core.strict_json import dumped
-from urdfkit.mesh.describe import Description, describe
-from urdfkit.mesh.geometry import Part
+from urdfkit.mesh.describe import MeshDescription, describe
+from urdfkit.mesh.geometry import MeshPart
 
 VERSION = 1
 
@@ -38,7 +38,7 @@ def command(files: tuple[str, ...], form: str) -> int:
     return 0
 
 
-def render(found: Description) -> Iterator[str]:
+def render(found: MeshDescription) -> Iterator[str]:
     """The lines about one file."""
     yield f"{found.path}: {found.format}, {found.bytes} bytes"
     if found.defect:
@@ -63,7 +63,7 @@ def render(found: Description) -> Iterator[str]:
         yield from output.labelled("lost", lost)
 
 
-def _part(part: Part) -> str:
+def _part(part: MeshPart) -> str:
     text = f"{len(part.faces)} triangles"
     if part.material is None:
         return text

@@ -13,7 +13,7 @@ from urdfkit.cli.mesh.saving import destination, save, writes
 from urdfkit.mesh.health import Health
 from urdfkit.mesh.io.salvage import load_or_salvage
 from urdfkit.mesh.measures import OVERLAP
-from urdfkit.mesh.repair import Repair, Step, repair
+from urdfkit.mesh.repair import Repair, RepairStep, repair
 from urdfkit.mesh.transforms import in_metres
 
 
@@ -94,7 +94,7 @@ def _asked(health: Health) -> Iterator[str]:
         yield "--union unites the bodies"
 
 
-def _step(step: Step) -> str:
+def _step(step: RepairStep) -> str:
     changes = [
         f"{number} triangles {words}"
         for number, words in (

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Flags, Floats, Integers, Material, Part
+from urdfkit.mesh.geometry import Flags, Floats, Integers, MeshMaterial, MeshPart
 from urdfkit.mesh.io.facts import counted
 
 #: Nodes of a scene, and triangles of all that they show: a short file can show a long one often.
@@ -26,7 +26,7 @@ class Stream(NamedTuple):
     rows: Integers
 
 
-class Losses:
+class LostData:
     """What is lost of one file, counted by kind."""
 
     def __init__(self) -> None:
@@ -47,13 +47,13 @@ class Losses:
 
 def assemble(
     position: Stream,
-    losses: Losses,
-    material: Material | None = None,
+    losses: LostData,
+    material: MeshMaterial | None = None,
     *,
     normals: Stream | None = None,
     uv: Stream | None = None,
     colors: Stream | None = None,
-) -> Part | None:
+) -> MeshPart | None:
     """A part of triangles that exist; None if none is left.
 
     Corners that share all of their values share a vertex. Values that no triangle uses are left.
@@ -74,7 +74,7 @@ def assemble(
         what: stream.values[row] for (what, stream), row in zip(streams.items(), rows, strict=True)
     }
     vertices = values["positions"]
-    return Part(
+    return MeshPart(
         vertices,
         faces,
         material,
@@ -84,7 +84,7 @@ def assemble(
     )
 
 
-def transformed(part: Part, matrix: Floats) -> Part:
+def transformed(part: MeshPart, matrix: Floats) -> MeshPart:
     """A part moved by a homogeneous (4, 4) matrix; a mirrored one keeps its outside outside."""
     if np.array_equal(matrix, np.eye(4)):
         return part
@@ -98,7 +98,7 @@ def transformed(part: Part, matrix: Floats) -> Part:
     return part._replace(vertices=vertices, faces=faces, normals=normals)
 
 
-def _usable(position: Stream, losses: Losses) -> Flags:
+def _usable(position: Stream, losses: LostData) -> Flags:
     """The triangles whose corners are in the file, and finite."""
     there = _exist(position)
     losses.add("triangle* with a vertex that is not in the file", np.count_nonzero(~there))

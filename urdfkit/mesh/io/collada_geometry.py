@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.mesh.io.assemble import Losses, Stream
+from urdfkit.mesh.io.assemble import LostData, Stream
 from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats, integers
 from urdfkit.mesh.io.polygons import fans, strips, triangles
@@ -24,7 +24,7 @@ LINES = ("lines", "linestrips")
 _MOST_OFFSETS = 64
 
 
-class Surface(NamedTuple):
+class ColladaTriangles(NamedTuple):
     """One list of triangles with the same material.
 
     Attributes:
@@ -53,14 +53,14 @@ class _Input(NamedTuple):
 class Geometries:
     """The surfaces of the geometries of one file, each read once."""
 
-    def __init__(self, tree: Tree, losses: Losses) -> None:
+    def __init__(self, tree: Tree, losses: LostData) -> None:
         self._tree = tree
         self._losses = losses
         self._sources: dict[Element, Floats] = {}
-        self._surfaces: dict[Element, list[Surface]] = {}
+        self._surfaces: dict[Element, list[ColladaTriangles]] = {}
         self.lines = 0
 
-    def surfaces(self, geometry: Element) -> list[Surface]:
+    def surfaces(self, geometry: Element) -> list[ColladaTriangles]:
         """What a geometry holds."""
         if geometry not in self._surfaces:
             mesh = child(geometry, "mesh")
@@ -69,7 +69,7 @@ class Geometries:
             self._surfaces[geometry] = [surface for surface in found if surface]
         return self._surfaces[geometry]
 
-    def _surface(self, element: Element) -> Surface | None:
+    def _surface(self, element: Element) -> ColladaTriangles | None:
         inputs = list(self._inputs(element))
         position = next((one for one in inputs if one.semantic == "POSITION"), None)
         offsets = [_number(one.get("offset"), 0) for one in children(element, "input")]
@@ -85,7 +85,7 @@ class Geometries:
             by_semantic.setdefault(one.semantic, stream)
             if one.semantic == "TEXCOORD":
                 uvs.setdefault(one.set, stream)
-        return Surface(
+        return ColladaTriangles(
             element.get("material", ""),
             by_semantic["POSITION"],
             by_semantic.get("NORMAL"),

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Material
-from urdfkit.mesh.io.assemble import Losses
+from urdfkit.mesh.geometry import MeshMaterial
+from urdfkit.mesh.io.assemble import LostData
 from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.referenced_files import find_image, place
@@ -18,17 +18,17 @@ Colour = tuple[float, float, float, float]
 _SHADERS = ("phong", "blinn", "lambert", "constant")
 #: How bright each part of a colour looks; COLLADA 1.4.1, chapter 7, "Determining Transparency".
 _LUMINANCE = (0.212671, 0.715160, 0.072169)
-_DEFAULT = Material()
+_DEFAULT = MeshMaterial()
 
 
-class Look(NamedTuple):
+class TexturedMaterial(NamedTuple):
     """A material, and the name under which its texture asks for coordinates."""
 
-    material: Material
+    material: MeshMaterial
     coordinates: str = ""
 
 
-class Looks:
+class ColladaMaterials:
     """The materials of one file.
 
     Args:
@@ -40,16 +40,16 @@ class Looks:
         files: where they lie, or would.
     """
 
-    def __init__(self, tree: Tree, folder: str, losses: Losses) -> None:
+    def __init__(self, tree: Tree, folder: str, losses: LostData) -> None:
         self._tree = tree
         self._folder = folder
         self._losses = losses
-        self._looks: dict[Element, Look] = {}
+        self._looks: dict[Element, TexturedMaterial] = {}
         self.textures: list[str] = []
         self.missing: list[str] = []
         self.files: list[str] = []
 
-    def look(self, reference: str) -> Look | None:
+    def look(self, reference: str) -> TexturedMaterial | None:
         """The look of ``#material``; None if there is no such material."""
         material = self._tree.named(reference, "material")
         if material is None:
@@ -58,7 +58,7 @@ class Looks:
             self._looks[material] = self._read(material)
         return self._looks[material]
 
-    def _read(self, material: Element) -> Look:
+    def _read(self, material: Element) -> TexturedMaterial:
         name = material.get("name") or material.get("id", "")
         instance = child(material, "instance_effect")
         effect = self._tree.named(instance.get("url") if instance is not None else "", "effect")
@@ -67,7 +67,7 @@ class Looks:
         shader = next(children(technique, *_SHADERS), None)
         if shader is None:
             self._losses.add("material* without an effect that can be read")
-            return Look(Material(name))
+            return TexturedMaterial(MeshMaterial(name))
         base = child(shader, "emission" if tag(shader) == "constant" else "diffuse")
         rgba = self._colour(base) or _DEFAULT.rgba
         texture = child(base, "texture")
@@ -83,8 +83,8 @@ class Looks:
         if texture is not None and path is None:
             rgba = _DEFAULT.rgba
             self.missing.append(image)
-        found = Material(name, (*rgba[:3], opacity), path)
-        return Look(found, texture.get("texcoord", "") if texture is not None else "")
+        found = MeshMaterial(name, (*rgba[:3], opacity), path)
+        return TexturedMaterial(found, texture.get("texcoord", "") if texture is not None else "")
 
     def _colour(self, element: Element | None) -> Colour | None:
         """The ``<color>`` in an element; None if it has none that can be read."""

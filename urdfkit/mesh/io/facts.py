@@ -33,7 +33,7 @@ BY_SUFFIX = {
 }
 
 
-class Kind(Enum):
+class DefectKind(Enum):
     """What is wrong with a mesh file; a rule for each."""
 
     EMPTY = "empty"
@@ -50,7 +50,7 @@ class Defect(Record):
         reason: a predicate whose subject is the file: ``holds no triangles``.
     """
 
-    kind: Kind
+    kind: DefectKind
     reason: str
 
 
@@ -82,19 +82,19 @@ def has_other_unit(facts: MeshFacts) -> bool:
 
 
 def empty(reason: str) -> Defect:
-    return Defect(Kind.EMPTY, reason)
+    return Defect(DefectKind.EMPTY, reason)
 
 
 def not_a_mesh(reason: str) -> Defect:
-    return Defect(Kind.NOT_A_MESH, reason)
+    return Defect(DefectKind.NOT_A_MESH, reason)
 
 
 def truncated(reason: str) -> Defect:
-    return Defect(Kind.TRUNCATED, reason)
+    return Defect(DefectKind.TRUNCATED, reason)
 
 
 def unreadable(reason: str) -> Defect:
-    return Defect(Kind.UNREADABLE, reason)
+    return Defect(DefectKind.UNREADABLE, reason)
 
 
 def counted(number: int, thing: str) -> str:

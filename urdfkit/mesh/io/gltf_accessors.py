@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from urdfkit.mesh.geometry import Floats, Integers, NoTriangles
 from urdfkit.mesh.io import referenced_files
 from urdfkit.mesh.io.facts import MAX_BYTES
-from urdfkit.mesh.io.gltf_tree import Node
+from urdfkit.mesh.io.gltf_tree import GltfObject
 
 #: Rows of a list of zeros that a sparse one changes: no byte of it need be in the file.
 MAX_ZEROS = 1_000_000
@@ -39,7 +39,7 @@ class Lists:
         files: where the buffers lie that are files.
     """
 
-    def __init__(self, root: Node, binary: bytes, folder: str) -> None:
+    def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
         self._root = root
         self._binary = binary
         self._folder = folder
@@ -77,7 +77,7 @@ class Lists:
             raise NoTriangles(f"lacks {missing} bytes of {view.name}")
         return memoryview(data)[start : start + length]
 
-    def _numbers(self, accessor: Node) -> _Numbers:
+    def _numbers(self, accessor: GltfObject) -> _Numbers:
         """(n, k), as they are stored, with the rows that a sparse list replaces."""
         count = accessor.whole("count")
         kind, width = _type(accessor), _WIDTHS.get(accessor.text("type"), 0)
@@ -91,7 +91,7 @@ class Lists:
             raise NoTriangles(f"declares {count} rows of {accessor.name} and holds none")
         return self._replaced(found, accessor.inner("sparse")) if "sparse" in accessor else found
 
-    def _replaced(self, found: _Numbers, sparse: Node) -> _Numbers:
+    def _replaced(self, found: _Numbers, sparse: GltfObject) -> _Numbers:
         """A list with the rows that a sparse one changes."""
         places, values = sparse.inner("indices"), sparse.inner("values")
         changed = sparse.whole("count")
@@ -102,7 +102,7 @@ class Lists:
         found[rows] = self._table(values, found.dtype, changed, found.shape[1])
         return found
 
-    def _table(self, owner: Node, kind: np.dtype[Any], count: int, width: int) -> _Numbers:
+    def _table(self, owner: GltfObject, kind: np.dtype[Any], count: int, width: int) -> _Numbers:
         """(count, width), the numbers that an accessor or a part of it finds in a view."""
         index = owner.whole("bufferView")
         stride = self._root.one_of("bufferViews", index).whole("byteStride", 0)
@@ -149,7 +149,7 @@ def embedded(uri: str) -> bytes | None:
         raise NoTriangles("holds bytes that are not base64") from error
 
 
-def _type(owner: Node) -> np.dtype[Any]:
+def _type(owner: GltfObject) -> np.dtype[Any]:
     number = owner.whole("componentType")
     if number not in _TYPES:
         raise NoTriangles(f"is no valid glTF: {owner.name} has the component type {number}")

@@ -7,10 +7,10 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Material
+from urdfkit.mesh.geometry import Floats, MeshMaterial
 from urdfkit.mesh.io import referenced_files
 from urdfkit.mesh.io.gltf_accessors import Lists, embedded
-from urdfkit.mesh.io.gltf_tree import Node
+from urdfkit.mesh.io.gltf_tree import GltfObject
 
 _WHITE = (1.0, 1.0, 1.0, 1.0)
 #: What has the base colour and its texture, and what had them in older exporters.
@@ -20,7 +20,7 @@ _DIFFUSE = ("diffuseFactor", "diffuseTexture")
 _AS_THEY_ARE = np.eye(2, 3)
 
 
-class Look(NamedTuple):
+class TexturedMaterial(NamedTuple):
     """A material, and what its texture asks of the coordinates.
 
     Attributes:
@@ -29,7 +29,7 @@ class Look(NamedTuple):
         transform: (2, 3), from these to places in the image.
     """
 
-    material: Material | None = None
+    material: MeshMaterial | None = None
     coordinates: int = 0
     transform: Floats = _AS_THEY_ARE
 
@@ -39,7 +39,7 @@ class Look(NamedTuple):
         return np.column_stack([u, 1 - v])
 
 
-class Looks:
+class GltfMaterials:
     """The materials of one file.
 
     Args:
@@ -54,16 +54,16 @@ class Looks:
         files: where they lie, or would.
     """
 
-    def __init__(self, root: Node, lists: Lists, folder: str) -> None:
+    def __init__(self, root: GltfObject, lists: Lists, folder: str) -> None:
         self._root = root
         self._lists = lists
         self._folder = folder
-        self._looks: dict[int, Look] = {}
+        self._looks: dict[int, TexturedMaterial] = {}
         self.textures: list[str] = []
         self.missing: list[str] = []
         self.files: list[str] = []
 
-    def look(self, index: int) -> Look:
+    def look(self, index: int) -> TexturedMaterial:
         """The look of a material.
 
         Raises:
@@ -73,23 +73,23 @@ class Looks:
             self._looks[index] = self._read(self._root.one_of("materials", index))
         return self._looks[index]
 
-    def _read(self, material: Node) -> Look:
+    def _read(self, material: GltfObject) -> TexturedMaterial:
         base, factor, textured = material.inner("pbrMetallicRoughness"), *_BASE
         if "pbrMetallicRoughness" not in material and _OLDER in material.inner("extensions"):
             base, factor, textured = material.inner("extensions", _OLDER), *_DIFFUSE
         red, green, blue, alpha = np.clip(base.numbers(factor, _WHITE), 0, 1).tolist()
         if material.text("alphaMode") in ("", "OPAQUE"):
             alpha = 1.0
-        found = Material(material.text("name"), (red, green, blue, alpha))
+        found = MeshMaterial(material.text("name"), (red, green, blue, alpha))
         if textured not in base:
-            return Look(found)
+            return TexturedMaterial(found)
         texture = base.inner(textured)
         transform = texture.inner("extensions", "KHR_texture_transform")
         image = self._image(self._root.one_of("textures", texture.whole("index")))
         which = transform.whole("texCoord", texture.whole("texCoord", 0))
-        return Look(found._replace(texture=image), which, _matrix(transform))
+        return TexturedMaterial(found._replace(texture=image), which, _matrix(transform))
 
-    def _image(self, texture: Node) -> str | bytes | None:
+    def _image(self, texture: GltfObject) -> str | bytes | None:
         """The file or the bytes of an image; None if it is not there, or of a newer format."""
         if "source" not in texture:
             texture = texture.inner("extensions", "EXT_texture_webp")
@@ -110,7 +110,7 @@ class Looks:
         return path
 
 
-def _matrix(transform: Node) -> Floats:
+def _matrix(transform: GltfObject) -> Floats:
     """(2, 3), of KHR_texture_transform: scaled, turned, moved."""
     angle = transform.number("rotation", 0.0)
     cos, sin = np.cos(angle), np.sin(angle)

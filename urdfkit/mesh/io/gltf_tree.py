@@ -10,7 +10,7 @@ import numpy as np
 from urdfkit.mesh.geometry import Floats, NoTriangles
 
 
-class Node:
+class GltfObject:
     """A JSON object of a glTF file.
 
     Args:
@@ -59,24 +59,24 @@ class Node:
         value = self._values.get(key, "")
         return value if isinstance(value, str) else ""
 
-    def inner(self, *keys: str) -> Node:
+    def inner(self, *keys: str) -> GltfObject:
         """An object in this one, an object in that, and so on; empty if there is none."""
         node = self
         for key in keys:
-            node = Node(node._values.get(key, {}), node._path(key))
+            node = GltfObject(node._values.get(key, {}), node._path(key))
         return node
 
-    def one_of(self, key: str, index: int) -> Node:
+    def one_of(self, key: str, index: int) -> GltfObject:
         """An object of a list, by its place."""
         items, name = self._list(key), f"{self._path(key)}[{index}]"
         if not 0 <= index < len(items):
             raise NoTriangles(f"is no valid glTF: there is no {name}")
-        return Node(items[index], name)
+        return GltfObject(items[index], name)
 
-    def each(self, key: str) -> list[Node]:
+    def each(self, key: str) -> list[GltfObject]:
         """The objects of a list."""
         name = self._path(key)
-        return [Node(value, f"{name}[{i}]") for i, value in enumerate(self._list(key))]
+        return [GltfObject(value, f"{name}[{i}]") for i, value in enumerate(self._list(key))]
 
     def indices(self, key: str) -> list[int]:
         """The whole numbers of a list."""

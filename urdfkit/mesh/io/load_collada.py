@@ -12,17 +12,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Mesh, NoTriangles, Part
+from urdfkit.mesh.geometry import Floats, Mesh, MeshPart, NoTriangles
 from urdfkit.mesh.io.assemble import (
     MAX_NODES,
     MAX_TRIANGLES,
-    Losses,
+    LostData,
     assemble,
     counted_kinds,
     transformed,
 )
-from urdfkit.mesh.io.collada_geometry import Geometries, Surface
-from urdfkit.mesh.io.collada_materials import Look, Looks
+from urdfkit.mesh.io.collada_geometry import ColladaTriangles, Geometries
+from urdfkit.mesh.io.collada_materials import ColladaMaterials, TexturedMaterial
 from urdfkit.mesh.io.collada_tree import Element, Tree, child, children, tag, text
 from urdfkit.mesh.io.numbers import floats
 
@@ -61,9 +61,9 @@ def read(data: bytes, folder: str, *, recover: bool = False) -> Mesh:
 class _Reader:
     def __init__(self, tree: Tree, folder: str) -> None:
         self._tree = tree
-        self._losses = Losses()
+        self._losses = LostData()
         self._geometries = Geometries(tree, self._losses)
-        self._looks = Looks(tree, folder, self._losses)
+        self._looks = ColladaMaterials(tree, folder, self._losses)
         self._triangles = 0
         self._placed = False
 
@@ -132,7 +132,7 @@ class _Reader:
                 matrix = matrix @ move
         return matrix
 
-    def _shown(self, node: Element, matrix: Floats) -> Iterator[Part]:
+    def _shown(self, node: Element, matrix: Floats) -> Iterator[MeshPart]:
         for instance in children(node, *_INSTANCES):
             geometry, bound = self._geometry(instance)
             if geometry is None:
@@ -149,7 +149,7 @@ class _Reader:
                     else:
                         self._losses.add("surface* that a node moves to infinity")
 
-    def _unplaced(self) -> Iterator[Part]:
+    def _unplaced(self) -> Iterator[MeshPart]:
         """Every geometry of a file that has lost its scene, where its vertices are."""
         for library in children(self._tree.root, "library_geometries"):
             for geometry in children(library, "geometry"):
@@ -174,10 +174,10 @@ class _Reader:
         geometry = self._tree.named(skin.get("source"), "geometry")
         return geometry, np.eye(4) if bound is None else bound
 
-    def _bound(self, instance: Element) -> dict[str, tuple[Look, Element]]:
+    def _bound(self, instance: Element) -> dict[str, tuple[TexturedMaterial, Element]]:
         """The looks of an instance by the symbols that its surfaces use."""
         bindings = child(instance, "bind_material", "technique_common")
-        found: dict[str, tuple[Look, Element]] = {}
+        found: dict[str, tuple[TexturedMaterial, Element]] = {}
         for binding in children(bindings, "instance_material"):
             look = self._looks.look(binding.get("target", ""))
             if look is None:
@@ -186,7 +186,9 @@ class _Reader:
                 found.setdefault(binding.get("symbol", ""), (look, binding))
         return found
 
-    def _part(self, surface: Surface, looks: dict[str, tuple[Look, Element]]) -> Part | None:
+    def _part(
+        self, surface: ColladaTriangles, looks: dict[str, tuple[TexturedMaterial, Element]]
+    ) -> MeshPart | None:
         self._triangles += len(surface.position.rows)
         if self._triangles > MAX_TRIANGLES:
             raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")

@@ -12,20 +12,20 @@ from struct import unpack_from
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers, Mesh, NoTriangles, Part
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart, NoTriangles
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.assemble import (
     MAX_NODES,
     MAX_TRIANGLES,
-    Losses,
+    LostData,
     Stream,
     assemble,
     counted_kinds,
     transformed,
 )
 from urdfkit.mesh.io.gltf_accessors import Lists
-from urdfkit.mesh.io.gltf_materials import Look, Looks
-from urdfkit.mesh.io.gltf_tree import Node
+from urdfkit.mesh.io.gltf_materials import GltfMaterials, TexturedMaterial
+from urdfkit.mesh.io.gltf_tree import GltfObject
 from urdfkit.mesh.io.polygons import fans, strips
 
 _POINTS_AND_LINES = range(4)
@@ -50,7 +50,7 @@ def read(data: bytes, form: str, folder: str) -> Mesh:
         NoTriangles: it shows none, or is not to be read.
     """
     text, binary = _chunks(data) if form == facts.GLB else (data, b"")
-    root = Node(json.loads(text), "")
+    root = GltfObject(json.loads(text), "")
     for extension in root.texts("extensionsRequired"):
         if extension in _COMPRESSED:
             raise NoTriangles(f"is compressed with {_COMPRESSED[extension]}, which is not read")
@@ -64,12 +64,12 @@ def _chunks(data: bytes) -> tuple[bytes, bytes]:
 
 
 class _Reader:
-    def __init__(self, root: Node, binary: bytes, folder: str) -> None:
+    def __init__(self, root: GltfObject, binary: bytes, folder: str) -> None:
         self._root = root
-        self._losses = Losses()
+        self._losses = LostData()
         self._lists = Lists(root, binary, folder)
-        self._looks = Looks(root, self._lists, folder)
-        self._meshes: dict[int, list[Part]] = {}
+        self._looks = GltfMaterials(root, self._lists, folder)
+        self._meshes: dict[int, list[MeshPart]] = {}
         self._others = 0
         self._read = self._placed = 0
 
@@ -88,7 +88,7 @@ class _Reader:
             files=(*self._lists.files, *self._looks.files),
         )
 
-    def _shown(self) -> Iterator[Part]:
+    def _shown(self) -> Iterator[MeshPart]:
         for node, matrix in self._nodes():
             for part in self._parts(node.whole("mesh")) if "mesh" in node else ():
                 self._placed += len(part.faces)
@@ -99,7 +99,7 @@ class _Reader:
                 else:
                     self._losses.add("surface* that a node moves to infinity")
 
-    def _nodes(self) -> Iterator[tuple[Node, Floats]]:
+    def _nodes(self) -> Iterator[tuple[GltfObject, Floats]]:
         """The nodes of the scene and where each stands; no node has two parents."""
         stack = [(index, np.eye(4)) for index in reversed(self._roots())]
         seen: set[int] = set()
@@ -123,7 +123,7 @@ class _Reader:
         children = {child for node in nodes for child in node.indices("children")}
         return [index for index in range(len(nodes)) if index not in children]
 
-    def _parts(self, index: int) -> list[Part]:
+    def _parts(self, index: int) -> list[MeshPart]:
         """The surfaces of a mesh, where no node has moved them yet."""
         if index not in self._meshes:
             primitives = self._root.one_of("meshes", index).each("primitives")
@@ -131,7 +131,7 @@ class _Reader:
             self._meshes[index] = [part for part in found if part is not None]
         return self._meshes[index]
 
-    def _part(self, primitive: Node) -> Part | None:
+    def _part(self, primitive: GltfObject) -> MeshPart | None:
         mode = primitive.whole("mode", _TRIANGLES)
         if mode in _POINTS_AND_LINES:
             self._others += 1
@@ -150,7 +150,11 @@ class _Reader:
         rows = _triangles(corners, mode)
         self._read += len(rows)
         self._bound()
-        look = self._looks.look(primitive.whole("material")) if "material" in primitive else Look()
+        look = (
+            self._looks.look(primitive.whole("material"))
+            if "material" in primitive
+            else TexturedMaterial()
+        )
         uv = self._values(lists, f"TEXCOORD_{look.coordinates}", 2)
         normals = self._values(lists, "NORMAL", 3)
         colors = self._values(lists, "COLOR_0", 4)
@@ -168,7 +172,7 @@ class _Reader:
         if max(self._read, self._placed) > MAX_TRIANGLES:
             raise NoTriangles(f"shows more than {MAX_TRIANGLES} triangles")
 
-    def _values(self, lists: Node, name: str, most: int) -> Floats | None:
+    def _values(self, lists: GltfObject, name: str, most: int) -> Floats | None:
         """(n, k), the values of the vertices by a name; None without them."""
         return self._lists.floats(lists.whole(name))[:, :most] if name in lists else None
 
@@ -184,7 +188,7 @@ class _Reader:
         )
 
 
-def _matrix(node: Node) -> Floats:
+def _matrix(node: GltfObject) -> Floats:
     """(4, 4), from a node to the one that holds it."""
     if "matrix" in node:
         by_column: Floats = node.numbers("matrix", (0.0,) * 16).reshape(4, 4, order="F")

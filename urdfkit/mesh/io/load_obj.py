@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Floats, Integers, Mesh, NoTriangles, Part
-from urdfkit.mesh.io.assemble import Losses, Stream, assemble, counted_kinds
+from urdfkit.mesh.geometry import Floats, Integers, Mesh, MeshPart, NoTriangles
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble, counted_kinds
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.obj_materials import Library
 from urdfkit.mesh.io.polygons import triangles
@@ -34,7 +34,7 @@ def read(data: bytes, folder: str) -> Mesh:
         NoTriangles: it holds none.
     """
     lines = _Lines(data)
-    losses = Losses()
+    losses = LostData()
     library = Library(lines.libraries, folder, losses)
     points = lines.table(b"v")
     values = (points[:, :3], lines.table(b"vt")[:, :2], lines.table(b"vn")[:, :3])
@@ -119,8 +119,8 @@ def _part(
     values: tuple[Floats, Floats, Floats],
     colors: Floats | None,
     library: Library,
-    losses: Losses,
-) -> Part | None:
+    losses: LostData,
+) -> MeshPart | None:
     corners = [face.partition(b"#")[0].split() for face in group.faces]
     if not any(corners) or not len(values[0]):
         return None

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Material, Mesh, NoTriangles
-from urdfkit.mesh.io.assemble import Losses, Stream, assemble
+from urdfkit.mesh.geometry import Mesh, MeshMaterial, NoTriangles
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble
 from urdfkit.mesh.io.ply import MAX_HEADER
 from urdfkit.mesh.io.referenced_files import find_image, place
 
@@ -39,7 +39,7 @@ def read(data: bytes, folder: str) -> Mesh:
     name = named.group(1).decode("utf-8", "replace").strip()
     path = find_image(name, folder)
     return mesh._replace(
-        parts=(mesh.parts[0]._replace(material=Material("", (1.0, 1.0, 1.0, 1.0), path)),),
+        parts=(mesh.parts[0]._replace(material=MeshMaterial("", (1.0, 1.0, 1.0, 1.0), path)),),
         textures=(name,),
         missing=() if path else (name,),
         files=(path or place(name, folder),),
@@ -63,7 +63,7 @@ def _read(data: bytes) -> Mesh:
 
     visual: Any = found.visual
     colors = visual.vertex_colors / 255.0 if visual.kind in ("vertex", "face") else None
-    losses = Losses()
+    losses = LostData()
     part = assemble(
         Stream(np.asarray(found.vertices, dtype=np.float64), rows),
         losses,

@@ -12,7 +12,7 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Mesh, NoTriangles
 from urdfkit.mesh.io import binary_stl
-from urdfkit.mesh.io.assemble import Losses, Stream, assemble
+from urdfkit.mesh.io.assemble import LostData, Stream, assemble
 from urdfkit.mesh.io.facts import counted
 from urdfkit.mesh.io.numbers import floats
 
@@ -29,7 +29,7 @@ def binary(data: bytes) -> Mesh:
     declared = int.from_bytes(data[80 : binary_stl.HEADER], "little")
     number = max(len(data) - binary_stl.HEADER, 0) // binary_stl.TRIANGLE
     table = np.frombuffer(data, _TRIANGLE, number, binary_stl.HEADER if number else 0)
-    losses = Losses()
+    losses = LostData()
     losses.add("triangle* that the file declares and does not hold", max(declared - number, 0))
     extras: tuple[str, ...] = ()
     coloured = np.count_nonzero(table["colour"] & 0x8000) if number else 0
@@ -50,12 +50,12 @@ def ascii_text(data: bytes) -> Mesh:
     words = b" ".join(word for corner in _VERTEX.findall(facets) for word in corner)
     numbers = floats(words.decode("latin-1"))
     whole = len(numbers) // 9 * 9
-    losses = Losses()
+    losses = LostData()
     losses.add("number* that make no whole triangle", len(numbers) - whole)
     return _mesh(numbers[:whole].reshape(-1, 3), losses)
 
 
-def _mesh(corners: Floats, losses: Losses, extras: tuple[str, ...] = ()) -> Mesh:
+def _mesh(corners: Floats, losses: LostData, extras: tuple[str, ...] = ()) -> Mesh:
     index = np.arange(len(corners)).reshape(-1, 3)
     part = assemble(Stream(corners, index), losses)
     if part is None:

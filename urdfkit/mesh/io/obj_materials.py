@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.mesh.geometry import Material
-from urdfkit.mesh.io.assemble import Losses
+from urdfkit.mesh.geometry import MeshMaterial
+from urdfkit.mesh.io.assemble import LostData
 from urdfkit.mesh.io.numbers import floats
 from urdfkit.mesh.io.referenced_files import find_image, place, read
 
@@ -30,8 +30,8 @@ class Library:
         files: where all these files lie, or would.
     """
 
-    def __init__(self, names: list[str], folder: str, losses: Losses) -> None:
-        self._materials: dict[str, Material] = {}
+    def __init__(self, names: list[str], folder: str, losses: LostData) -> None:
+        self._materials: dict[str, MeshMaterial] = {}
         self._losses = losses
         self._folder = folder
         self.textures: tuple[str, ...] = ()
@@ -46,9 +46,9 @@ class Library:
             else:
                 self._add(data)
 
-    def material(self, name: str) -> Material | None:
+    def material(self, name: str) -> MeshMaterial | None:
         """The material of a name; one without colour where it is not to be had."""
-        return self._materials.get(name, Material(name)) if name else None
+        return self._materials.get(name, MeshMaterial(name)) if name else None
 
     def _add(self, data: bytes) -> None:
         name = ""
@@ -57,11 +57,11 @@ class Library:
             rest = rest.strip()
             if word == b"newmtl":
                 name = rest.decode("utf-8", "replace")
-                self._materials[name] = Material(name)
+                self._materials[name] = MeshMaterial(name)
             elif name:
                 self._materials[name] = self._with(self._materials[name], word, rest)
 
-    def _with(self, material: Material, word: bytes, rest: bytes) -> Material:
+    def _with(self, material: MeshMaterial, word: bytes, rest: bytes) -> MeshMaterial:
         """A material after one more line."""
         red, green, blue, alpha = material.rgba
         if word == b"map_Kd":
@@ -79,7 +79,7 @@ class Library:
             alpha = values[0] if word == b"d" else 1 - values[0]
         return material._replace(rgba=(red, green, blue, alpha))
 
-    def _textured(self, material: Material, rest: bytes) -> Material:
+    def _textured(self, material: MeshMaterial, rest: bytes) -> MeshMaterial:
         name = _without_options(rest).decode("utf-8", "replace")
         self.textures = tuple(dict.fromkeys((*self.textures, name)))
         path = find_image(name, self._folder)

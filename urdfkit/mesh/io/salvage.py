@@ -14,7 +14,7 @@ from urdfkit.mesh.io.sniff import sniff
 _COUNT = re.compile(rb"""<(?:triangles|polylist|polygons)\s[^<>]*?\bcount\s*=\s*["']\s*(\d{1,9})""")
 
 
-class Salvaged(Record):
+class SalvagedPart(Record):
     """What is left of a file.
 
     Attributes:
@@ -42,7 +42,7 @@ class Salvaged(Record):
         return f"{self.found} triangles"
 
 
-def salvage(path: str) -> Salvaged | None:
+def salvage(path: str) -> SalvagedPart | None:
     """The triangles that are left in a mesh file; None if there are none.
 
     Args:
@@ -54,7 +54,7 @@ def salvage(path: str) -> Salvaged | None:
     except UnloadableMesh:
         return None
     form = sniff(data, os.path.splitext(path)[1]).format
-    return Salvaged(mesh, _declared(data, form)) if len(mesh.faces) else None
+    return SalvagedPart(mesh, _declared(data, form)) if len(mesh.faces) else None
 
 
 def _declared(data: bytes, form: str) -> int:

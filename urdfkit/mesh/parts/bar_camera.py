@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from urdfkit.core.spatial import Vector
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.parts.palette import GLASS
 from urdfkit.mesh.solids import Assembly, cylinder, rounded_box
 
 
-class Eye(NamedTuple):
+class Lens(NamedTuple):
     """A lens.
 
     Attributes:
@@ -23,7 +23,7 @@ class Eye(NamedTuple):
     radius: float
 
 
-def bar_camera(size: Vector, eyes: Iterable[Eye], body: Material, face: Material) -> Mesh:
+def bar_camera(size: Vector, eyes: Iterable[Lens], body: MeshMaterial, face: MeshMaterial) -> Mesh:
     """A bar along y that looks along x, its middle at the origin; size along x, y, z."""
     x, y, z = size
     # Built with the face upwards: x of the bar becomes z here, and is laid down in the end.

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts.bar_camera import Eye, bar_camera
+from urdfkit.mesh.parts.bar_camera import Lens, bar_camera
 from urdfkit.mesh.parts.palette import ALUMINIUM, BLACK
 
 #: From the middle to the left, as a part of the width 99 mm; radius as a part of the height.
-_EYES = (Eye(20 / 99, 0.15), Eye(-35 / 99, 0.15), Eye(-0.08, 0.12), Eye(35 / 99, 0.15))
+_EYES = (Lens(20 / 99, 0.15), Lens(-35 / 99, 0.15), Lens(-0.08, 0.12), Lens(35 / 99, 0.15))
 
 
 def build(size: Vector) -> Mesh:

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts.bar_camera import Eye, bar_camera
+from urdfkit.mesh.parts.bar_camera import Lens, bar_camera
 from urdfkit.mesh.parts.palette import ALUMINIUM, BLACK
 
 #: From the middle to the left, as a part of the width 90 mm; radius as a part of the height.
-_EYES = (Eye(0.194, 0.17), Eye(-0.361, 0.17), Eye(-0.05, 0.12), Eye(0.361, 0.17))
+_EYES = (Lens(0.194, 0.17), Lens(-0.361, 0.17), Lens(-0.05, 0.12), Lens(0.361, 0.17))
 
 
 def build(size: Vector) -> Mesh:

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts.bar_camera import Eye, bar_camera
+from urdfkit.mesh.parts.bar_camera import Lens, bar_camera
 from urdfkit.mesh.parts.palette import ALUMINIUM, BLACK
 
 #: From the middle to the left, as a part of the width 124 mm; radius as a part of the height.
-_EYES = (Eye(47.5 / 124, 0.15), Eye(-47.5 / 124, 0.15), Eye(-11.5 / 124, 0.15), Eye(0.1, 0.11))
+_EYES = (Lens(47.5 / 124, 0.15), Lens(-47.5 / 124, 0.15), Lens(-11.5 / 124, 0.15), Lens(0.1, 0.11))
 
 
 def build(size: Vector) -> Mesh:

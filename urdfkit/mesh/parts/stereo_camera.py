@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts.bar_camera import Eye, bar_camera
+from urdfkit.mesh.parts.bar_camera import Lens, bar_camera
 from urdfkit.mesh.parts.palette import BLACK, DARK
 
 #: 60 of 175 mm to either side.
-_EYES = (Eye(60 / 175, 0.27), Eye(-60 / 175, 0.27))
+_EYES = (Lens(60 / 175, 0.27), Lens(-60 / 175, 0.27))
 
 
 def build(size: Vector) -> Mesh:

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.parts.bar_camera import Eye, bar_camera
+from urdfkit.mesh.parts.bar_camera import Lens, bar_camera
 from urdfkit.mesh.parts.palette import BLACK, DARK
 
 #: 31.5 of 124.5 mm to either side.
-_EYES = (Eye(31.5 / 124.5, 0.27), Eye(-31.5 / 124.5, 0.27))
+_EYES = (Lens(31.5 / 124.5, 0.27), Lens(-31.5 / 124.5, 0.27))
 
 
 def build(size: Vector) -> Mesh:

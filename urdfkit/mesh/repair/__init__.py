@@ -20,7 +20,7 @@ from urdfkit.mesh.repair.cleaning import (
 )
 from urdfkit.mesh.repair.holes import fill
 from urdfkit.mesh.repair.seams import split_at_points, weld_rims
-from urdfkit.mesh.repair.soup import Soup, mesh_of, soup_of
+from urdfkit.mesh.repair.soup import TriangleSoup, mesh_of, soup_of
 from urdfkit.mesh.repair.union import unite
 from urdfkit.mesh.repair.winding import agree, face_outwards
 from urdfkit.mesh.welding import finite
@@ -36,7 +36,7 @@ _ASKED = ("dropped one side of sheets", "united bodies that overlap")
 _ROUNDS = 3
 
 
-class Step(Record):
+class RepairStep(Record):
     """One thing that was done.
 
     Attributes:
@@ -65,7 +65,7 @@ class Repair(Record):
     """
 
     mesh: Mesh
-    steps: tuple[Step, ...]
+    steps: tuple[RepairStep, ...]
     before: Health
     after: Health
     lost: float = 0.0
@@ -101,9 +101,9 @@ def repair(
     if before.is_solid and not (union and before.overlap):
         return Repair(mesh, (), before, before)
     soup = soup_of(mesh)
-    steps: list[Step] = []
+    steps: list[RepairStep] = []
     if before.non_finite:
-        steps.append(Step("dropped triangles that are not finite", before.non_finite))
+        steps.append(RepairStep("dropped triangles that are not finite", before.non_finite))
     if one_sided:
         soup = _do(_ASKED[0], drop_back_sides, soup, steps)
     asked = examine(soup.points, soup.faces)
@@ -118,20 +118,20 @@ def repair(
 
 
 def _rounds(
-    soup: Soup,
+    soup: TriangleSoup,
     best: Health,
-    steps: list[Step],
+    steps: list[RepairStep],
     *,
     holes: bool,
     progress: Callable[[int, int], None] | None,
-) -> Soup:
+) -> TriangleSoup:
     """Everything once, and again while that helps; what is done is added to the steps."""
     for number in range(_ROUNDS):
         if best.ailments == 0:
             break
         if progress:
             progress(number, _ROUNDS + 1)
-        more: list[Step] = []
+        more: list[RepairStep] = []
         tried = _round(soup, more, holes=holes)
         state = examine(tried.points, tried.faces)
         if not more or state.ailments >= best.ailments:
@@ -147,7 +147,7 @@ def _without_looks(mesh: Mesh) -> Mesh:
     return mesh._replace(parts=tuple(parts))
 
 
-def _round(soup: Soup, steps: list[Step], *, holes: bool) -> Soup:
+def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> TriangleSoup:
     """Everything once; what is done is added to the steps."""
     tolerance = WELD * soup.size
     for name, act in (
@@ -167,22 +167,22 @@ def _round(soup: Soup, steps: list[Step], *, holes: bool) -> Soup:
     return soup
 
 
-def _summed(steps: list[Step]) -> list[Step]:
+def _summed(steps: list[RepairStep]) -> list[RepairStep]:
     """What was done in several rounds, each thing once."""
-    sums: dict[str, Step] = {}
+    sums: dict[str, RepairStep] = {}
     for name, *counts in steps:
-        before = sums.get(name, Step(name))
-        sums[name] = Step(name, *(a + b for a, b in zip(before[1:], counts, strict=True)))
+        before = sums.get(name, RepairStep(name))
+        sums[name] = RepairStep(name, *(a + b for a, b in zip(before[1:], counts, strict=True)))
     return [*sums.values()]
 
 
-def _nothing(soup: Soup) -> Soup:
+def _nothing(soup: TriangleSoup) -> TriangleSoup:
     return soup
 
 
-def _do(name: str, act: object, soup: Soup, steps: list[Step]) -> Soup:
+def _do(name: str, act: object, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
     assert callable(act)
-    done: Soup = act(soup)
+    done: TriangleSoup = act(soup)
     if done is soup:
         return soup
     change = len(done.faces) - len(soup.faces)
@@ -191,13 +191,15 @@ def _do(name: str, act: object, soup: Soup, steps: list[Step]) -> Soup:
         if not moved.any():
             return soup
         same = (np.sort(done.faces, axis=1) == np.sort(soup.faces, axis=1)).all(axis=1)
-        steps.append(Step(name, turned=int((moved & same).sum())))
+        steps.append(RepairStep(name, turned=int((moved & same).sum())))
     else:
-        steps.append(Step(name, max(0, -change), max(0, change)))
+        steps.append(RepairStep(name, max(0, -change), max(0, change)))
     return done
 
 
-def _judged(mesh: Mesh, soup: Soup, steps: list[Step], before: Health, asked: Health) -> Repair:
+def _judged(
+    mesh: Mesh, soup: TriangleSoup, steps: list[RepairStep], before: Health, asked: Health
+) -> Repair:
     """The repair, or the mesh as it was if the repair is no gain.
 
     Args:

@@ -8,7 +8,7 @@ from urdfkit.mesh.components import take_apart
 from urdfkit.mesh.edges import Edges, three_cornered
 from urdfkit.mesh.geometry import Integers, areas
 from urdfkit.mesh.grouping import distinct
-from urdfkit.mesh.repair.soup import Soup
+from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: A scrap has fewer triangles than the smallest solid.
 _SCRAP = 4
@@ -18,12 +18,12 @@ _SMALL = 1e-4
 _ROUNDS = 50
 
 
-def drop_collapsed(soup: Soup) -> Soup:
+def drop_collapsed(soup: TriangleSoup) -> TriangleSoup:
     """Without triangles that have two corners in one point."""
     return soup.kept(three_cornered(soup.faces))
 
 
-def drop_repeated(soup: Soup) -> Soup:
+def drop_repeated(soup: TriangleSoup) -> TriangleSoup:
     """Each triangle once, whichever way round; two sides of a sheet are left as they are.
 
     Where the same triangle is there both ways, the one is kept that agrees with its neighbours.
@@ -50,7 +50,7 @@ def drop_repeated(soup: Soup) -> Soup:
     return soup.kept(keep)
 
 
-def drop_back_sides(soup: Soup) -> Soup:
+def drop_back_sides(soup: TriangleSoup) -> TriangleSoup:
     """One side of each sheet that has two, and encloses nothing."""
     if not len(soup.faces):
         return soup
@@ -61,7 +61,7 @@ def drop_back_sides(soup: Soup) -> Soup:
     return soup.kept(keep) if not keep.all() else soup
 
 
-def _sides_cancel(soup: Soup, same: Integers) -> bool:
+def _sides_cancel(soup: TriangleSoup, same: Integers) -> bool:
     """True if every triangle is there both ways round, as in a sheet with two sides."""
     a, b, c = soup.faces.T
     even = (a < b).astype(int) + (b < c) + (c < a) == 2
@@ -69,7 +69,7 @@ def _sides_cancel(soup: Soup, same: Integers) -> bool:
     return bool((turns == 0).all())
 
 
-def _directed_sides(soup: Soup) -> set[tuple[int, int]]:
+def _directed_sides(soup: TriangleSoup) -> set[tuple[int, int]]:
     return {side for face in soup.faces.tolist() for side in _sides(face)}
 
 
@@ -78,7 +78,7 @@ def _sides(face: list[int]) -> tuple[tuple[int, int], ...]:
     return ((a, b), (b, c), (c, a))
 
 
-def drop_fins(soup: Soup) -> Soup:
+def drop_fins(soup: TriangleSoup) -> TriangleSoup:
     """Without triangles that stick out of a crowded edge into the open."""
     for _ in range(_ROUNDS):
         if not len(soup.faces):
@@ -92,7 +92,7 @@ def drop_fins(soup: Soup) -> Soup:
     return soup
 
 
-def drop_walls(soup: Soup) -> Soup:
+def drop_walls(soup: TriangleSoup) -> TriangleSoup:
     """Without sheets inside a body: pieces that hang on crowded edges all around."""
     if not len(soup.faces):
         return soup
@@ -124,7 +124,7 @@ def _sheets(edges: Edges) -> Integers:
     return np.asarray(labels, dtype=np.int64)
 
 
-def drop_scraps(soup: Soup) -> Soup:
+def drop_scraps(soup: TriangleSoup) -> TriangleSoup:
     """Without loose pieces of a few triangles that enclose nothing; one is always kept."""
     if not len(soup.faces):
         return soup

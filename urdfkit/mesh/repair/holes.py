@@ -8,13 +8,13 @@ import numpy as np
 
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Floats, Integers
-from urdfkit.mesh.repair.soup import Soup
+from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: Rims of more edges are closed in their plane; the best triangulation costs the third power.
 _LONGEST = 120
 
 
-def fill(soup: Soup) -> Soup:
+def fill(soup: TriangleSoup) -> TriangleSoup:
     """Every rim that goes around closed."""
     if not len(soup.faces):
         return soup
@@ -36,7 +36,7 @@ def fill(soup: Soup) -> Soup:
 _Ways = dict[int, list[tuple[int, int]]]
 
 
-def _loops(soup: Soup) -> list[tuple[Integers, int]]:
+def _loops(soup: TriangleSoup) -> list[tuple[Integers, int]]:
     """The rims, each as points in the order in which filling faces see them, and a part.
 
     Where faces do not agree on what is outside, a rim has no direction; those are walked in any.

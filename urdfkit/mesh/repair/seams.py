@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Integers
-from urdfkit.mesh.repair.soup import Soup
+from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: Rounds of splitting: a long edge may meet several points.
 _ROUNDS = 8
@@ -17,7 +17,7 @@ _ROUNDS = 8
 _MOST = 200_000
 
 
-def weld_rims(soup: Soup, tolerance: float) -> Soup:
+def weld_rims(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
     """Points of open edges that are nearer to each other than a tolerance made one.
 
     Points that are not on an open edge stay as they are: what is closed is not to be changed.
@@ -36,7 +36,7 @@ def weld_rims(soup: Soup, tolerance: float) -> Soup:
     return soup.merged(first[labels].astype(np.int64))
 
 
-def split_at_points(soup: Soup, tolerance: float) -> Soup:
+def split_at_points(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
     """Faces whose open side runs through a point of another open side, cut there in two."""
     for _ in range(_ROUNDS):
         cuts = _cuts(soup, tolerance)
@@ -46,14 +46,14 @@ def split_at_points(soup: Soup, tolerance: float) -> Soup:
     return soup
 
 
-def _rim_points(soup: Soup) -> Integers:
+def _rim_points(soup: TriangleSoup) -> Integers:
     if not len(soup.faces):
         return np.zeros(0, dtype=np.int64)
     edges = Edges(soup.faces)
     return np.unique(edges.ends[edges.is_open])
 
 
-def _cuts(soup: Soup, tolerance: float) -> dict[int, tuple[int, int]]:
+def _cuts(soup: TriangleSoup, tolerance: float) -> dict[int, tuple[int, int]]:
     """By face: the side to cut, and the point where."""
     rim = _rim_points(soup)
     if not 3 < len(rim) <= _MOST:
@@ -73,7 +73,7 @@ def _cuts(soup: Soup, tolerance: float) -> dict[int, tuple[int, int]]:
 
 
 def _point_on(
-    soup: Soup, tree: cKDTree, rim: Integers, start: int, end: int, tolerance: float
+    soup: TriangleSoup, tree: cKDTree, rim: Integers, start: int, end: int, tolerance: float
 ) -> int | None:
     """A rim point that lies on the line between two points; that nearest to its middle."""
     a, b = soup.points[start], soup.points[end]
@@ -93,7 +93,7 @@ def _point_on(
     return int(found)
 
 
-def _cut(soup: Soup, cuts: dict[int, tuple[int, int]]) -> Soup:
+def _cut(soup: TriangleSoup, cuts: dict[int, tuple[int, int]]) -> TriangleSoup:
     which = np.fromiter(cuts, dtype=np.int64)
     sides = np.array([cuts[face][0] for face in cuts])
     points = np.array([cuts[face][1] for face in cuts], dtype=np.int64)
@@ -107,7 +107,7 @@ def _cut(soup: Soup, cuts: dict[int, tuple[int, int]]) -> Soup:
     added = np.concatenate([first, second])
     corners = np.concatenate([soup.corners[which], soup.corners[which]])
     parts = np.concatenate([soup.parts[which], soup.parts[which]])
-    return Soup(
+    return TriangleSoup(
         soup.points,
         np.concatenate([rest.faces, added]),
         np.concatenate([rest.corners, corners]),

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from urdfkit.core.record import Record
-from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, Part
+from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshPart
 from urdfkit.mesh.grouping import distinct
 from urdfkit.mesh.welding import finite, weld
 
 
-class Soup(Record):
+class TriangleSoup(Record):
     """Triangles of all parts of a mesh.
 
     Attributes:
@@ -25,18 +25,18 @@ class Soup(Record):
     corners: Integers
     parts: Integers
 
-    def kept(self, which: Flags) -> Soup:
+    def kept(self, which: Flags) -> TriangleSoup:
         """Some of the faces."""
-        return Soup(self.points, self.faces[which], self.corners[which], self.parts[which])
+        return TriangleSoup(self.points, self.faces[which], self.corners[which], self.parts[which])
 
-    def turned(self, which: Flags) -> Soup:
+    def turned(self, which: Flags) -> TriangleSoup:
         """Some of the faces turned over."""
         faces, corners = self.faces.copy(), self.corners.copy()
         faces[which] = faces[which][:, ::-1]
         corners[which] = corners[which][:, ::-1]
         return self._replace(faces=faces, corners=corners)
 
-    def merged(self, target: Integers) -> Soup:
+    def merged(self, target: Integers) -> TriangleSoup:
         """Points made one.
 
         Args:
@@ -44,11 +44,11 @@ class Soup(Record):
         """
         return self._replace(faces=target[self.faces])
 
-    def with_faces(self, faces: Integers, parts: Integers) -> Soup:
+    def with_faces(self, faces: Integers, parts: Integers) -> TriangleSoup:
         """More faces of known points; their corners look like others at the same points."""
         known = np.zeros(len(self.points), dtype=np.int64)
         known[self.faces.reshape(-1)] = self.corners.reshape(-1)
-        return Soup(
+        return TriangleSoup(
             self.points,
             np.concatenate([self.faces, faces]),
             np.concatenate([self.corners, known[faces]]),
@@ -64,17 +64,17 @@ class Soup(Record):
         return float(np.linalg.norm(used.max(axis=0) - used.min(axis=0)))
 
 
-def soup_of(mesh: Mesh) -> Soup:
+def soup_of(mesh: Mesh) -> TriangleSoup:
     """The triangles of a mesh; those with a corner that is not finite are left out."""
     vertices, faces = mesh.vertices, mesh.faces
     parts = np.repeat(np.arange(len(mesh.parts)), [len(part.faces) for part in mesh.parts])
     is_finite = finite(vertices)
     good = is_finite[faces].all(axis=1)
     points, welded_faces = weld(np.where(is_finite[:, None], vertices, 0.0), faces[good])
-    return Soup(points, welded_faces, faces[good], parts[good])
+    return TriangleSoup(points, welded_faces, faces[good], parts[good])
 
 
-def mesh_of(soup: Soup, mesh: Mesh) -> Mesh:
+def mesh_of(soup: TriangleSoup, mesh: Mesh) -> Mesh:
     """The repaired triangles with the looks of the mesh they come from; normals are left out."""
     starts = np.cumsum([0, *(len(part.vertices) for part in mesh.parts)])
     parts = []
@@ -85,7 +85,7 @@ def mesh_of(soup: Soup, mesh: Mesh) -> Mesh:
     return mesh._replace(parts=tuple(parts))
 
 
-def _part(part: Part, soup: Soup, start: int) -> Part:
+def _part(part: MeshPart, soup: TriangleSoup, start: int) -> MeshPart:
     plain = part.uv is None and part.colors is None
     looks = np.zeros_like(soup.corners) if plain else soup.corners - start
     # A face that fills a hole between two parts may have a corner of the other one.

@@ -9,7 +9,7 @@ import numpy as np
 from urdfkit.mesh.components import take_apart
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.overlap import nested, overlap, united
-from urdfkit.mesh.repair.soup import Soup
+from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: Less of the volume that counts twice is rounding.
 _ROUNDING = 1e-6
@@ -17,7 +17,7 @@ _ROUNDING = 1e-6
 _LOST = 1e-3
 
 
-def unite(soup: Soup) -> Soup:
+def unite(soup: TriangleSoup) -> TriangleSoup:
     """The closed bodies as one solid, where they overlap; cavities stay, and what is open, too.
 
     Faces keep their part; which vertex of the mesh they came from is not known any more.
@@ -37,7 +37,7 @@ def unite(soup: Soup) -> Soup:
     mesh = united(shells).to_mesh64()
     new = np.asarray(mesh.tri_verts, dtype=np.int64)
     rest = soup.kept(~np.isin(pieces.of_face, [one.piece for one in shells]))
-    return Soup(
+    return TriangleSoup(
         np.concatenate([points, low + size * np.asarray(mesh.vert_properties)[:, :3]]),
         np.concatenate([rest.faces, new + len(points)]),
         np.concatenate([rest.corners, np.zeros_like(new)]),

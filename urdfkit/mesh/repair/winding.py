@@ -9,10 +9,10 @@ from scipy.sparse.csgraph import breadth_first_order, connected_components
 from urdfkit.mesh.components import contains, inside_out, take_apart
 from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Flags, Integers, areas
-from urdfkit.mesh.repair.soup import Soup
+from urdfkit.mesh.repair.soup import TriangleSoup
 
 
-def agree(soup: Soup) -> Soup:
+def agree(soup: TriangleSoup) -> TriangleSoup:
     """Neighbours turned the same way; of each piece the smaller part of the area is turned."""
     if not len(soup.faces):
         return soup
@@ -56,7 +56,7 @@ def _graph(links: Integers, number: int) -> coo_array:
     return coo_array((np.ones(len(links)), links.T), shape=(number, number)).tocsr()
 
 
-def face_outwards(soup: Soup) -> Soup:
+def face_outwards(soup: TriangleSoup) -> TriangleSoup:
     """Closed bodies that are inside out turned over, with all that lies in them.
 
     A body inside another one may be a hole in it, and keeps its sense relative to the outer one.

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import trimesh
 
-from urdfkit.mesh.geometry import Mesh, Part
+from urdfkit.mesh.geometry import Mesh, MeshPart
 from urdfkit.mesh.writers import UnwritableMesh
 from urdfkit.mesh.writers.textures import texture_bytes
 
 
-def as_trimesh(part: Part) -> Any:
+def as_trimesh(part: MeshPart) -> Any:
     """A part as a ``trimesh.Trimesh`` with its normals, material and colours."""
     mesh = trimesh.Trimesh(
         part.vertices, part.faces, vertex_normals=part.normals, process=False, validate=False
@@ -39,7 +39,7 @@ def to_bytes(colors: Any) -> Any:
     return np.round(np.clip(colors, 0.0, 1.0) * 255).astype(np.uint8)
 
 
-def _material(part: Part) -> Any:
+def _material(part: MeshPart) -> Any:
     assert part.material is not None
     opaque = part.material.rgba[3] >= 1.0
     return trimesh.visual.material.PBRMaterial(
@@ -52,7 +52,7 @@ def _material(part: Part) -> Any:
     )
 
 
-def _image(part: Part) -> Any:
+def _image(part: MeshPart) -> Any:
     from PIL import Image
 
     data = texture_bytes(part.material)

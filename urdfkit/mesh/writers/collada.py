@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from lxml import etree
 
-from urdfkit.mesh.geometry import Floats, Material, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.writers.text import numbers, table
 from urdfkit.mesh.writers.textures import texture_files
@@ -20,7 +20,7 @@ from urdfkit.mesh.writers.textures import texture_files
 _NAMESPACE = "http://www.collada.org/2005/11/COLLADASchema"
 _DATE = "1970-01-01T00:00:00Z"
 #: Of what has no material in the mesh.
-_PLAIN = Material("plain")
+_PLAIN = MeshMaterial("plain")
 _INDENT = "  "
 
 
@@ -47,14 +47,14 @@ class _Look(NamedTuple):
     """A material of the file: parts that look alike share it."""
 
     id: str
-    material: Material
+    material: MeshMaterial
     texture: str
 
 
-def _looks(parts: list[tuple[int, Part]], textures: dict[int, str]) -> dict[int, _Look]:
+def _looks(parts: list[tuple[int, MeshPart]], textures: dict[int, str]) -> dict[int, _Look]:
     """The look of each part, by its number."""
     looks: dict[int, _Look] = {}
-    known: dict[tuple[Material, str], _Look] = {}
+    known: dict[tuple[MeshMaterial, str], _Look] = {}
     for number, part in parts:
         material, texture = part.material or _PLAIN, textures.get(number, "")
         key = (material._replace(texture=None), texture)
@@ -123,7 +123,7 @@ def _materials(root: etree._Element, looks: dict[int, _Look]) -> None:
         etree.SubElement(material, "instance_effect", url=f"#{look.id}_effect")
 
 
-def _geometry(library: etree._Element, name: str, part: Part) -> None:
+def _geometry(library: etree._Element, name: str, part: MeshPart) -> None:
     mesh = etree.SubElement(etree.SubElement(library, "geometry", id=name, name=name), "mesh")
     layers: list[tuple[str, str, Floats, str]] = [
         ("VERTEX", "positions", part.vertices, "XYZ"),
@@ -167,7 +167,9 @@ def _source(mesh: etree._Element, name: str, rows: Floats, axes: str) -> None:
         etree.SubElement(accessor, "param", name=axis, type="float")
 
 
-def _scene(root: etree._Element, parts: list[tuple[int, Part]], looks: dict[int, _Look]) -> None:
+def _scene(
+    root: etree._Element, parts: list[tuple[int, MeshPart]], looks: dict[int, _Look]
+) -> None:
     scenes = etree.SubElement(root, "library_visual_scenes")
     visual_scene = etree.SubElement(scenes, "visual_scene", id="scene")
     for number, part in parts:

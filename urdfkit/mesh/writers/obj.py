@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit.mesh.geometry import Floats, Material, Mesh, Part
+from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
 from urdfkit.mesh.writers.text import Table, numbers, table
 from urdfkit.mesh.writers.textures import texture_files
@@ -35,7 +35,7 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
     return files | textures
 
 
-def _part(part: Part, starts: dict[str, int]) -> Iterator[str]:
+def _part(part: MeshPart, starts: dict[str, int]) -> Iterator[str]:
     """The lines of one part; ``starts`` are the numbers that its rows begin with."""
     tables: dict[str, Table] = {"v": table(_positions(part), part.faces)}
     if part.uv is not None:
@@ -55,7 +55,7 @@ def _part(part: Part, starts: dict[str, int]) -> Iterator[str]:
         starts[key] += len(rows)
 
 
-def _positions(part: Part) -> Floats:
+def _positions(part: MeshPart) -> Floats:
     """Positions; with the colours behind them that most readers know."""
     import numpy as np
 
@@ -67,7 +67,7 @@ def _positions(part: Part) -> Floats:
 def _material_names(mesh: Mesh) -> dict[int, str]:
     """A name for the material of each part; parts of equal material share it."""
     names: dict[int, str] = {}
-    taken: dict[str, Material] = {}
+    taken: dict[str, MeshMaterial] = {}
     for number, part in enumerate(mesh.parts):
         if part.material is None:
             continue

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.mesh.geometry import Material, Mesh
+from urdfkit.mesh.geometry import Mesh, MeshMaterial
 from urdfkit.mesh.writers import UnwritableMesh
 
 _KINDS = ((b"\x89PNG", ".png"), (b"\xff\xd8\xff", ".jpg"), (b"RIFF", ".webp"), (b"BM", ".bmp"))
 
 
-def texture_bytes(material: Material | None) -> bytes | None:
+def texture_bytes(material: MeshMaterial | None) -> bytes | None:
     """The content of the texture of a material; None without one.
 
     Raises:

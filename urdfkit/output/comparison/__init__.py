@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.output.comparison.differences import KINDS as OF_MODELS
-from urdfkit.output.comparison.differences import Difference, Names, Tolerances, differences
-from urdfkit.output.comparison.frames import Moved, moved_frames
+from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances, differences
+from urdfkit.output.comparison.frames import MovedLink, moved_frames
 from urdfkit.output.comparison.renames import renames
-from urdfkit.output.comparison.states import State, read
+from urdfkit.output.comparison.states import RobotState, read
 from urdfkit.output.comparison.surfaces import changed_surfaces
-from urdfkit.robot.composite_body import Whole, whole
+from urdfkit.robot.composite_body import CompositeBody, whole
 from urdfkit.robot.kinematics import frames
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
@@ -46,10 +46,10 @@ class Comparison(Record):
     before: str
     after: str
     differences: tuple[Difference, ...]
-    names: Names
-    moved: tuple[Moved, ...]
-    whole: Whole
-    whole_after: Whole
+    names: RenamedParts
+    moved: tuple[MovedLink, ...]
+    whole: CompositeBody
+    whole_after: CompositeBody
     came: tuple[Diagnostic, ...]
     went: tuple[Diagnostic, ...]
     notes: tuple[str, ...]
@@ -127,7 +127,7 @@ def compare(
     tell = progress or (lambda done, total: None)
     steps = 4 if has_pictures else 3
     with tempfile.TemporaryDirectory(prefix="urdfkit-") as folder:
-        states: list[State] = []
+        states: list[RobotState] = []
         for word, name in ((before, "before"), (after, "after")):
             tell(len(states), steps)
             state = read(
@@ -154,7 +154,7 @@ def compare(
     return found
 
 
-def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
+def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comparison:
     old, new = before.subject, after.subject
     names = renames(old.model, new.model, allowed)
     found = differences(old.model, new.model, allowed, names)
@@ -176,7 +176,7 @@ def _compare(before: State, after: State, allowed: Tolerances) -> Comparison:
 
 
 def _findings(
-    before: State, after: State, names: Names
+    before: RobotState, after: RobotState, names: RenamedParts
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
     """The findings that came, and those that went.
 
@@ -191,14 +191,14 @@ def _findings(
     return came, went
 
 
-def _keys(finding: Diagnostic, names: Names | None = None) -> set[tuple[str, str]]:
+def _keys(finding: Diagnostic, names: RenamedParts | None = None) -> set[tuple[str, str]]:
     elements = {_renamed(call.element, names) for call in finding.calls} - {""}
     if not elements:  # it is about the text
         elements = {" ".join(finding.span.source.line(finding.span.line).split())}
     return {(finding.code, element) for element in elements}
 
 
-def _renamed(element: str, names: Names | None) -> str:
+def _renamed(element: str, names: RenamedParts | None) -> str:
     """The address of an element in the state after, such as ``link/arm/visual``."""
     tag, _, rest = element.partition("/")
     if names is None or tag not in ("link", "joint"):

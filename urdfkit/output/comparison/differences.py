@@ -12,7 +12,7 @@ from math import asin, dist
 from types import MappingProxyType
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.model import (
     Body,
@@ -64,14 +64,14 @@ class Tolerances(Record):
     joints: bool = False
 
 
-class Names(Record):
+class RenamedParts(Record):
     """What is called otherwise: the name after, by the name before."""
 
     links: Mapping[str, str]
     joints: Mapping[str, str]
 
 
-_SAME = Names(_NONE, _NONE)
+_SAME = RenamedParts(_NONE, _NONE)
 
 
 class Difference(Record):
@@ -99,7 +99,7 @@ class Difference(Record):
 
 
 def differences(
-    before: RobotModel, after: RobotModel, allowed: Tolerances, names: Names = _SAME
+    before: RobotModel, after: RobotModel, allowed: Tolerances, names: RenamedParts = _SAME
 ) -> list[Difference]:
     """What differs between two models by more than the tolerances.
 
@@ -206,7 +206,7 @@ def _shape(shape: Shape | None) -> tuple[str, tuple[float, ...]]:
 
 
 def of_frames(
-    kind: str, name: str, before: Frame, after: Frame, allowed: Tolerances
+    kind: str, name: str, before: Transform, after: Transform, allowed: Tolerances
 ) -> Iterator[Change]:
     """How far a frame moved and turned."""
     moved = dist(before.position, after.position)
@@ -219,18 +219,20 @@ def of_frames(
         yield kind, text, _flat(before), _flat(after)
 
 
-def angle_between(before: Frame, after: Frame) -> float:
+def angle_between(before: Transform, after: Transform) -> float:
     """The angle by which one frame is turned against another, in rad, from 0 to pi."""
     half = dist(_flat(before), _flat(after)) / 8**0.5  # |R - R'| = sqrt(8) sin(angle / 2)
     return 2 * asin(min(1.0, half))
 
 
-def _flat(frame: Frame) -> tuple[float, ...]:
+def _flat(frame: Transform) -> tuple[float, ...]:
     """The rotation, row by row."""
     return tuple(entry for row in frame.rotation for entry in row)
 
 
-def _of_joint(before: Joint, after: Joint, allowed: Tolerances, names: Names) -> Iterator[Change]:
+def _of_joint(
+    before: Joint, after: Joint, allowed: Tolerances, names: RenamedParts
+) -> Iterator[Change]:
     for what, old, new in (
         ("type", before.kind, after.kind),
         ("parent", _said(before.parent, names.links), _said(after.parent)),

@@ -5,13 +5,13 @@ from __future__ import annotations
 from math import dist
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, rotate, transposed
-from urdfkit.output.comparison.differences import Names, Tolerances, angle_between
+from urdfkit.core.spatial import Transform, rotate, transposed
+from urdfkit.output.comparison.differences import RenamedParts, Tolerances, angle_between
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.tree import KinematicTree
 
 
-class Moved(Record):
+class MovedLink(Record):
     """A link that is elsewhere.
 
     Attributes:
@@ -28,8 +28,8 @@ class Moved(Record):
 
 
 def moved_frames(
-    before: KinematicTree, after: KinematicTree, allowed: Tolerances, names: Names
-) -> tuple[Moved, ...]:
+    before: KinematicTree, after: KinematicTree, allowed: Tolerances, names: RenamedParts
+) -> tuple[MovedLink, ...]:
     """The links that both robots have and that are elsewhere when all joints are at zero.
 
     Returns:
@@ -47,11 +47,11 @@ def moved_frames(
             shift, turn = _apart(_within(old, name, parents[0]), _within(new, now, parents[1]))
             stays = shift <= allowed.position and turn <= allowed.rotation
             is_same = names.links.get(parents[0], parents[0]) == parents[1]
-            found.append(Moved(now, distance, angle, bool(parents[0]) and is_same and stays))
+            found.append(MovedLink(now, distance, angle, bool(parents[0]) and is_same and stays))
     return tuple(sorted(found, key=lambda m: (m.carried, -m.distance, -m.angle, m.link)))
 
 
-def _apart(before: Frame, after: Frame) -> tuple[float, float]:
+def _apart(before: Transform, after: Transform) -> tuple[float, float]:
     """Distance in m and angle in rad."""
     return dist(before.position, after.position), angle_between(before, after)
 
@@ -62,10 +62,10 @@ def _parent(tree: KinematicTree, name: str) -> str:
     return joints[0].parent.value if joints and joints[0].parent else ""
 
 
-def _within(places: dict[str, Frame], name: str, parent: str) -> Frame:
+def _within(places: dict[str, Transform], name: str, parent: str) -> Transform:
     """The frame of a link in that of another one; in the root where there is none."""
     if parent not in places:
         return places[name]
     turned = transposed(places[parent].rotation)
     x, y, z = rotate(turned, places[parent].position)
-    return Frame(turned, (-x, -y, -z)) @ places[name]
+    return Transform(turned, (-x, -y, -z)) @ places[name]

@@ -6,7 +6,7 @@ from math import degrees
 
 from urdfkit.output.comparison import KINDS, Comparison
 from urdfkit.output.report.html import render_plain
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.translations import Translator
 
 #: Rows of one table.
 MAX_ROWS = 400
@@ -25,7 +25,7 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
     }
     return render_plain(
         "diff.html.j2",
-        Words(language),
+        Translator(language),
         comparison=comparison,
         differs=[kind for kind in KINDS if kind in comparison.kinds],
         sections=[(kind, found[:MAX_ROWS]) for kind, found in by_kind.items() if found],

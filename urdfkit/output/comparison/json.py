@@ -6,7 +6,7 @@ from typing import Any
 
 from urdfkit.core.strict_json import dumped
 from urdfkit.output.comparison import KINDS, Comparison
-from urdfkit.robot.composite_body import Whole
+from urdfkit.robot.composite_body import CompositeBody
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
 
@@ -41,7 +41,7 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
     return dumped(document)
 
 
-def _total(whole: Whole) -> dict[str, Any]:
+def _total(whole: CompositeBody) -> dict[str, Any]:
     body = whole.properties
     return {
         "mass": whole.mass,

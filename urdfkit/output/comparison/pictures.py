@@ -41,7 +41,7 @@ def pictures(before: Subject, after: Subject, found: Comparison) -> tuple[str, .
         items = []
         for item in scene.items:
             name = names.get(item.link, item.link)
-            look = render.Look(colours.get(name, _SAME) if name in both else only)
+            look = render.SurfaceMaterial(colours.get(name, _SAME) if name in both else only)
             items.append(item._replace(look=look, colors=None, uv=None))
         image = render.draw(scene._replace(items=tuple(items)), camera)
         addresses.append(data_uris.webp(Image.fromarray(image).convert("RGB")))

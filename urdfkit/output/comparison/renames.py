@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.output.comparison.differences import Names, Tolerances, of_frames, of_link
+from urdfkit.output.comparison.differences import RenamedParts, Tolerances, of_frames, of_link
 from urdfkit.robot.model import Joint, Link, RobotModel
 
 
-def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Names:
+def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> RenamedParts:
     """The new names of what is called otherwise.
 
     Args:
@@ -35,7 +35,7 @@ def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> Names
         and joint.name not in after.joints_by_name
         and other.name not in before.joints_by_name
     }
-    return Names({name: other for name, other in links.items() if name != other}, joints)
+    return RenamedParts({name: other for name, other in links.items() if name != other}, joints)
 
 
 class _Tree:

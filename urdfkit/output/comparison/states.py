@@ -22,7 +22,7 @@ from urdfkit.workspace.snapshots import OldFile, as_it_was
 LARGEST = 64 * 1024 * 1024
 
 
-class State:
+class RobotState:
     """A description with what it takes to judge it.
 
     Attributes:
@@ -93,7 +93,7 @@ def read(
     trust: bool,
     config: Config | None,
     variant: str = "",
-) -> State:
+) -> RobotState:
     """The state that a word means; files of git go into a folder.
 
     Raises:
@@ -109,4 +109,4 @@ def read(
         path = locate(path, revision)
         old = as_it_was(path, revision, folder, every, LARGEST)
     values = (config or Config()).entry(path, arguments, variant).arguments
-    return State(word, old, folder, values, every, targets, trust, config)
+    return RobotState(word, old, folder, values, every, targets, trust, config)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Unavailable
-from urdfkit.output.comparison.differences import Difference, Names, Tolerances
+from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
 from urdfkit.robot.model import Shape
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ INSTALL = "the distance between meshes needs: pip install 'urdfkit[meshes]'"
 
 
 def changed_surfaces(
-    before: Subject, after: Subject, allowed: Tolerances, names: Names
+    before: Subject, after: Subject, allowed: Tolerances, names: RenamedParts
 ) -> tuple[list[Difference], list[str]]:
     """The meshes whose surface differs by more than the tolerance of positions.
 
@@ -58,7 +58,7 @@ def changed_surfaces(
 
 
 def _pairs(
-    before: Subject, after: Subject, names: Names
+    before: Subject, after: Subject, names: RenamedParts
 ) -> Iterator[tuple[str, str, Shape, Shape]]:
     """Link, role, and the mesh of either side."""
     links = after.model.links_by_name

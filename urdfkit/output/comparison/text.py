@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from math import degrees
 
 from urdfkit.output.comparison import KINDS, Comparison
-from urdfkit.output.comparison.frames import Moved
+from urdfkit.output.comparison.frames import MovedLink
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.terminal import columns, printable, wrap
 
@@ -49,7 +49,7 @@ def _some(lines: Iterable[str]) -> Iterator[str]:
         yield f"  and {len(every) - MAX_LINES} more"
 
 
-def _moved(moved: Iterable[Moved]) -> Iterator[str]:
+def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     """A table of what moved of itself; what it carries is counted."""
     own = [one for one in moved if not one.carried]
     carried = [one for one in moved if one.carried]

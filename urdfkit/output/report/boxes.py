@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from urdfkit.core.spatial import Frame, Vector
+from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.model import Inertial
 
 
-def inertia_box(inertial: Inertial, mass: float) -> tuple[Vector, Frame] | None:
+def inertia_box(inertial: Inertial, mass: float) -> tuple[Vector, Transform] | None:
     """The edges of the box in m, and where its middle is in the frame of the link.
 
     Of a solid box the moment about x is ``m (y^2 + z^2) / 12``, so ``x^2 = 6 (b + c - a) / m``
@@ -29,5 +29,5 @@ def inertia_box(inertial: Inertial, mass: float) -> tuple[Vector, Frame] | None:
         return None
     x, y, z = np.sqrt(np.maximum(squares, 0)).tolist()
     a, b, c = (tuple(row) for row in axes.tolist())
-    turned = inertial.origin @ Frame((a, b, c))
+    turned = inertial.origin @ Transform((a, b, c))
     return (x, y, z), turned

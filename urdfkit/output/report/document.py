@@ -25,7 +25,7 @@ from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
 from urdfkit.output.report import physics, tables
 from urdfkit.output.report.findings import findings
-from urdfkit.robot.element_lookup import Places
+from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.ros.gazebo.rejection import rejecting
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -50,7 +50,7 @@ _PARTS: dict[str, Callable[[Subject], object]] = {
 LONG = ("statics", "standing", "collisions")
 
 
-class Told(Record):
+class ReportInput(Record):
     """A robot and what is told of it.
 
     Attributes:
@@ -75,7 +75,7 @@ def describe(
     variant: str = "",
     quick: bool = False,
     progress: Callable[[int, int], None] | None = None,
-) -> Told:
+) -> ReportInput:
     """Everything that is told of a robot.
 
     A robot that cannot be read has its findings told, and nothing else.
@@ -110,11 +110,11 @@ def describe(
         config=config._replace(robots=()) if config else None,
     )
     subject = Subject(source, resolver, values, trust=trust)
-    told = Told(_document(subject, report), subject, report.diagnostics)
+    told = ReportInput(_document(subject, report), subject, report.diagnostics)
     return told if quick else completed(told, progress)
 
 
-def completed(told: Told, progress: Callable[[int, int], None] | None = None) -> Told:
+def completed(told: ReportInput, progress: Callable[[int, int], None] | None = None) -> ReportInput:
     """The same with what takes a while.
 
     Args:
@@ -155,7 +155,7 @@ def _document(subject: Subject, report: Report) -> Document:
             for reader, one in rejecting(report.diagnostics)
         ]
     is_read = subject.reading.document is not None
-    places = Places(subject.model if is_read else None)
+    places = ElementLookup(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
     grouped = gathered(report.diagnostics)
     listed = json.loads(as_json.render(report._replace(diagnostics=grouped)))["diagnostics"]

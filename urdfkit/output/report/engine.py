@@ -20,7 +20,7 @@ _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 _TEMPLATE = "templates/viewer.zip"
 
 
-class Engine(Record):
+class PageEngine(Record):
     """A 3D engine.
 
     Attributes:
@@ -34,7 +34,7 @@ class Engine(Record):
     licence: str
 
 
-def load() -> Engine:
+def load() -> PageEngine:
     """The engine.
 
     Raises:
@@ -53,7 +53,7 @@ def load() -> Engine:
             f"the viewer of {name} is not one that urdfkit knows: pip install 'trimesh>=4.9'"
         )
     notice = script[: script.find("*/") + 2]
-    return Engine(script + end, name, f"{notice}\n\n{_licence()}")
+    return PageEngine(script + end, name, f"{notice}\n\n{_licence()}")
 
 
 def _page(archive: bytes) -> str:

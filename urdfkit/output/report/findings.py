@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from urdfkit.lint import rules
-from urdfkit.robot.element_lookup import Places
+from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Span
 from urdfkit.text.terminal import printable
@@ -19,7 +19,7 @@ _MORE = "..."
 
 
 def findings(
-    diagnostics: Sequence[Diagnostic], written: Sequence[dict[str, Any]], places: Places
+    diagnostics: Sequence[Diagnostic], written: Sequence[dict[str, Any]], places: ElementLookup
 ) -> list[dict[str, Any]]:
     """The findings, each as the JSON report has it, with what a page needs besides."""
     return [

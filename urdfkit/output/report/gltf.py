@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from urdfkit.render.materials import STRIPES, Look
-from urdfkit.render.scene import Item
+from urdfkit.render.materials import STRIPES, SurfaceMaterial
+from urdfkit.render.scene import SceneItem
 from urdfkit.render.textures import stripes
 from urdfkit.render.textures import texture as read_image
 
@@ -45,7 +45,7 @@ class Writer:
         self._known: dict[object, int] = {}
         self.triangles = 0
 
-    def add(self, item: Item) -> None:
+    def add(self, item: SceneItem) -> None:
         """One surface; what has no finite extent is left out."""
         corners = _corners(item)
         if corners is None:
@@ -146,7 +146,7 @@ class Writer:
             entry["max"] = values.max(axis=0).tolist()
         return self._once(("accessor", json.dumps(entry)), self._accessors, entry)
 
-    def _material(self, look: Look) -> int:
+    def _material(self, look: SurfaceMaterial) -> int:
         rgba = [_linear(part) for part in look.rgba[:3]] + [look.rgba[3]]
         surface: dict[str, Any] = {
             "baseColorFactor": rgba,
@@ -172,7 +172,7 @@ class Writer:
         return self._once(("image", texture), self._images, entry)
 
 
-def write(items: Iterable[Item]) -> tuple[bytes, int]:
+def write(items: Iterable[SceneItem]) -> tuple[bytes, int]:
     """A file of surfaces, and how many triangles it holds."""
     writer = Writer()
     for item in items:
@@ -180,7 +180,7 @@ def write(items: Iterable[Item]) -> tuple[bytes, int]:
     return writer.data, writer.triangles
 
 
-def _corners(item: Item) -> tuple[NDArray[Any], ...] | None:
+def _corners(item: SceneItem) -> tuple[NDArray[Any], ...] | None:
     """Numbers as the file holds them: faces, positions, where and how large, normals, uv, colours.
 
     Positions are parts of 65535 of the surface's longest edge: a scale that is the same along

@@ -17,15 +17,15 @@ from typing import TYPE_CHECKING, Any
 from urdfkit import __version__
 from urdfkit.errors import UrdfkitError
 from urdfkit.output.report.document import Document
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.translations import Translator
 from urdfkit.robot.stability import VERDICTS
 from urdfkit.text.terminal import printable
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-    from urdfkit.output.report.engine import Engine
-    from urdfkit.output.report.scene import Scene
+    from urdfkit.output.report.engine import PageEngine
+    from urdfkit.output.report.scene import PageScene
 
 #: Findings and rows of a table that a page shows; a browser takes no pleasure in more.
 MAX_FINDINGS, MAX_ROWS = 500, 400
@@ -40,10 +40,10 @@ _SEVERITIES = ("error", "warning", "info")
 
 def render(
     document: Document,
-    words: Words,
+    words: Translator,
     drawings: Mapping[str, str],
-    scene: Scene | None = None,
-    engine: Engine | None = None,
+    scene: PageScene | None = None,
+    engine: PageEngine | None = None,
     *,
     shape: int = 0,
 ) -> str:
@@ -76,7 +76,7 @@ def render(
     )
 
 
-def render_plain(template: str, words: Words, **context: object) -> str:
+def render_plain(template: str, words: Translator, **context: object) -> str:
     """A page without a 3D view, of another template.
 
     Args:
@@ -100,13 +100,13 @@ def render_plain(template: str, words: Words, **context: object) -> str:
     )
 
 
-def render_content(document: Document, words: Words, drawings: Mapping[str, str]) -> str:
+def render_content(document: Document, words: Translator, drawings: Mapping[str, str]) -> str:
     """What is told of the robot, without the page around it."""
     context = _context(document, words, drawings)
     return _environment().get_template("content.html.j2").render(context)
 
 
-def _context(document: Document, words: Words, drawings: Mapping[str, str]) -> dict[str, Any]:
+def _context(document: Document, words: Translator, drawings: Mapping[str, str]) -> dict[str, Any]:
     robot = document["robot"]
     name = robot["name"] if robot else ""
     found = sorted(document["gathered"], key=lambda one: _SEVERITIES.index(one["severity"]))

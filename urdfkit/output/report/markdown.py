@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from urdfkit.output.report.document import Document
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.translations import Translator
 from urdfkit.text.markdown import escape, fitted, table
 
 _SIGNS = {"error": "🔴", "warning": "🟡", "info": "🔵"}
@@ -14,12 +14,12 @@ _PLURALS = {"error": "errors", "warning": "warnings", "info": "infos"}
 _VERDICTS = {"good": "🟢", "doubtful": "🟡", "unfit": "🔴"}
 
 
-def render(document: Document, words: Words) -> str:
+def render(document: Document, words: Translator) -> str:
     """Summary, verdicts and findings first; tables follow as long as they fit."""
     return fitted(_sections(document, words))
 
 
-def _sections(document: Document, _: Words) -> Iterator[str]:
+def _sections(document: Document, _: Translator) -> Iterator[str]:
     robot, summary = document["robot"], document["summary"]
     counts = ", ".join(_counted(summary[key], key, _) for key in ("error", "warning", "info"))
     title = robot["name"] if robot else document["file"]
@@ -44,17 +44,17 @@ def _sections(document: Document, _: Words) -> Iterator[str]:
         yield f"### {_('Masses')}\n\n" + table(header, map(_link, document["links"]))
 
 
-def _counted(count: int, noun: str, _: Words) -> str:
+def _counted(count: int, noun: str, _: Translator) -> str:
     return f"{count} {_(noun if count == 1 else _PLURALS[noun])}"
 
 
-def _target(target: dict[str, Any], _: Words) -> list[str]:
+def _target(target: dict[str, Any], _: Translator) -> list[str]:
     verdict = f"{_VERDICTS[target['verdict']]} {_(target['verdict'])}"
     counts = [str(target[key]) for key in ("error", "warning", "info")]
     return [target["name"], verdict, *counts]
 
 
-def _findings(findings: Iterable[dict[str, Any]], _: Words) -> Iterator[list[str]]:
+def _findings(findings: Iterable[dict[str, Any]], _: Translator) -> Iterator[list[str]]:
     for found in sorted(findings, key=lambda one: list(_SIGNS).index(one["severity"])):
         place = f"{found['path']}:{found['line']}:{found['column']}"
         what = f"{_SIGNS[found['severity']]} {found['code']}"

@@ -6,7 +6,7 @@ import gzip
 from typing import TYPE_CHECKING, Any
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.errors import MissingLibrary
 from urdfkit.lint.context import Unavailable
 from urdfkit.robot.joints import bounds
@@ -23,7 +23,7 @@ INSTALL = "pictures and the 3D view need: pip install 'urdfkit[report]'"
 MAX_LINKS, MAX_TRIANGLES = 5000, 1_500_000
 
 
-class Scene(Record):
+class PageScene(Record):
     """What the engine draws.
 
     Attributes:
@@ -50,7 +50,7 @@ def surfaces(subject: Subject) -> Surfaces:
     return build_surfaces(subject, roles=("visual", "collision"))
 
 
-def build(subject: Subject, built: Surfaces) -> Scene:
+def build(subject: Subject, built: Surfaces) -> PageScene:
     """The scene of a robot; of one with very many triangles a coarse one.
 
     Args:
@@ -70,10 +70,10 @@ def build(subject: Subject, built: Surfaces) -> Scene:
         "triangles": triangles,
         "missing": [list(map(str, missing)) for missing in built.missing],
     }
-    return Scene(packed(model), robot)
+    return PageScene(packed(model), robot)
 
 
-def nothing() -> Scene:
+def nothing() -> PageScene:
     """The scene of a robot that cannot be read.
 
     Raises:
@@ -84,7 +84,9 @@ def nothing() -> Scene:
     except (ImportError, MissingLibrary) as error:
         raise Unavailable(INSTALL) from error
     model, triangles = write(())
-    return Scene(packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []})
+    return PageScene(
+        packed(model), {"links": [], "joints": [], "triangles": triangles, "missing": []}
+    )
 
 
 def packed(model: bytes) -> bytes:
@@ -132,7 +134,7 @@ def _joints(subject: Subject, numbers: dict[str, int]) -> list[dict[str, Any]]:
     return found
 
 
-def _matrix(frame: Frame) -> list[float]:
+def _matrix(frame: Transform) -> list[float]:
     """Sixteen numbers, column by column, as three.js takes them."""
     (a, b, c), (x, y, z) = frame.rotation, frame.position
     columns = [*zip(a, b, c, strict=True)]

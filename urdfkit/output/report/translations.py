@@ -9,7 +9,7 @@ import os
 LANGUAGES = ("en", "zh")
 
 
-class Words:
+class Translator:
     """Translates; a word without a translation stays as it is.
 
     Args:

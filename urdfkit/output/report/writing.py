@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Unavailable
-from urdfkit.output.report.document import LONG, Document, Told, describe
-from urdfkit.output.report.translations import Words
+from urdfkit.output.report.document import LONG, Document, ReportInput, describe
+from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
     from urdfkit.lint.config import Config
-    from urdfkit.output.report.scene import Scene
+    from urdfkit.output.report.scene import PageScene
 
 #: Forms of a report, by the suffix of a file.
 SUFFIXES = {".html": "html", ".htm": "html", ".md": "markdown", ".json": "json", ".csv": "csv"}
@@ -79,8 +79,8 @@ def report(
     if form == "markdown":
         from urdfkit.output.report import markdown
 
-        return markdown.render(document, Words(language)), document
-    return _page(told, Words(language), has_pictures=not quick)
+        return markdown.render(document, Translator(language)), document
+    return _page(told, Translator(language), has_pictures=not quick)
 
 
 def _shows_all(form: str, table: str) -> bool:
@@ -88,7 +88,7 @@ def _shows_all(form: str, table: str) -> bool:
     return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
-def _page(told: Told, words: Words, *, has_pictures: bool) -> tuple[str, Document]:
+def _page(told: ReportInput, words: Translator, *, has_pictures: bool) -> tuple[str, Document]:
     """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.output.report import html
 
@@ -100,7 +100,7 @@ def _page(told: Told, words: Words, *, has_pictures: bool) -> tuple[str, Documen
     return html.render(document, words, data_uris, scene, engine.load()), document
 
 
-class Drawn(Record):
+class RobotImages(Record):
     """A robot as pictures.
 
     Attributes:
@@ -111,10 +111,10 @@ class Drawn(Record):
 
     document: Document
     drawings: dict[str, str]
-    scene: Scene | None
+    scene: PageScene | None
 
 
-def drawn(told: Told, *, has_pictures: bool) -> Drawn:
+def drawn(told: ReportInput, *, has_pictures: bool) -> RobotImages:
     """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
 
     Args:
@@ -126,18 +126,18 @@ def drawn(told: Told, *, has_pictures: bool) -> Drawn:
     subject = told.subject
     found = data_uris.tree(subject)
     if subject.reading.document is None or not subject.model.links:
-        return Drawn(told.document, found, None)
+        return RobotImages(told.document, found, None)
     try:
         built = scene.surfaces(subject)
     except Unavailable as error:
-        return Drawn(_without_view(told.document, str(error)), found, None)
+        return RobotImages(_without_view(told.document, str(error)), found, None)
     if has_pictures:
         found |= data_uris.pictures(built, subject, told.diagnostics)
     document, triangles = told.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
         reason = f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
         document = _without_view(document, reason)
-    return Drawn(document, found, scene.build(subject, built))
+    return RobotImages(document, found, scene.build(subject, built))
 
 
 def _without_view(document: Document, reason: str) -> Document:

@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.core.spatial import Frame
+from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.joints import span, start_of
-from urdfkit.robot.kinematics import SLIDING, TURNING, Law, direction, laws
+from urdfkit.robot.kinematics import SLIDING, TURNING, MimicLaw, direction, laws
 from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
@@ -35,7 +35,7 @@ _CROSS = np.array(
 )
 
 #: Of a joint without a name.
-_STILL = Law("", 0.0, 0.0)
+_STILL = MimicLaw("", 0.0, 0.0)
 
 
 class Axis(NamedTuple):
@@ -47,7 +47,7 @@ class Axis(NamedTuple):
     default: float
 
 
-class Step(NamedTuple):
+class TreeStep(NamedTuple):
     """From one link to a child of it.
 
     The frame of the child in that of the parent is ``still + f sine + g versine``, with f and g
@@ -105,11 +105,11 @@ class Chain:
 
     links: tuple[str, ...]
     axes: tuple[Axis, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[TreeStep, ...]
     parts: tuple[int, ...]
 
     @cached_property
-    def above(self) -> dict[int, Step]:
+    def above(self) -> dict[int, TreeStep]:
         """The step that leads to each link but the roots."""
         return {step.child: step for step in self.steps}
 
@@ -178,11 +178,11 @@ class Chain:
         branches = self.branches(first, second)
         return sorted({step.column for branch in branches for step in branch} - {-1})
 
-    def branches(self, first: int, second: int) -> tuple[list[Step], list[Step]]:
+    def branches(self, first: int, second: int) -> tuple[list[TreeStep], list[TreeStep]]:
         """The steps to two links from the last link above both, or from the root of each."""
-        ways: list[list[Step]] = []
+        ways: list[list[TreeStep]] = []
         for end in (first, second):
-            way: list[Step] = []
+            way: list[TreeStep] = []
             while step := self.above.get(way[-1].parent if way else end):
                 way.append(step)
             ways.append(way[::-1])
@@ -190,7 +190,7 @@ class Chain:
         return ways[0][shared:], ways[1][shared:]
 
 
-class Way(NamedTuple):
+class BatchTransform(NamedTuple):
     """Where a branch leads in n configurations, in the frame at its beginning.
 
     Attributes:
@@ -212,7 +212,7 @@ class Branch:
         columns: of all axes that they follow, and perhaps of others.
     """
 
-    def __init__(self, steps: Sequence[Step], columns: Sequence[int]) -> None:
+    def __init__(self, steps: Sequence[TreeStep], columns: Sequence[int]) -> None:
         before, rows = np.eye(4), []
         for step in steps:
             if step.column < 0:
@@ -230,7 +230,7 @@ class Branch:
         for number, step in enumerate(moving):
             self._factors[columns.index(step.column), number] = step.factor
 
-    def at(self, positions: Floats) -> Way:
+    def at(self, positions: Floats) -> BatchTransform:
         """Where it leads with its columns at positions (n, k), in rad or m."""
         at = (positions @ self._factors + self._shift)[:, :, None, None]
         turns = self._turns[:, None, None]
@@ -240,9 +240,11 @@ class Branch:
             frames[:, number] = frames[:, number - 1] @ frames[:, number]
         end = frames[:, -1] @ self._tail if len(self._axes) else self._tail
         axes = (frames[:, :, :3, :3] @ self._axes[:, :, None])[..., 0]
-        return Way(np.broadcast_to(end, (len(positions), 4, 4)), axes, frames[:, :, :3, 3])
+        return BatchTransform(
+            np.broadcast_to(end, (len(positions), 4, 4)), axes, frames[:, :, :3, 3]
+        )
 
-    def slopes(self, way: Way, points: Floats, directions: Floats) -> Floats:
+    def slopes(self, way: BatchTransform, points: Floats, directions: Floats) -> Floats:
         """(n, k): how fast points fixed to its end go along directions, as each column moves.
 
         Args:
@@ -267,7 +269,7 @@ def chain(tree: KinematicTree) -> Chain:
     )
     columns = {axis.joint: column for column, axis in enumerate(axes)}
     followed = laws(tree.model.joints_by_name)
-    steps: list[Step] = []
+    steps: list[TreeStep] = []
     parts = list(range(len(names)))
     for joint in tree.spanning:
         assert joint.parent is not None
@@ -284,7 +286,9 @@ def _is_free(joint: Joint) -> bool:
     return joint.kind in (*TURNING, *SLIDING) and not (joint.mimic and joint.mimic.joint)
 
 
-def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str, int]) -> Step:
+def _step(
+    joint: Joint, parent: int, child: int, law: MimicLaw, columns: Mapping[str, int]
+) -> TreeStep:
     does_move = joint.kind in (*TURNING, *SLIDING)
     origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
     x, y, z = direction(joint)
@@ -294,7 +298,7 @@ def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str,
         sine[:3, :3] = ((0, -z, y), (z, 0, -x), (-y, x, 0))
     else:
         sine[:3, 3] = (x, y, z)
-    return Step(
+    return TreeStep(
         parent,
         child,
         origin,
@@ -308,7 +312,7 @@ def _step(joint: Joint, parent: int, child: int, law: Law, columns: Mapping[str,
     )
 
 
-def matrix(frame: Frame) -> Floats:
+def matrix(frame: Transform) -> Floats:
     """(4, 4), homogeneous."""
     found = np.eye(4)
     found[:3, :3] = frame.rotation

@@ -75,7 +75,7 @@ def moved(some: Floats, one: Floats) -> Floats:
     return np.asarray(np.sqrt(np.square(some - one) @ _SHIFT_AND_TURN).sum(axis=1))
 
 
-class Cover:
+class DistanceBound:
     """Poses in which a distance was measured; it holds, less the way moved, for those around."""
 
     def __init__(self) -> None:

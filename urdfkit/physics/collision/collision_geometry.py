@@ -10,7 +10,7 @@ import coal
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.physics.collision.geometry_arrays import Solid
+from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 
 #: Bodies that overlap by no more than this, in m, touch.
 TOUCH = 1e-5
@@ -37,7 +37,7 @@ _PRIMITIVES: dict[str, Callable[..., Any]] = {
 }
 
 
-class Form(NamedTuple):
+class CollisionGeometry(NamedTuple):
     """One body.
 
     Attributes:
@@ -49,7 +49,7 @@ class Form(NamedTuple):
         radius: of a sphere about the center that holds it, in m.
     """
 
-    solid: Solid
+    solid: CollisionArrays
     exact: Any
     hull: Any
     center: Floats
@@ -62,15 +62,15 @@ class Form(NamedTuple):
         return self.exact is self.hull
 
 
-def form(solid: Solid) -> Form:
+def form(solid: CollisionArrays) -> CollisionGeometry:
     """A body for coal."""
     if solid.kind == "mesh":
         return _mesh(solid)
     exact = _PRIMITIVES[solid.kind](*solid.size)
-    return Form(solid, exact, exact, np.zeros(3), *_extent(solid))
+    return CollisionGeometry(solid, exact, exact, np.zeros(3), *_extent(solid))
 
 
-def _extent(solid: Solid) -> tuple[Floats, float]:
+def _extent(solid: CollisionArrays) -> tuple[Floats, float]:
     """Half the sides of the box around a primitive, and the radius of the sphere, in m."""
     if solid.kind == "box":
         half = np.array(solid.size) / 2
@@ -84,18 +84,18 @@ def _extent(solid: Solid) -> tuple[Floats, float]:
     return np.array([radius, radius, above]), float(np.hypot(radius, above))
 
 
-def _mesh(solid: Solid) -> Form:
+def _mesh(solid: CollisionArrays) -> CollisionGeometry:
     vertices, faces = solid.vertices, solid.faces
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     center, half = (low + high) / 2, (high - low) / 2
     radius = float(np.linalg.norm(vertices - center, axis=1).max())
     triangles = _surface(vertices, faces)
     if _is_flat(vertices):
-        return Form(solid, triangles, triangles, center, half, radius)
+        return CollisionGeometry(solid, triangles, triangles, center, half, radius)
     hull = _hull(triangles) or _hull(_surface(center + _CORNERS * half, _BOX))
     inside = abs(volume(vertices - center, faces))
     exact = hull if abs(inside - hull.computeVolume()) <= _CONVEX * inside else triangles
-    return Form(solid, exact, hull, center, half, radius)
+    return CollisionGeometry(solid, exact, hull, center, half, radius)
 
 
 def _surface(vertices: Floats, faces: Integers) -> Any:
@@ -128,7 +128,7 @@ def volume(vertices: Floats, faces: Integers) -> float:
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
 
 
-class Gauge:
+class DistanceQuery:
     """Measures the distance of two bodies, thousands of times.
 
     Args:
@@ -140,7 +140,7 @@ class Gauge:
         is_exact: both are convex, so that their hulls tell the distance.
     """
 
-    def __init__(self, first: Form, second: Form) -> None:
+    def __init__(self, first: CollisionGeometry, second: CollisionGeometry) -> None:
         self.first, self.second = first, second
         self.is_exact = first.is_convex and second.is_convex
         self._reach = second.radius / 4

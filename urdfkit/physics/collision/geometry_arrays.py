@@ -23,7 +23,7 @@ LARGEST = 1e6
 THINNEST = 1e-6
 
 
-class Solid(NamedTuple):
+class CollisionArrays(NamedTuple):
     """One ``<collision>``.
 
     Attributes:
@@ -45,7 +45,7 @@ class Solid(NamedTuple):
     faces: Integers
 
 
-class Omitted(NamedTuple):
+class OmittedCollision(NamedTuple):
     """A ``<collision>`` that takes no part, and why."""
 
     link: str
@@ -59,7 +59,7 @@ NO_FACES = np.zeros((0, 3), dtype=np.int64)
 
 def solids(
     model: RobotModel, meshes: Meshes, *, unit: bool = True
-) -> tuple[tuple[Solid, ...], tuple[Omitted, ...]]:
+) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
     """The collision bodies of a model, and those that cannot be used.
 
     Args:
@@ -68,8 +68,8 @@ def solids(
         unit: apply the unit that a COLLADA file states, as RViz and Gazebo do; MoveIt and
             Pinocchio take the numbers as metres.
     """
-    found: list[Solid] = []
-    omitted: list[Omitted] = []
+    found: list[CollisionArrays] = []
+    omitted: list[OmittedCollision] = []
     for link in model.links_by_name.values():
         for number, body in enumerate(link.collisions):
             made = _made(body.shape, meshes, unit=unit)
@@ -77,9 +77,9 @@ def solids(
             if not isinstance(made, str) and np.abs(frame[:3, 3]).max() > LARGEST:
                 made = f"it is more than {LARGEST:g} m from its link"
             if isinstance(made, str):
-                omitted.append(Omitted(link.name, number, made))
+                omitted.append(OmittedCollision(link.name, number, made))
             else:
-                found.append(Solid(link.name, number, frame, *made))
+                found.append(CollisionArrays(link.name, number, frame, *made))
     return tuple(found), tuple(omitted)
 
 

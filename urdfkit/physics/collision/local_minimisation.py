@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers
-from urdfkit.physics.collision.batch_kinematics import Branch, Way
+from urdfkit.physics.collision.batch_kinematics import BatchTransform, Branch
 from urdfkit.physics.collision.bounds import apart
-from urdfkit.physics.collision.collision_geometry import TOUCH, Gauge
+from urdfkit.physics.collision.collision_geometry import TOUCH, DistanceQuery
 from urdfkit.physics.collision.pair_queries import Examiner, Pair, relative
 
 #: Configurations to begin in, each the nearest one of its share of those that were drawn: for the
@@ -41,7 +41,7 @@ _SHORTEST = 1e-3
 Flags = NDArray[np.bool_]
 
 
-class Closest(NamedTuple):
+class ClosestPair(NamedTuple):
     """Where two links are nearest.
 
     Attributes:
@@ -53,7 +53,7 @@ class Closest(NamedTuple):
     configuration: Floats
 
 
-def closest(examiner: Examiner, pair: Pair) -> Closest:
+def closest(examiner: Examiner, pair: Pair) -> ClosestPair:
     """The nearest that two links are found to come; any collision will do.
 
     Args:
@@ -76,7 +76,7 @@ def closest(examiner: Examiner, pair: Pair) -> Closest:
             found, at = descent.distance, descent.best
         if found < -TOUCH:
             break
-    return Closest(found, examiner.chain.default_with(columns, at[None])[0])
+    return ClosestPair(found, examiner.chain.default_with(columns, at[None])[0])
 
 
 class _Measured(NamedTuple):
@@ -97,7 +97,7 @@ class _Bodies:
     """Two bodies, and how far they are apart, by the positions of the joints between."""
 
     def __init__(
-        self, examiner: Examiner, pair: Pair, first: int, second: int, gauge: Gauge
+        self, examiner: Examiner, pair: Pair, first: int, second: int, gauge: DistanceQuery
     ) -> None:
         self._chain, self._gauge = examiner.chain, gauge
         self._columns = examiner.chain.between(*pair)
@@ -140,11 +140,11 @@ class _Bodies:
         rotation, translation = relative(*(way.end @ frame for way, frame in ends))
         return self._gauge.distance(rotation[0], translation[0], inf)
 
-    def _ways(self, positions: Floats) -> list[Way]:
+    def _ways(self, positions: Floats) -> list[BatchTransform]:
         return [branch.at(positions) for branch in self._branches]
 
     def _slope(
-        self, ways: Sequence[Way], frame: Floats, points: Floats, directions: Floats
+        self, ways: Sequence[BatchTransform], frame: Floats, points: Floats, directions: Floats
     ) -> Floats:
         """(n, k): a distance changes as its ends move along the line between them.
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from enum import Enum
 from typing import NamedTuple
 
-from urdfkit.physics.collision.geometry_arrays import Omitted
+from urdfkit.physics.collision.geometry_arrays import OmittedCollision
 
 #: Pairs that come nearer than this, in m, without a collision are near misses.
 NEAR = 0.005
 
 
-class Verdict(Enum):
+class PairVerdict(Enum):
     """What became of a pair; the first that fits, in the order of MoveIt's Setup Assistant."""
 
     ADJACENT = "adjacent"  # a joint holds them together
@@ -24,10 +24,12 @@ class Verdict(Enum):
     @property
     def reason(self) -> str:
         """The reason that SRDF has for passing over such a pair; empty if it must be watched."""
-        return "" if self in (Verdict.SOMETIMES, Verdict.UNKNOWN) else self.value.capitalize()
+        return (
+            "" if self in (PairVerdict.SOMETIMES, PairVerdict.UNKNOWN) else self.value.capitalize()
+        )
 
 
-class Nearest(NamedTuple):
+class ClosestApproach(NamedTuple):
     """Where two links came nearest to one another, or overlapped the most.
 
     Attributes:
@@ -54,10 +56,10 @@ class PairResult(NamedTuple):
 
     first: str
     second: str
-    verdict: Verdict
+    verdict: PairVerdict
     moves: bool
     frequency: float | None
-    nearest: Nearest | None
+    nearest: ClosestApproach | None
 
     @property
     def is_seldom(self) -> bool:
@@ -65,14 +67,14 @@ class PairResult(NamedTuple):
 
         An SRDF that gives them as *Default* hides collisions that can be avoided.
         """
-        if self.verdict is not Verdict.DEFAULT or self.frequency is None:
+        if self.verdict is not PairVerdict.DEFAULT or self.frequency is None:
             return False
         return self.frequency < 0.5
 
     @property
     def is_near_miss(self) -> bool:
         """True if they move against one another and do not collide, by a hair's breadth."""
-        is_free = self.verdict is Verdict.NEVER and self.moves
+        is_free = self.verdict is PairVerdict.NEVER and self.moves
         return is_free and self.nearest is not None and self.nearest.distance < NEAR
 
 
@@ -100,19 +102,19 @@ class Matrix(NamedTuple):
     asked: int
     counted: int
     seed: int
-    omitted: tuple[Omitted, ...]
+    omitted: tuple[OmittedCollision, ...]
     parts: tuple[str, ...]
     units: dict[str, float]
     applies_units: bool
 
-    def of(self, verdict: Verdict) -> list[PairResult]:
+    def of(self, verdict: PairVerdict) -> list[PairResult]:
         """The pairs with a verdict."""
         return [pair for pair in self.pairs if pair.verdict is verdict]
 
     @property
     def colliding(self) -> list[PairResult]:
         """The pairs that collide somewhere, and that no joint holds together."""
-        verdicts = (Verdict.DEFAULT, Verdict.ALWAYS, Verdict.SOMETIMES)
+        verdicts = (PairVerdict.DEFAULT, PairVerdict.ALWAYS, PairVerdict.SOMETIMES)
         return [pair for pair in self.pairs if pair.moves and pair.verdict in verdicts]
 
     @property

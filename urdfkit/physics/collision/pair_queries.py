@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from urdfkit.mesh.geometry import Floats, Integers
 from urdfkit.physics.collision.batch_kinematics import Chain
-from urdfkit.physics.collision.bounds import Cover, apart, moved, poses
-from urdfkit.physics.collision.collision_geometry import TOUCH, Form, Gauge
+from urdfkit.physics.collision.bounds import DistanceBound, apart, moved, poses
+from urdfkit.physics.collision.collision_geometry import TOUCH, CollisionGeometry, DistanceQuery
 
 #: Two links, by their numbers in the chain, the first one before the second.
 Pair = tuple[int, int]
@@ -29,7 +29,7 @@ _DRAWN = 1536
 SLACK = 0.1
 
 
-class Seen(NamedTuple):
+class PairSample(NamedTuple):
     """What some configurations show of one pair.
 
     Attributes:
@@ -51,7 +51,7 @@ class Examiner:
         forms: its bodies.
     """
 
-    def __init__(self, chain: Chain, forms: Iterable[Form]) -> None:
+    def __init__(self, chain: Chain, forms: Iterable[CollisionGeometry]) -> None:
         self.chain = chain
         number = {name: index for index, name in enumerate(chain.links)}
         self._forms = list(forms)
@@ -78,18 +78,18 @@ class Examiner:
         """The numbers of the bodies of a link."""
         return self._of_link[link]
 
-    def form(self, body: int) -> Form:
+    def form(self, body: int) -> CollisionGeometry:
         """A body by its number."""
         return self._forms[body]
 
-    def look(self, pairs: Sequence[Pair], limits: Sequence[float] | None = None) -> Look:
+    def look(self, pairs: Sequence[Pair], limits: Sequence[float] | None = None) -> PairQuery:
         """Begin to look at pairs; what is farther apart than the limits, in m, is passed over."""
-        return Look(self, pairs, [inf] * len(pairs) if limits is None else limits)
+        return PairQuery(self, pairs, [inf] * len(pairs) if limits is None else limits)
 
-    def gauges(self, pair: Pair) -> list[tuple[int, int, Gauge]]:
+    def gauges(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
         """What measures the bodies of two links, each with the numbers of the bodies."""
         return [
-            (first, second, Gauge(self._forms[first], self._forms[second]))
+            (first, second, DistanceQuery(self._forms[first], self._forms[second]))
             for first in self._of_link[pair[0]]
             for second in self._of_link[pair[1]]
         ]
@@ -104,7 +104,7 @@ class Examiner:
         }
 
 
-class Look:
+class PairQuery:
     """A look at some pairs, which goes from configurations to more of them."""
 
     def __init__(self, examiner: Examiner, pairs: Sequence[Pair], limits: Sequence[float]) -> None:
@@ -114,7 +114,7 @@ class Look:
             _Watch(examiner.gauges(pair), limit) for pair, limit in zip(pairs, limits, strict=True)
         ]
 
-    def at(self, configurations: Floats, *, count: bool) -> list[Seen]:
+    def at(self, configurations: Floats, *, count: bool) -> list[PairSample]:
         """What some configurations (n, dof) show, for each pair.
 
         Args:
@@ -138,15 +138,15 @@ class Look:
 class _Watch:
     """One pair of links."""
 
-    def __init__(self, gauges: list[tuple[int, int, Gauge]], limit: float) -> None:
-        self._gauges = [(*gauge, Cover()) for gauge in gauges]
+    def __init__(self, gauges: list[tuple[int, int, DistanceQuery]], limit: float) -> None:
+        self._gauges = [(*gauge, DistanceBound()) for gauge in gauges]
         self._best, self._row = limit, -1
         self.hit: set[int] = set()
         self.is_free = True
 
     @property
-    def seen(self) -> Seen:
-        return Seen(len(self.hit), self._best, self._row)
+    def seen(self) -> PairSample:
+        return PairSample(len(self.hit), self._best, self._row)
 
     def begin(self) -> None:
         """Turn to other configurations."""
@@ -165,7 +165,13 @@ class _Watch:
         self.is_free = self.is_free and not self.hit
 
     def _compare(
-        self, gauge: Gauge, cover: Cover, rotation: Floats, translation: Floats, *, count: bool
+        self,
+        gauge: DistanceQuery,
+        cover: DistanceBound,
+        rotation: Floats,
+        translation: Floats,
+        *,
+        count: bool,
     ) -> None:
         """Measure two bodies where nothing else tells their distance, the nearest first."""
         a, b = gauge.first, gauge.second

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from urdfkit.physics.collision.sampled_poses import Still
+from urdfkit.physics.collision.sampled_poses import SampledPoses
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.matrix import Matrix
@@ -23,16 +23,16 @@ class Collisions:
         self._robot = robot
 
     @cached_property
-    def still(self) -> Still:
+    def still(self) -> SampledPoses:
         """The robot where it begins, and with each joint at its limits."""
         robot = self._robot
-        return Still(robot.model, robot.tree, robot.meshes, unit=robot.targets.applies_units)
+        return SampledPoses(robot.model, robot.tree, robot.meshes, unit=robot.targets.applies_units)
 
     @cached_property
-    def in_moveit(self) -> Still:
+    def in_moveit(self) -> SampledPoses:
         """The same as MoveIt has it, which ignores the units of COLLADA files."""
         robot = self._robot
-        return Still(robot.model, robot.tree, robot.meshes, unit=False)
+        return SampledPoses(robot.model, robot.tree, robot.meshes, unit=False)
 
     def matrix(self, **options: Any) -> Matrix:
         """Which links can collide; the options are those of `sampling.collisions`."""

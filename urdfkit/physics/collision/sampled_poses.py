@@ -14,8 +14,19 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import chain
-from urdfkit.physics.collision.collision_geometry import TOUCH, Form, Gauge, form
-from urdfkit.physics.collision.geometry_arrays import NO_FACES, NO_VERTICES, THINNEST, Solid, solids
+from urdfkit.physics.collision.collision_geometry import (
+    TOUCH,
+    CollisionGeometry,
+    DistanceQuery,
+    form,
+)
+from urdfkit.physics.collision.geometry_arrays import (
+    NO_FACES,
+    NO_VERTICES,
+    THINNEST,
+    CollisionArrays,
+    solids,
+)
 from urdfkit.physics.collision.pair_queries import Examiner, Pair
 from urdfkit.robot.adjacency import Adjacency
 from urdfkit.robot.assets.triangles import Meshes
@@ -32,10 +43,10 @@ _WORK = 20_000_000
 
 
 _CORNERS = np.array(list(np.ndindex(2, 2, 2))) * 2.0 - 1
-_POINT = form(Solid("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
+_POINT = form(CollisionArrays("", 0, np.eye(4), "sphere", (THINNEST,), NO_VERTICES, NO_FACES))
 
 
-class Meeting(NamedTuple):
+class Contact(NamedTuple):
     """Two links that overlap, or nearly touch, where the robot begins.
 
     Attributes:
@@ -50,8 +61,8 @@ class Meeting(NamedTuple):
         is_rigid: only fixed joints lie between.
     """
 
-    small: Solid
-    large: Solid
+    small: CollisionArrays
+    large: CollisionArrays
     distance: float
     part: float
     is_solid: bool
@@ -82,7 +93,7 @@ class Collision(NamedTuple):
     pose: dict[str, float]
 
 
-class Still:
+class SampledPoses:
     """A robot in a few poses.
 
     Args:
@@ -110,18 +121,18 @@ class Still:
         )
 
     @cached_property
-    def meetings(self) -> tuple[Meeting, ...]:
+    def meetings(self) -> tuple[Contact, ...]:
         """The pairs of links that overlap or nearly touch where the robot begins."""
         return tuple(self._meetings())
 
-    def always(self, meeting: Meeting) -> bool:
+    def always(self, meeting: Contact) -> bool:
         """True if two links overlap with each joint at its limits, and in some drawn poses."""
         pair = self._pair(meeting.small.link, meeting.large.link)
         rows = np.concatenate([self.chain.extremes(), self.chain.samples(_SAMPLES, 0, 0)])
         (seen,) = self._examiner.look([pair]).at(rows, count=True)
         return seen.hits == len(rows)
 
-    def is_at_zero(self, meeting: Meeting) -> bool:
+    def is_at_zero(self, meeting: Contact) -> bool:
         """True if no joint above two links begins elsewhere than at zero.
 
         A robot that cannot be at zero is never there: its users begin in a pose of their own.
@@ -214,12 +225,12 @@ class Still:
         names = self._names(pair)
         return self._adjacency.is_adjacent(*names) or self._adjacency.is_rigid(*names)
 
-    def _meetings(self) -> Iterator[Meeting]:
+    def _meetings(self) -> Iterator[Contact]:
         row = self.chain.default[None]
         frames = self._examiner.frames(row, self._examiner.links)
         for pair in self._close(frames):
             best = NEAR
-            nearest: tuple[int, int, Gauge] | None = None
+            nearest: tuple[int, int, DistanceQuery] | None = None
             for gauged in self._examiner.gauges(pair):
                 distance = _distance(gauged, frames, best)
                 if distance < best:
@@ -230,10 +241,10 @@ class Still:
     def _meeting(
         self,
         pair: Pair,
-        nearest: tuple[int, int, Gauge],
+        nearest: tuple[int, int, DistanceQuery],
         frames: dict[int, Floats],
         distance: float,
-    ) -> Meeting:
+    ) -> Contact:
         first, second, gauge = nearest
         bodies = sorted(
             ((gauge.second, second), (gauge.first, first)), key=lambda one: one[0].radius
@@ -242,7 +253,7 @@ class Still:
         own = pair[0] if small is gauge.first else pair[1]
         names = self._names(pair)
         is_swallowed = self._is_inside(own, large, frames[at][0], frames)
-        return Meeting(
+        return Contact(
             small.solid,
             large.solid,
             distance,
@@ -259,7 +270,9 @@ class Still:
             self._adjacency.is_rigid(*names),
         )
 
-    def _is_inside(self, link: int, large: Form, at: Floats, frames: dict[int, Floats]) -> bool:
+    def _is_inside(
+        self, link: int, large: CollisionGeometry, at: Floats, frames: dict[int, Floats]
+    ) -> bool:
         """True if all bodies of a link are in the inside of a body that is at a frame (4, 4)."""
         return all(
             _is_inside(self._examiner.form(body), frames[body][0], large, at)
@@ -299,13 +312,17 @@ class Still:
         return middle, reach
 
 
-def _distance(gauged: tuple[int, int, Gauge], frames: dict[int, Floats], limit: float) -> float:
+def _distance(
+    gauged: tuple[int, int, DistanceQuery], frames: dict[int, Floats], limit: float
+) -> float:
     first, second, gauge = gauged
     way = np.linalg.inv(frames[first][0]) @ frames[second][0]
     return gauge.distance(way[:3, :3], way[:3, 3], limit)
 
 
-def _is_inside(small: Form, at: Floats, large: Form, frame: Floats) -> bool:
+def _is_inside(
+    small: CollisionGeometry, at: Floats, large: CollisionGeometry, frame: Floats
+) -> bool:
     """True if a body, or the box around a primitive, is in the inside of a convex body."""
     if not large.is_convex:
         return False
@@ -313,7 +330,7 @@ def _is_inside(small: Form, at: Floats, large: Form, frame: Floats) -> bool:
     if small.solid.kind == "mesh":
         corners = small.solid.vertices
     way = np.linalg.inv(frame) @ at
-    gauge = Gauge(large, _POINT)
+    gauge = DistanceQuery(large, _POINT)
     return all(
         gauge.distance(np.eye(3), point, inf) < -2 * THINNEST
         for point in corners @ way[:3, :3].T + way[:3, 3]

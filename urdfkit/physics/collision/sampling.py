@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import Chain, chain
 from urdfkit.physics.collision.geometry_arrays import solids
-from urdfkit.physics.collision.matrix import Matrix, Nearest, PairResult, Verdict
+from urdfkit.physics.collision.matrix import ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.pair_queries import Pair
-from urdfkit.physics.collision.task import Descend, Found, Pose, Samples, Task
-from urdfkit.physics.collision.worker_pool import CollisionError, Crew
+from urdfkit.physics.collision.task import Minimise, PairFindings, Pose, Samples, Task
+from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 from urdfkit.robot.adjacency import Adjacency
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def collisions(
     """
     applies = robot.targets.applies_units if units is None else units
     bodies, omitted = solids(robot.model, robot.meshes, unit=applies)
-    with Crew(chain(robot.tree), bodies, jobs or _processors()) as crew:
+    with WorkerPool(chain(robot.tree), bodies, jobs or _processors()) as crew:
         sampling = _Sampling(robot, crew, samples, seed, progress)
         sampling.run(begin or {})
     return Matrix(
@@ -118,7 +118,7 @@ def _processors() -> int:
 class _State:
     """What is known of a pair so far."""
 
-    verdict: Verdict | None = None
+    verdict: PairVerdict | None = None
     hits: int = 0
     frequency: float | None = None
     distance: float = inf
@@ -129,7 +129,12 @@ class _Sampling:
     """The rounds of one run: the default, samples to count in, then twice as many each time."""
 
     def __init__(
-        self, robot: RosDescription, crew: Crew, samples: int, seed: int, progress: Progress | None
+        self,
+        robot: RosDescription,
+        crew: WorkerPool,
+        samples: int,
+        seed: int,
+        progress: Progress | None,
     ) -> None:
         self._crew = crew
         self._chain: Chain = chain(robot.tree)
@@ -150,13 +155,13 @@ class _Sampling:
         """All rounds."""
         for pair in self._states:
             if self._adjacency.is_adjacent(*self._names(pair)):
-                self._states[pair].verdict = Verdict.ADJACENT
+                self._states[pair].verdict = PairVerdict.ADJACENT
         self._begin(self._chain.row(begin))
         self._count()
         self._descend()
         self._search()
         for pair in self._free():
-            self._states[pair].verdict = Verdict.NEVER
+            self._states[pair].verdict = PairVerdict.NEVER
 
     def _begin(self, configuration: Floats) -> None:
         """Who collides where the robot begins; those that no joint moves are done with."""
@@ -164,9 +169,9 @@ class _Sampling:
         self._run(tasks, _groups(self._free()))
         for pair in self._free():
             if self._states[pair].hits:
-                self._states[pair].verdict = Verdict.DEFAULT
+                self._states[pair].verdict = PairVerdict.DEFAULT
             elif self._adjacency.is_rigid(*self._names(pair)):
-                self._states[pair].verdict = Verdict.NEVER
+                self._states[pair].verdict = PairVerdict.NEVER
 
     def _count(self) -> None:
         """Count the collisions of all pairs that move."""
@@ -180,7 +185,7 @@ class _Sampling:
             self._states[pair].frequency = frequency
             if frequency and self._states[pair].verdict is None:
                 always = frequency > ALWAYS
-                self._states[pair].verdict = Verdict.ALWAYS if always else Verdict.SOMETIMES
+                self._states[pair].verdict = PairVerdict.ALWAYS if always else PairVerdict.SOMETIMES
 
     def _search(self) -> None:
         """Look for a first collision of the others, as long as there is hope."""
@@ -194,7 +199,7 @@ class _Sampling:
         """Bring the others together: a rare collision is found so, whatever the seed."""
         free = [pair for pair in self._free() if self.done and self._chain.between(*pair)]
         groups = _groups(free)
-        tasks = [Descend(tuple(group), self._distances(group)) for group in groups]
+        tasks = [Minimise(tuple(group), self._distances(group)) for group in groups]
         half = max(0, self._samples // 2 - self.done)  # it may last as long as half of the samples
         self._run(tasks, groups, half / max(1, len(tasks)))
         self._tell_hits(free)
@@ -205,7 +210,7 @@ class _Sampling:
     def _tell_hits(self, pairs: Sequence[Pair]) -> None:
         for pair in pairs:
             if self._states[pair].verdict is None and self._states[pair].hits:
-                self._states[pair].verdict = Verdict.SOMETIMES
+                self._states[pair].verdict = PairVerdict.SOMETIMES
 
     def _look(self, pairs: Sequence[Pair], end: int, *, count: bool) -> None:
         """Look at pairs in the samples from those that are done to a number."""
@@ -233,9 +238,9 @@ class _Sampling:
             for pair, found in zip(group, answer, strict=True):
                 self._take(pair, found)
 
-    def _take(self, pair: Pair, found: Found | None) -> None:
+    def _take(self, pair: Pair, found: PairFindings | None) -> None:
         if found is None:
-            self._states[pair].verdict = Verdict.UNKNOWN
+            self._states[pair].verdict = PairVerdict.UNKNOWN
             return
         state = self._states[pair]
         state.hits, state.distance = found.hits, found.distance
@@ -250,7 +255,7 @@ class _Sampling:
         """True if samples can tell something new of a pair."""
         verdict = self._states[pair].verdict
         rigid = self._adjacency.is_rigid(*self._names(pair))
-        return not rigid and verdict in (None, Verdict.DEFAULT)
+        return not rigid and verdict in (None, PairVerdict.DEFAULT)
 
     def _names(self, pair: Pair) -> tuple[str, str]:
         return self._chain.links[pair[0]], self._chain.links[pair[1]]
@@ -271,7 +276,7 @@ class _Sampling:
             assert state.verdict is not None
             nearest = None
             if state.row is not None:
-                nearest = Nearest(state.distance, self._chain.pose(state.row, *pair))
+                nearest = ClosestApproach(state.distance, self._chain.pose(state.row, *pair))
             yield PairResult(
                 *self._names(pair),
                 state.verdict,

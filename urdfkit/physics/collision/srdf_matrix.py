@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from urdfkit.physics.collision.matrix import Matrix, PairResult, Verdict
+from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.worker_pool import CollisionError
 from urdfkit.ros.moveit.srdf import Srdf, is_srdf, pair_of
 from urdfkit.text.diagnostic import Edit
@@ -18,10 +18,10 @@ from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_xacro, read_xml
 
 #: The reasons that the Setup Assistant computes; others were written by hand.
-COMPUTED = frozenset(v.reason.lower() for v in Verdict if v.reason)
+COMPUTED = frozenset(v.reason.lower() for v in PairVerdict if v.reason)
 
 
-class Comparison(NamedTuple):
+class MatrixComparison(NamedTuple):
     """A matrix and an SRDF that disables collisions.
 
     Attributes:
@@ -36,18 +36,18 @@ class Comparison(NamedTuple):
     agreed: int
 
 
-def compare(matrix: Matrix, srdf: Srdf) -> Comparison:
+def compare(matrix: Matrix, srdf: Srdf) -> MatrixComparison:
     """What a matrix and an SRDF say differently."""
     hidden, watched, agreed = [], [], 0
     for one in matrix.pairs:
         is_off = srdf.disables(frozenset((one.first, one.second)))
-        if is_off and one.verdict is Verdict.SOMETIMES:
+        if is_off and one.verdict is PairVerdict.SOMETIMES:
             hidden.append(one)
         elif is_off and one.verdict.reason:
             agreed += 1
         elif one.verdict.reason and not is_off and not one.is_seldom:
             watched.append(one)
-    return Comparison(tuple(hidden), tuple(watched), agreed)
+    return MatrixComparison(tuple(hidden), tuple(watched), agreed)
 
 
 def written(matrix: Matrix) -> bytes:
@@ -78,7 +78,7 @@ def updated(matrix: Matrix, source: Source) -> bytes:
     for element in document.root.all("disable_collisions"):
         one = wanted.get(pair_of(element))
         reason = element.attributes.get("reason")
-        if one is None or not _is_computed(reason) or one.verdict is Verdict.UNKNOWN:
+        if one is None or not _is_computed(reason) or one.verdict is PairVerdict.UNKNOWN:
             kept.append(element)
         elif not one.verdict.reason:
             gone.append(element)

@@ -13,7 +13,7 @@ from urdfkit.physics.collision.local_minimisation import closest
 from urdfkit.physics.collision.pair_queries import Examiner, Pair
 
 
-class Found(NamedTuple):
+class PairFindings(NamedTuple):
     """What a task shows of one pair.
 
     Attributes:
@@ -30,7 +30,7 @@ class Found(NamedTuple):
 class Task(Protocol):
     """Work for one process."""
 
-    def run(self, examiner: Examiner) -> list[Found]:
+    def run(self, examiner: Examiner) -> list[PairFindings]:
         """What it shows of each of its pairs."""
 
     def parts(self) -> list[Task]:
@@ -54,7 +54,7 @@ class Samples(NamedTuple):
     seed: int
     counts: bool
 
-    def run(self, examiner: Examiner) -> list[Found]:
+    def run(self, examiner: Examiner) -> list[PairFindings]:
         """What they show of each pair."""
         blocks = (examiner.chain.samples(size, self.seed, at) for at, size in self.blocks)
         return _looked(examiner, self.pairs, self.limits, blocks, count=self.counts)
@@ -73,7 +73,7 @@ class Pose(NamedTuple):
     pairs: tuple[Pair, ...]
     configuration: Floats
 
-    def run(self, examiner: Examiner) -> list[Found]:
+    def run(self, examiner: Examiner) -> list[PairFindings]:
         """What it shows of each pair."""
         limits = [np.inf] * len(self.pairs)
         return _looked(examiner, self.pairs, limits, [self.configuration[None]], count=True)
@@ -83,7 +83,7 @@ class Pose(NamedTuple):
         return [self._replace(pairs=(pair,)) for pair in self.pairs]
 
 
-class Descend(NamedTuple):
+class Minimise(NamedTuple):
     """Pairs to bring as near together as they go.
 
     Attributes:
@@ -94,7 +94,7 @@ class Descend(NamedTuple):
     pairs: tuple[Pair, ...]
     limits: tuple[float, ...]
 
-    def run(self, examiner: Examiner) -> list[Found]:
+    def run(self, examiner: Examiner) -> list[PairFindings]:
         """The nearest that each pair comes."""
         found = []
         for pair, limit in zip(self.pairs, self.limits, strict=True):
@@ -102,7 +102,9 @@ class Descend(NamedTuple):
             hits = int(distance < -TOUCH)
             nearer = distance < limit
             found.append(
-                Found(hits, distance, configuration) if nearer else Found(hits, limit, None)
+                PairFindings(hits, distance, configuration)
+                if nearer
+                else PairFindings(hits, limit, None)
             )
         return found
 
@@ -121,7 +123,7 @@ def _looked(
     blocks: Iterable[Floats],
     *,
     count: bool,
-) -> list[Found]:
+) -> list[PairFindings]:
     """What some blocks of configurations (n, dof) show of pairs."""
     look = examiner.look(pairs, limits)
     hits = [0] * len(pairs)
@@ -133,4 +135,4 @@ def _looked(
             distances[index] = seen.distance
             if seen.row >= 0:
                 nearest[index] = rows[seen.row]
-    return [Found(*one) for one in zip(hits, distances, nearest, strict=True)]
+    return [PairFindings(*one) for one in zip(hits, distances, nearest, strict=True)]

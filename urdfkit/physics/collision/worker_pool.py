@@ -14,11 +14,14 @@ from typing import Any
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.physics.collision.batch_kinematics import Chain
-from urdfkit.physics.collision.geometry_arrays import Omitted, Solid
-from urdfkit.physics.collision.task import Found, Task
+from urdfkit.physics.collision.geometry_arrays import CollisionArrays, OmittedCollision
+from urdfkit.physics.collision.task import PairFindings, Task
 
 #: The folders of modules are handed over, so that nothing is imported from where we stand.
-_BOOT = "import sys; sys.path[:] = sys.argv[1:]; from urdfkit.physics.collision.worker import main; main()"
+_BOOT = (
+    "import sys; sys.path[:] = sys.argv[1:]; "
+    "from urdfkit.physics.collision.worker import main; main()"
+)
 
 #: A robot that crashes more processes than this is given up.
 _MAX_CRASHES = 20
@@ -35,7 +38,7 @@ class _Died(Exception):
     """A process ended without an answer."""
 
 
-class Crew:
+class WorkerPool:
     """Some processes with the bodies of one robot; use it in a ``with`` statement.
 
     Attributes:
@@ -51,9 +54,9 @@ class Crew:
         CollisionError: no process can be started.
     """
 
-    def __init__(self, chain: Chain, solids: Sequence[Solid], count: int) -> None:
+    def __init__(self, chain: Chain, solids: Sequence[CollisionArrays], count: int) -> None:
         self.solids = list(solids)
-        self.omitted: list[Omitted] = []
+        self.omitted: list[OmittedCollision] = []
         self._chain = chain
         self._crashes = 0
         self._is_over = False
@@ -61,7 +64,7 @@ class Crew:
         self._all: list[_Worker] = []
         self._count = count
 
-    def __enter__(self) -> Crew:  # noqa: PYI034 - Self is not in Python 3.10
+    def __enter__(self) -> WorkerPool:  # noqa: PYI034 - Self is not in Python 3.10
         try:
             self._start()
         except BaseException:
@@ -77,7 +80,9 @@ class Crew:
     ) -> None:
         self._end()
 
-    def run(self, tasks: Iterable[Task], done: Callable[[], None]) -> list[list[Found | None]]:
+    def run(
+        self, tasks: Iterable[Task], done: Callable[[], None]
+    ) -> list[list[PairFindings | None]]:
         """The answers to some tasks, in their order; None for a pair that crashes coal.
 
         Args:
@@ -111,7 +116,7 @@ class Crew:
             self._kill()
             self._note_crash()
             solid = self.solids.pop(fatal)
-            self.omitted.append(Omitted(solid.link, solid.number, "it crashes coal"))
+            self.omitted.append(OmittedCollision(solid.link, solid.number, "it crashes coal"))
         for worker in workers:
             self._idle.put(worker)
 
@@ -136,7 +141,7 @@ class Crew:
         if self._crashes > _MAX_CRASHES:
             raise CollisionError(f"coal crashed {self._crashes} times on this robot")
 
-    def _answer(self, task: Task) -> list[Found | None]:
+    def _answer(self, task: Task) -> list[PairFindings | None]:
         try:
             return self._ask(task)
         except _Died:
@@ -146,10 +151,10 @@ class Crew:
             return [None]
         return [answer for part in parts for answer in self._answer(part)]
 
-    def _ask(self, task: Task) -> list[Found | None]:
+    def _ask(self, task: Task) -> list[PairFindings | None]:
         worker = self._idle.get()
         try:
-            answer: list[Found | None] = worker.ask(task)
+            answer: list[PairFindings | None] = worker.ask(task)
         except _Died:
             worker.end()
             worker = self._worker()
@@ -162,7 +167,7 @@ class Crew:
 class _Worker:
     """One process."""
 
-    def __init__(self, chain: Chain, solids: Sequence[Solid]) -> None:
+    def __init__(self, chain: Chain, solids: Sequence[CollisionArrays]) -> None:
         environment = {**os.environ, **dict.fromkeys(_THREADS, "1")}
         try:
             self._process = subprocess.Popen(

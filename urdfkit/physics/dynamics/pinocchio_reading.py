@@ -13,7 +13,7 @@ from urdfkit.core.record import Record
 TIMEOUT = 60
 
 
-class Opinion(Record):
+class PinocchioReading(Record):
     """What Pinocchio says of a text.
 
     Attributes:
@@ -32,7 +32,7 @@ class Opinion(Record):
     center: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 
-def opinion(text: bytes) -> Opinion:
+def opinion(text: bytes) -> PinocchioReading:
     """Ask Pinocchio in a process of its own, since its parser may crash on hostile text.
 
     Args:
@@ -44,15 +44,17 @@ def opinion(text: bytes) -> Opinion:
             [sys.executable, child], input=text, capture_output=True, check=False, timeout=TIMEOUT
         )
     except subprocess.TimeoutExpired:
-        return Opinion(f"it takes longer than {TIMEOUT} s", ())
+        return PinocchioReading(f"it takes longer than {TIMEOUT} s", ())
     complaints = _sentences(done.stderr.decode("utf-8", "replace"))
     lines = done.stdout.decode("utf-8", "replace").splitlines()
     if done.returncode or not lines:
-        return Opinion(_end(done.returncode), complaints)
+        return PinocchioReading(_end(done.returncode), complaints)
     facts = json.loads(lines[-1])
     if "error" in facts:
-        return Opinion(complaints[0] if complaints else facts["error"], complaints)
-    return Opinion("", complaints, facts["nq"], facts["nv"], facts["mass"], tuple(facts["center"]))
+        return PinocchioReading(complaints[0] if complaints else facts["error"], complaints)
+    return PinocchioReading(
+        "", complaints, facts["nq"], facts["nv"], facts["mass"], tuple(facts["center"])
+    )
 
 
 def _end(code: int) -> str:

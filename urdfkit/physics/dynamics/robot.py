@@ -18,7 +18,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from urdfkit.core.spatial import Frame, Rotation, Vector, transposed
+from urdfkit.core.spatial import Rotation, Transform, Vector, transposed
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.inertia import MassProperties, combined
@@ -255,7 +255,7 @@ _KINDS = {
 }
 
 
-def _joint_model(joint: Joint) -> tuple[pin.JointModel, Frame]:
+def _joint_model(joint: Joint) -> tuple[pin.JointModel, Transform]:
     """Pinocchio's joint, and the frame in which it has its axis.
 
     The unbounded one takes no axis from Python, and the planar one has none: Pinocchio's own
@@ -263,14 +263,14 @@ def _joint_model(joint: Joint) -> tuple[pin.JointModel, Frame]:
     """
     axis = direction(joint)
     if joint.kind == "revolute":
-        return pin.JointModelRevoluteUnaligned(np.array(axis)), Frame()
+        return pin.JointModelRevoluteUnaligned(np.array(axis)), Transform()
     if joint.kind == "prismatic":
-        return pin.JointModelPrismaticUnaligned(np.array(axis)), Frame()
+        return pin.JointModelPrismaticUnaligned(np.array(axis)), Transform()
     if joint.kind == "continuous":
-        return pin.JointModelRUBZ(), Frame(_with_z(axis))
+        return pin.JointModelRUBZ(), Transform(_with_z(axis))
     if joint.kind == "planar":
-        return pin.JointModelPlanar(), Frame(_with_z(axis))
-    return _KINDS[joint.kind], Frame()
+        return pin.JointModelPlanar(), Transform(_with_z(axis))
+    return _KINDS[joint.kind], Transform()
 
 
 def _with_z(axis: Vector) -> Rotation:
@@ -294,7 +294,7 @@ def _build(
     model = pin.Model()
     base = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "root_joint")
     joints: dict[str, int] = {}
-    at = {tree.roots[0].name: (base, Frame())}
+    at = {tree.roots[0].name: (base, Transform())}
     for joint in _downwards(tree):
         assert joint.parent is not None
         assert joint.child is not None
@@ -303,7 +303,7 @@ def _build(
         if joint.kind in _KINDS:
             kind, turned = _joint_model(joint)
             above = model.addJoint(above, kind, _se3(frame @ turned), joint.name)
-            frame = Frame(transposed(turned.rotation))
+            frame = Transform(transposed(turned.rotation))
             joints[joint.name] = above
         at[joint.child.value] = above, frame
     links: dict[str, int] = {}
@@ -320,7 +320,7 @@ def _build(
 
 def _inertia(link: Link) -> pin.Inertia:
     """Of a link in its own frame."""
-    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(link, Frame())
+    mass, center, (xx, xy, xz, yy, yz, zz) = properties_of(link, Transform())
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < LARGEST:
         raise Unsuitable(f"link '{link.name}' has a mass, place or inertia beyond all robots")
@@ -329,7 +329,7 @@ def _inertia(link: Link) -> pin.Inertia:
     return inertia
 
 
-def _se3(frame: Frame) -> pin.SE3:
+def _se3(frame: Transform) -> pin.SE3:
     position = np.array(frame.position)
     if not np.abs(position).max() < LARGEST:
         raise Unsuitable("a joint is farther away than any robot is large")

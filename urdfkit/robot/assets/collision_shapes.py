@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector, rotate, to_rpy, transposed
+from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy, transposed
 from urdfkit.robot.assets.geometry import body_mesh
-from urdfkit.robot.inertials.suggestions import UnknownLink
+from urdfkit.robot.inertials.suggestions import NoSuchLink
 from urdfkit.robot.model import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 RELATIVE = 0.05
 
 
-class Proposal(Record):
+class CollisionProposal(Record):
     """The collision of a link.
 
     Attributes:
@@ -80,7 +80,7 @@ def propose(
     links: Collection[str] = (),
     most: int = 8,
     progress: Callable[[int, int], None] | None = None,
-) -> tuple[Proposal, ...]:
+) -> tuple[CollisionProposal, ...]:
     """A simple collision for links whose collision is missing or is the visual mesh itself.
 
     Args:
@@ -96,7 +96,7 @@ def propose(
     known = robot.model.links_by_name
     for name in links:
         if name not in known:
-            raise UnknownLink(f"the robot has no link '{name}'")
+            raise NoSuchLink(f"the robot has no link '{name}'")
     chosen = [
         link
         for link in known.values()
@@ -132,7 +132,7 @@ def _proposal(
     error: float | None,
     most: int,
     fitted: dict[tuple[object, ...], Fits],
-) -> Proposal:
+) -> CollisionProposal:
     """The collision of a link; ``fitted`` holds what was found for other links with its meshes."""
     from urdfkit.mesh.fitting import fit, rolling
     from urdfkit.mesh.hull import NoHull
@@ -143,20 +143,20 @@ def _proposal(
         mesh = body_mesh(robot, body)
         if mesh is None or body.shape is None:
             why = robot.meshes.reason(body.shape) if body.shape else ""
-            return Proposal(link, link.visuals, (), (), why or "a visual cannot be read")
+            return CollisionProposal(link, link.visuals, (), (), why or "a visual cannot be read")
         bound = RELATIVE * soup_of(mesh).size if error is None else error
         key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
         try:
             if key not in fitted:
                 fitted[key] = fit(mesh, bound, most=most)
         except NoHull as reason:
-            return Proposal(link, link.visuals, (), (), str(reason))
+            return CollisionProposal(link, link.visuals, (), (), str(reason))
         axle = _axle(robot, link, body)
         fits.append(rolling(fitted[key], mesh, *axle) if axle else fitted[key])
         bounds.append(bound)
     if not fits:
-        return Proposal(link, (), (), (), "it has no visual")
-    return Proposal(link, link.visuals, tuple(fits), tuple(bounds))
+        return CollisionProposal(link, (), (), (), "it has no visual")
+    return CollisionProposal(link, link.visuals, tuple(fits), tuple(bounds))
 
 
 def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
@@ -174,7 +174,7 @@ def _axle(robot: Robot, link: Link, body: Body) -> tuple[Vector, Vector] | None:
     return rotate(back, (x / length, y / length, z / length)), rotate(back, (-a, -b, -c))
 
 
-def edited(robot: Robot, proposals: Iterable[Proposal]) -> Edited:
+def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
     """The robot's files and the mesh files that the proposals need; nothing is written."""
     changes: dict[Source, list[Edit]] = {}
     meshes: dict[str, Mesh] = {}
@@ -213,7 +213,7 @@ def _is_other(path: str, mesh: Mesh) -> bool:
     return there is not None and there != encode(mesh, name)[name]
 
 
-def _why_not(robot: Robot, proposal: Proposal) -> str:
+def _why_not(robot: Robot, proposal: CollisionProposal) -> str:
     """Why a proposal cannot be written; empty if it can."""
     if proposal.reason:
         return proposal.reason
@@ -267,7 +267,7 @@ def _primitive(kind: str, size: tuple[float, float, float]) -> str:
     return f'<sphere radius="{size[0]:.6g}"/>'
 
 
-def _element(origin: Frame, shape: str) -> list[str]:
+def _element(origin: Transform, shape: str) -> list[str]:
     lines = ["<collision>"]
     xyz, rpy = _words(origin.position), _words(to_rpy(origin.rotation))
     if (xyz, rpy) != ("0 0 0", "0 0 0"):

@@ -12,7 +12,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES, READ
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.inertia import MassProperties, rotated
 from urdfkit.robot.model import Body, Link, Placed, Shape
-from urdfkit.robot.shapes import Box, Lump
+from urdfkit.robot.shapes import BoundingBox, MeshSolid
 from urdfkit.text.document import Attribute
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
 
 
-class Use(Record):
+class MeshUse(Record):
     """A mesh file in a visual or a collision of a link.
 
     Attributes:
@@ -75,14 +75,14 @@ class Use(Record):
         return tuple(apply((a * x, b * y, c * z)) for a, b, c in self.measures.points)
 
     @property
-    def box(self) -> Box:
+    def box(self) -> BoundingBox:
         """The bounding box along the axes of the link, in m."""
         columns = tuple(zip(*self.points, strict=True))
         (a, b, c), (d, e, f) = map(min, columns), map(max, columns)
-        return Box((a, b, c), (d, e, f))
+        return BoundingBox((a, b, c), (d, e, f))
 
     @property
-    def lump(self) -> Lump | None:
+    def lump(self) -> MeshSolid | None:
         """The mesh as a solid in the frame of the link; None if it is flat."""
         from urdfkit.robot.inertials.shape_mass import stretched
 
@@ -98,7 +98,7 @@ class Use(Record):
         origin = self.body.origin
         matter = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
         name = os.path.basename(self.path)
-        return Lump(name, matter, around.mass, measures.solid is not None, self.points)
+        return MeshSolid(name, matter, around.mass, measures.solid is not None, self.points)
 
     @property
     def scale_at(self) -> Attribute | None:
@@ -106,7 +106,7 @@ class Use(Record):
         return self.shape.at.attributes.get("scale")
 
 
-class Unmeasured(Record):
+class UnmeasuredMesh(Record):
     """A mesh file that looks whole and gives no triangles.
 
     Attributes:
@@ -122,7 +122,7 @@ class Unmeasured(Record):
     reason: str
 
 
-class Measured:
+class MeasuredMeshes:
     """The meshes of one model that can be measured.
 
     Args:
@@ -171,17 +171,17 @@ class Measured:
         return self._store.measures(path, facts.format)
 
     @cached_property
-    def uses(self) -> list[Use]:
+    def uses(self) -> list[MeshUse]:
         """Every use of a mesh that can be measured, in the order of the document."""
-        return [use for use in self._every_use if isinstance(use, Use)]
+        return [use for use in self._every_use if isinstance(use, MeshUse)]
 
     @cached_property
-    def unmeasured(self) -> list[Unmeasured]:
+    def unmeasured(self) -> list[UnmeasuredMesh]:
         """The others whose files look whole."""
-        return [use for use in self._every_use if isinstance(use, Unmeasured)]
+        return [use for use in self._every_use if isinstance(use, UnmeasuredMesh)]
 
     @cached_property
-    def _every_use(self) -> list[Use | Unmeasured]:
+    def _every_use(self) -> list[MeshUse | UnmeasuredMesh]:
         return [
             use
             for link in self.model.links
@@ -191,31 +191,31 @@ class Measured:
         ]
 
     @cached_property
-    def files(self) -> list[Use]:
+    def files(self) -> list[MeshUse]:
         """One use of each file: the first collision, else the first visual."""
-        first: dict[str, Use] = {}
+        first: dict[str, MeshUse] = {}
         for use in sorted(self.uses, key=lambda use: use.role):
             first.setdefault(use.path, use)
         return list(first.values())
 
-    def lump(self, body: Body) -> Lump | None:
+    def lump(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid; None if it is no mesh, or not measured, or flat."""
         use = self._by_body.get(id(body))
         return use.lump if use else None
 
     @cached_property
-    def _by_body(self) -> dict[int, Use]:
+    def _by_body(self) -> dict[int, MeshUse]:
         """The uses by the identity of their visual or collision."""
         return {id(use.body): use for use in self.uses}
 
     @cached_property
-    def claims(self) -> dict[str, list[Use]]:
+    def claims(self) -> dict[str, list[MeshUse]]:
         """The doubtful meshes by the code of the rule that tells it."""
         from urdfkit.robot.assets.mesh_diagnoses import claims
 
         return claims(self)
 
-    def _use(self, link: Link, role: str, body: Body) -> Use | Unmeasured | None:
+    def _use(self, link: Link, role: str, body: Body) -> MeshUse | UnmeasuredMesh | None:
         """A use of a mesh; None for what is no mesh, and for files that other rules tell of."""
         shape = body.shape
         path = self._files.path(shape) if shape else None
@@ -226,5 +226,5 @@ class Measured:
             return None
         measures = self.measures(shape)
         if isinstance(measures, str):
-            return Unmeasured(shape.filename, link.name, role, measures)
-        return Use(shape.filename, link, role, body, shape, path, measures)
+            return UnmeasuredMesh(shape.filename, link.name, role, measures)
+        return MeshUse(shape.filename, link, role, body, shape, path, measures)

@@ -12,7 +12,7 @@ from urdfkit.mesh.measures import OVERLAP
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from urdfkit.robot.assets.measured_meshes import Measured, Use
+    from urdfkit.robot.assets.measured_meshes import MeasuredMeshes, MeshUse
 
 #: Triangles of a collision mesh over which simulation and planning become slow.
 DENSE_COLLISION = 20_000
@@ -46,9 +46,9 @@ _OF_LOOKS = ("normals", "texture coordinates", "material", "colour")
 COLOURS = "colours of"
 
 
-def claims(measured: Measured) -> dict[str, list[Use]]:
+def claims(measured: MeasuredMeshes) -> dict[str, list[MeshUse]]:
     """The doubtful meshes by the code of the rule that tells them."""
-    found: dict[str, list[Use]] = {}
+    found: dict[str, list[MeshUse]] = {}
     told: set[tuple[str, str]] = set()
     visuals = [use for use in measured.uses if use.role == "visual"]
     for uses, rules in ((visuals, OF_LOOKS), (measured.files, OF_FILES)):
@@ -72,18 +72,18 @@ def claims(measured: Measured) -> dict[str, list[Use]]:
     return found
 
 
-def missing_textures(use: Use) -> list[str]:
+def missing_textures(use: MeshUse) -> list[str]:
     """The images that a mesh uses and that are not there, as written."""
     folder = os.path.dirname(use.path)
     return [name for name in use.measures.textures if name and find_image(name, folder) is None]
 
 
-def extras(use: Use) -> list[str]:
+def extras(use: MeshUse) -> list[str]:
     """What a file holds besides triangles and colours."""
     return [extra for extra in use.measures.extras if not extra.startswith(COLOURS)]
 
 
-def losses(use: Use) -> list[str]:
+def losses(use: MeshUse) -> list[str]:
     """What is broken in a file and matters: nobody sees the looks of a collision."""
     found = use.measures.losses
     if use.role == "visual":
@@ -91,7 +91,7 @@ def losses(use: Use) -> list[str]:
     return [loss for loss in found if not any(word in loss for word in _OF_LOOKS)]
 
 
-def looks_like_millimetres(use: Use, span: float) -> bool:
+def looks_like_millimetres(use: MeshUse, span: float) -> bool:
     """True for a mesh that is huge beside the robot, and of the size of a part in mm.
 
     Args:
@@ -101,22 +101,22 @@ def looks_like_millimetres(use: Use, span: float) -> bool:
     return use.longest > HUGE and 0 < HUGE_RATIO * span < use.longest
 
 
-def is_shrunk(use: Use) -> bool:
+def is_shrunk(use: MeshUse) -> bool:
     """True for a mesh that its scale makes a grain, and that without it were a part."""
     return max(map(abs, use.shape.scale)) <= SHRINKING and 0 < use.longest < GRAIN
 
 
-def distance(use: Use) -> float:
+def distance(use: MeshUse) -> float:
     """How far the mesh is from the origin of its link, in m."""
     box = use.box
     return hypot(*(max(low, 0.0, -high) for low, high in zip(box.low, box.high, strict=True)))
 
 
-def _is_far(use: Use) -> bool:
+def _is_far(use: MeshUse) -> bool:
     return distance(use) > max(FAR, FAR_RATIO * use.longest)
 
 
-def _has_neighbour(use: Use, measured: Measured) -> bool:
+def _has_neighbour(use: MeshUse, measured: MeasuredMeshes) -> bool:
     """True if other meshes of the link lead there: it is the end of a long part.
 
     Or if the link has the same mesh nearby, too; GEO004 tells that.
@@ -129,24 +129,24 @@ def _has_neighbour(use: Use, measured: Measured) -> bool:
     )
 
 
-def _gap(one: Use, other: Use) -> float:
+def _gap(one: MeshUse, other: MeshUse) -> float:
     """The distance of the boxes around two meshes of a link, in m."""
     a, b = one.box, other.box
     apart = zip(a.low, a.high, b.low, b.high, strict=True)
     return hypot(*(max(low - top, bottom - high, 0.0) for bottom, top, low, high in apart))
 
 
-def rest_of_robot(measured: Measured) -> float:
+def rest_of_robot(measured: MeasuredMeshes) -> float:
     """The size of the robot in m, by its joints and primitives; 0 if they say nothing."""
     offsets = [hypot(*joint.origin.position) for joint in measured.model.joints]
     sizes = [2 * max(shape.half_extents) for shape in measured.model.shapes if shape.half_extents]
     return max((*offsets, *sizes), default=0.0)
 
 
-def _shared(measured: Measured) -> set[int]:
+def _shared(measured: MeasuredMeshes) -> set[int]:
     """The collisions with the dense file that a visual of the same link has, too."""
     visuals = {(use.link.name, use.path) for use in measured.uses if use.role == "visual"}
-    found: dict[str, Use] = {}
+    found: dict[str, MeshUse] = {}
     for use in measured.uses:
         dense = DENSE_SHARED < use.measures.triangles <= DENSE_COLLISION
         if use.role == "collision" and dense and (use.link.name, use.path) in visuals:
@@ -154,12 +154,12 @@ def _shared(measured: Measured) -> set[int]:
     return set(map(id, found.values()))
 
 
-def _lacks_materials(use: Use) -> bool:
+def _lacks_materials(use: MeshUse) -> bool:
     """True if nothing else says which colour the mesh has."""
     return bool(use.measures.no_materials) and use.body.material is None
 
 
-def _is_open(use: Use) -> bool:
+def _is_open(use: MeshUse) -> bool:
     """True also for a sheet with two sides: it has no edge, and encloses nothing."""
     measures = use.measures
     encloses = measures.solid is not None or measures.inverted_bodies > 0
@@ -167,7 +167,7 @@ def _is_open(use: Use) -> bool:
     return use.role == "collision" and measures.hull is not None and not is_solid
 
 
-def _has_gaps(use: Use) -> bool:
+def _has_gaps(use: MeshUse) -> bool:
     """True for a collision of several pieces in a hull that is mostly empty."""
     measures = use.measures
     if use.role == "visual" or measures.bodies < 2 or not measures.solid or not measures.hull:
@@ -175,23 +175,23 @@ def _has_gaps(use: Use) -> bool:
     return measures.hull.volume > EMPTY * measures.solid.volume
 
 
-def _overlaps(use: Use) -> bool:
+def _overlaps(use: MeshUse) -> bool:
     """True if masses that are computed from the mesh are too large; the visual serves at need."""
     return use.measures.overlap > OVERLAP and (use.role == "collision" or not use.link.collisions)
 
 
-def _is_degenerate(use: Use) -> bool:
+def _is_degenerate(use: MeshUse) -> bool:
     """True if it matters: a visual shows nothing of a few triangles without area."""
     measures = use.measures
     share = measures.degenerate / measures.triangles
     return share > (0.01 if use.role == "visual" else 0)
 
 
-def _is_flat(use: Use) -> bool:
+def _is_flat(use: MeshUse) -> bool:
     return use.role == "collision" and use.measures.hull is None
 
 
-OF_FILES: dict[str, Callable[[Use], bool]] = {
+OF_FILES: dict[str, Callable[[MeshUse], bool]] = {
     "MSH015": _is_open,
     "MSH016": lambda use: use.measures.inside_out or use.measures.inverted_bodies > 0,
     "MSH017": _is_degenerate,
@@ -205,7 +205,7 @@ OF_FILES: dict[str, Callable[[Use], bool]] = {
 }
 
 #: Of what nobody sees of a collision.
-OF_LOOKS: dict[str, Callable[[Use], bool]] = {
+OF_LOOKS: dict[str, Callable[[MeshUse], bool]] = {
     "MSH021": lambda use: bool(missing_textures(use)),
     "MSH028": lambda use: any(extra.startswith(COLOURS) for extra in use.measures.extras),
     "MSH034": lambda use: bool(losses(use)),

@@ -9,10 +9,18 @@ from functools import cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.mesh.io.facts import BY_SUFFIX, GLB, GLTF, MAX_BYTES, Kind, MeshFacts, has_other_unit
+from urdfkit.mesh.io.facts import (
+    BY_SUFFIX,
+    GLB,
+    GLTF,
+    MAX_BYTES,
+    DefectKind,
+    MeshFacts,
+    has_other_unit,
+)
 from urdfkit.robot.model import Body, Placed, RobotModel, Shape
 from urdfkit.text.document import Attribute, Tag
-from urdfkit.workspace.resolve import Located, Resolver
+from urdfkit.workspace.resolve import ResolvedReference, Resolver
 
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
@@ -22,10 +30,10 @@ _SLIP = 0.75
 _LIKE = 0.7
 
 _CODES = {
-    Kind.EMPTY: "MSH008",
-    Kind.UNREADABLE: "MSH009",
-    Kind.NOT_A_MESH: "MSH010",
-    Kind.TRUNCATED: "MSH011",
+    DefectKind.EMPTY: "MSH008",
+    DefectKind.UNREADABLE: "MSH009",
+    DefectKind.NOT_A_MESH: "MSH010",
+    DefectKind.TRUNCATED: "MSH011",
 }
 _SEPARATORS = str.maketrans("_-.", "   ")
 
@@ -44,7 +52,7 @@ class MeshReference(Record):
     at: Placed[str]
     link: str
     role: str
-    located: Located
+    located: ResolvedReference
     facts: MeshFacts | None
 
     @property
@@ -199,7 +207,7 @@ class Files:
         workspace = self.resolver.packages.workspace(self.top)
         return unreferenced(self._used, package[1], workspace, self.resolver.folders)
 
-    def with_defect(self, kind: Kind) -> Iterator[tuple[MeshReference, str]]:
+    def with_defect(self, kind: DefectKind) -> Iterator[tuple[MeshReference, str]]:
         """The references whose file cannot be used for a reason of this kind, and the reason."""
         for mesh in self.meshes:
             defect = mesh.facts.defect if mesh.facts else None
@@ -240,7 +248,7 @@ class Files:
         sure = sure and path not in self._used
         return Suggestion(self.reference_to(path, mesh.located), path, sure)
 
-    def reference_to(self, path: str, like: Located) -> str:
+    def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same sort as another one if it can be."""
         if like.folder:
             return f"{like.scheme}://{like.package}/{_relative(path, like.folder)}"
@@ -262,7 +270,7 @@ class Files:
         facts = self.facts(located.path) if located.path else None
         return MeshReference(filename, link, role, located, facts)
 
-    def _expected(self, located: Located) -> tuple[str, str]:
+    def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The folder below which a missing file should be, and its path there."""
         if located.folder:
             return located.folder, located.relative
@@ -270,7 +278,7 @@ class Files:
             return self._folder, located.relative
         return os.path.split(located.tried[0])
 
-    def _same_name_elsewhere(self, located: Located) -> str | None:
+    def _same_name_elsewhere(self, located: ResolvedReference) -> str | None:
         """The only file of the wanted name in the package; None if there are several."""
         base = located.folder
         if base is None:
@@ -289,7 +297,7 @@ class Files:
         ]
         return found[0] if len(found) == 1 else None
 
-    def _similar_name(self, located: Located) -> tuple[str | None, bool]:
+    def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A mesh file of a similar name in the same folder, and whether that name is a slip."""
         base, relative = self._expected(located)
         folder, wanted = os.path.split(os.path.normpath(os.path.join(base, relative)))

@@ -12,14 +12,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Frame, Rotation, Vector, cross, multiply, transposed
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, cross, multiply, transposed
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.mesh.writers import SUFFIXES, refuse_good, write
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.target_bounds import (
     BUILDABLE,
-    Room,
+    TargetBounds,
     counterparts,
     is_buildable,
     room,
@@ -28,7 +28,7 @@ from urdfkit.robot.assets.target_bounds import (
 from urdfkit.robot.model import Body, Link
 
 if TYPE_CHECKING:
-    from urdfkit.mesh.geometry import Mesh, Part
+    from urdfkit.mesh.geometry import Mesh, MeshPart
     from urdfkit.mesh.parts import RealPart
     from urdfkit.robot import Robot
 
@@ -44,7 +44,7 @@ _ALMOST = 0.999
 _OPTICAL: Rotation = ((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
 
 
-class StandIn(Record):
+class GeneratedMesh(Record):
     """A mesh that was made for a file.
 
     Attributes:
@@ -73,7 +73,7 @@ class StandIn(Record):
         return write(self.mesh, self.path)
 
 
-class Undone(Record):
+class NotGenerated(Record):
     """A file for which no mesh can be made, and why."""
 
     path: str
@@ -82,11 +82,11 @@ class Undone(Record):
     reason: str
 
 
-class StandIns(Record):
+class GeneratedMeshes(Record):
     """What was made for the missing and broken files of a robot, and what was not."""
 
-    made: tuple[StandIn, ...]
-    undone: tuple[Undone, ...]
+    made: tuple[GeneratedMesh, ...]
+    undone: tuple[NotGenerated, ...]
 
 
 class NoSuchMesh(UrdfkitError):
@@ -97,7 +97,7 @@ class NoSuchSize(UrdfkitError):
     """No part has such edges."""
 
 
-def generate_missing(robot: Robot) -> StandIns:
+def generate_missing(robot: Robot) -> GeneratedMeshes:
     """Make a mesh for every file that a robot names and that is missing, empty or broken.
 
     Nothing is written: see `StandIn.write`.
@@ -105,15 +105,15 @@ def generate_missing(robot: Robot) -> StandIns:
     Args:
         robot: the robot.
     """
-    made: list[StandIn] = []
-    undone: list[Undone] = []
+    made: list[GeneratedMesh] = []
+    undone: list[NotGenerated] = []
     for path, references, defect in unusable(robot):
         made_here = _make(robot, path, references, defect)
-        if isinstance(made_here, StandIn):
+        if isinstance(made_here, GeneratedMesh):
             made.append(made_here)
         else:
             undone.append(made_here)
-    return StandIns(tuple(made), tuple(undone))
+    return GeneratedMeshes(tuple(made), tuple(undone))
 
 
 def generate(
@@ -123,7 +123,7 @@ def generate(
     part: RealPart | None = None,
     size: Vector | None = None,
     force: bool = False,
-) -> StandIn | Undone:
+) -> GeneratedMesh | NotGenerated:
     """Make a mesh for one file that a robot names.
 
     Args:
@@ -155,7 +155,7 @@ def generate(
 
 def generate_part(
     path: str, part: RealPart, size: Vector | None = None, *, force: bool = False
-) -> StandIn:
+) -> GeneratedMesh:
     """Make a part for a file that no robot names yet.
 
     Args:
@@ -174,7 +174,7 @@ def generate_part(
     facts = sniff_file(path) if os.path.exists(path) else None
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
-    return StandIn(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")
+    return GeneratedMesh(path, (), defect, part.build(size), f"{part.name}, {text}: as asked for")
 
 
 def _require_buildable(size: Vector | None) -> None:
@@ -216,18 +216,20 @@ def _make(
     defect: str,
     part: RealPart | None = None,
     size: Vector | None = None,
-) -> StandIn | Undone:
+) -> GeneratedMesh | NotGenerated:
     located = references[0].located
     if located.package is not None and located.folder is None:
         reason = f"package '{located.package}' is not found; name its folder with --package"
-        return Undone(path, references, defect, reason)
+        return NotGenerated(path, references, defect, reason)
     if located.scheme not in ("package", "model", "absolute", "relative"):
-        return Undone(path, references, defect, f"'{located.scheme}://' leads to no file")
+        return NotGenerated(path, references, defect, f"'{located.scheme}://' leads to no file")
     if "Git LFS" in defect:
-        return Undone(path, references, defect, "run 'git lfs pull', which fetches the mesh itself")
+        return NotGenerated(
+            path, references, defect, "run 'git lfs pull', which fetches the mesh itself"
+        )
     if os.path.splitext(path)[1].lower() not in SUFFIXES:
         known = ", ".join(SUFFIXES)
-        return Undone(path, references, defect, f"only {known} can be written")
+        return NotGenerated(path, references, defect, f"only {known} can be written")
     facts = references[0].facts
     if part is None and size is None and facts is not None and facts.defect:
         from urdfkit.mesh.io.salvage import salvage
@@ -236,13 +238,13 @@ def _make(
         if left is not None and left.share >= _ENOUGH:
             lost = f" ({'; '.join(left.mesh.losses)})" if left.mesh.losses else ""
             reason = f"what is left of it: {left}{lost}"
-            return StandIn(path, references, defect, left.mesh, reason)
+            return GeneratedMesh(path, references, defect, left.mesh, reason)
     made = _generated(robot, references, part, size)
     if made is None:
         reason = "neither its name nor its link tells what it is, or how large"
-        return Undone(path, references, defect, reason)
+        return NotGenerated(path, references, defect, reason)
     mesh, why = made
-    return StandIn(path, references, defect, mesh, why)
+    return GeneratedMesh(path, references, defect, mesh, why)
 
 
 def _generated(
@@ -270,7 +272,7 @@ def _generated(
     if part is not None:
         made = _part_in_room(robot, link, body, part, size, why)
     elif size is not None:
-        made = _block(size, here.frame if here else Frame(), "of the size asked for")
+        made = _block(size, here.frame if here else Transform(), "of the size asked for")
     else:
         made = _copied(robot, link, body)
         if made is None and here is not None:
@@ -313,7 +315,7 @@ def _part_in_room(
         edges = [sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in wanted]
         fitted: Vector = (edges[0], edges[1], edges[2])
         how = "of the size asked for"
-        frame = here.frame if here else Frame(axes)
+        frame = here.frame if here else Transform(axes)
     else:
         fitted, how = _fit(part, here, link)
         frame = _seat(part, fitted, here, axes)
@@ -357,7 +359,7 @@ def _unit(vector: Vector) -> Vector:
     return (vector[0] / length, vector[1] / length, vector[2] / length)
 
 
-def _fit(part: RealPart, here: Room | None, link: Link) -> tuple[Vector, str]:
+def _fit(part: RealPart, here: TargetBounds | None, link: Link) -> tuple[Vector, str]:
     """The size that a part gets, and why."""
     if here is None:
         return part.size, "its true size, for the link tells none"
@@ -371,15 +373,15 @@ def _fit(part: RealPart, here: Room | None, link: Link) -> tuple[Vector, str]:
     return (x, y, z), f"in its true proportions within {where}"
 
 
-def _seat(part: RealPart, size: Vector, here: Room | None, axes: Rotation) -> Frame:
+def _seat(part: RealPart, size: Vector, here: TargetBounds | None, axes: Rotation) -> Transform:
     """Where the middle of a part goes: that of its room; a lower sensor stands on its floor."""
     if here is None:
-        return Frame(axes)
+        return Transform(axes)
     drop = 0.0 if part.turns else (size[2] - here.size[2]) / 2
-    return here.frame @ Frame(position=(0.0, 0.0, drop))
+    return here.frame @ Transform(position=(0.0, 0.0, drop))
 
 
-def _block(size: Vector, frame: Frame, how: str) -> tuple[Mesh, str]:
+def _block(size: Vector, frame: Transform, how: str) -> tuple[Mesh, str]:
     from urdfkit.mesh.parts import block
     from urdfkit.mesh.transforms import moved
 
@@ -394,10 +396,10 @@ def _copied(robot: Robot, link: Link, body: Body) -> tuple[Mesh, str] | None:
     from urdfkit.robot.assets.geometry import body_mesh
 
     others, source = counterparts(link, body)
-    back = Frame(transposed(body.origin.rotation))
+    back = Transform(transposed(body.origin.rotation))
     x, y, z = back.apply(body.origin.position)
-    inverse = Frame(back.rotation, (-x, -y, -z))
-    parts: list[Part] = []
+    inverse = Transform(back.rotation, (-x, -y, -z))
+    parts: list[MeshPart] = []
     for other in others:
         mesh = body_mesh(robot, other)
         if mesh is None:

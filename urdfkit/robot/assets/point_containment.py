@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from urdfkit.core.spatial import IDENTITY, Frame, Vector, rotate
+from urdfkit.core.spatial import IDENTITY, Transform, Vector, rotate
 from urdfkit.robot.ray_casting import exit_from
-from urdfkit.robot.shapes import Box, Lump, Primitive, primitive
+from urdfkit.robot.shapes import BoundingBox, MeshSolid, Primitive, primitive
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import Body
 
 
-class Enclosure:
+class PointContainment:
     """The visuals or collisions of a link, around a point.
 
     Args:
@@ -25,7 +25,7 @@ class Enclosure:
     """
 
     def __init__(
-        self, bodies: Iterable[Body], lump: Callable[[Body], Lump | None], meshes: Meshes
+        self, bodies: Iterable[Body], lump: Callable[[Body], MeshSolid | None], meshes: Meshes
     ) -> None:
         self._bodies = bodies
         self._lump = lump
@@ -57,7 +57,7 @@ class Enclosure:
     def _of(
         self,
         body: Body,
-        part: Primitive | Lump,
+        part: Primitive | MeshSolid,
         point: Vector,
         directions: list[Vector],
         begin: float,
@@ -77,17 +77,17 @@ class Enclosure:
 
 
 def _may_be_deep(
-    part: Primitive | Lump, point: Vector, directions: list[Vector], least: float
+    part: Primitive | MeshSolid, point: Vector, directions: list[Vector], least: float
 ) -> bool:
     """True if the box around a part is so deep about a point."""
-    box = _box(part) if isinstance(part, Lump) else part
+    box = _box(part) if isinstance(part, MeshSolid) else part
     depths = [exit_from(box, point, direction) for direction in directions]
     return sum(depths) >= least * len(depths)
 
 
-def _box(lump: Lump) -> Primitive:
+def _box(lump: MeshSolid) -> Primitive:
     """The box around a mesh, along the axes of the link."""
     low = [min(x) for x in zip(*lump.points, strict=True)]
     high = [max(x) for x in zip(*lump.points, strict=True)]
-    box = Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
-    return Primitive("box", box.edges, 0.0, 0.0, Frame(IDENTITY, box.center))
+    box = BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+    return Primitive("box", box.edges, 0.0, 0.0, Transform(IDENTITY, box.center))

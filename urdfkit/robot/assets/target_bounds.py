@@ -7,9 +7,9 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Frame, Rotation, Vector, multiply, rotate, transposed
+from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, multiply, rotate, transposed
 from urdfkit.robot.model import Body, Link
-from urdfkit.robot.shapes import Primitive, Solid, solid
+from urdfkit.robot.shapes import LinkSolid, Primitive, solid
 
 if TYPE_CHECKING:
     from urdfkit.robot import Robot
@@ -22,7 +22,7 @@ _SHORTEST, _LONGEST = 0.001, 3.0
 BUILDABLE = (1e-6, 1e4)
 
 
-class Room(Record):
+class TargetBounds(Record):
     """A box in the frame of a visual or collision.
 
     Attributes:
@@ -33,12 +33,12 @@ class Room(Record):
     """
 
     size: Vector
-    frame: Frame
+    frame: Transform
     source: str
     measured: bool
 
 
-def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> Room | None:
+def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> TargetBounds | None:
     """The room of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
@@ -58,7 +58,7 @@ def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> Roo
     block = _block_of_inertia(link)
     if block is None:
         return None
-    low, high = _bounds(Solid((block,)), body.origin, axes)
+    low, high = _bounds(LinkSolid((block,)), body.origin, axes)
     return _room(low, high, axes, "mass and inertia", measured=False)
 
 
@@ -98,17 +98,17 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
 
 def _room(
     low: Iterable[float], high: Iterable[float], axes: Rotation, source: str, *, measured: bool
-) -> Room | None:
+) -> TargetBounds | None:
     pairs = [*zip(low, high, strict=True)]
     x, y, z = (high - low for low, high in pairs)
     if not is_buildable((x, y, z)):
         return None
     a, b, c = ((low + high) / 2 for low, high in pairs)
-    return Room((x, y, z), Frame(axes, rotate(axes, (a, b, c))), source, measured)
+    return TargetBounds((x, y, z), Transform(axes, rotate(axes, (a, b, c))), source, measured)
 
 
 def _reaches(
-    robot: Robot, other: Body, frame: Frame, axes: Rotation
+    robot: Robot, other: Body, frame: Transform, axes: Rotation
 ) -> tuple[list[float], list[float]] | None:
     """How far a shape reaches along some axes of another one's frame; None if it is not known."""
     whole = solid((other,))
@@ -129,7 +129,7 @@ def _reaches(
     return low, high
 
 
-def _bounds(whole: Solid, frame: Frame, axes: Rotation) -> tuple[list[float], list[float]]:
+def _bounds(whole: LinkSolid, frame: Transform, axes: Rotation) -> tuple[list[float], list[float]]:
     """How far a solid reaches along some axes of a frame, from its origin."""
     low, high = [], []
     for column in transposed(axes):

@@ -13,8 +13,8 @@ from math import hypot, log
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
-    Frame,
     Rotation,
+    Transform,
     Vector,
     cross,
     multiply,
@@ -23,7 +23,7 @@ from urdfkit.core.spatial import (
     transposed,
 )
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
-from urdfkit.robot.shapes import Box, Lump, Solid, solid
+from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, solid
 
 #: Common volume by the volume of both bounding boxes together, below which they are apart. A body
 #: that stands on its origin in one and lies about it in the other has 1/3, and a little more where
@@ -58,7 +58,7 @@ GAIN = 0.3
 SAME_MESH, ALIGNED = 0.97, 0.85
 
 
-class Turn(Record):
+class QuarterTurn(Record):
     """A turn by which one of the two comes to lie where the other is.
 
     Attributes:
@@ -72,7 +72,7 @@ class Turn(Record):
     overlap: float
 
 
-class Likeness:
+class VisualCollisionPair:
     """The collisions of a link beside its visuals.
 
     Attributes:
@@ -80,7 +80,7 @@ class Likeness:
         touched, seen: its collisions and its visuals as solids.
     """
 
-    def __init__(self, link: Link, touched: Solid, seen: Solid) -> None:
+    def __init__(self, link: Link, touched: LinkSolid, seen: LinkSolid) -> None:
         self.link = link
         self.touched = touched
         self.seen = seen
@@ -126,7 +126,7 @@ class Likeness:
         return middle if low >= least or high <= 1 / least else None
 
     @cached_property
-    def turn(self) -> Turn | None:
+    def turn(self) -> QuarterTurn | None:
         """The quarter turns that lay one over the other; None if they hardly help."""
         turns = [*self._turns(self.link.visuals, self.seen, self.touched)]
         turns += self._turns(self.link.collisions, self.touched, self.seen)
@@ -142,13 +142,13 @@ class Likeness:
         return _is_mesh(self.touched) and _is_mesh(self.seen)
 
     @staticmethod
-    def _turns(bodies: tuple[Body, ...], one: Solid, other: Solid) -> Iterator[Turn]:
+    def _turns(bodies: tuple[Body, ...], one: LinkSolid, other: LinkSolid) -> Iterator[QuarterTurn]:
         for body in bodies if len(bodies) == 1 else ():
             frame = body.origin
             for quarter in QUARTERS:
                 rotation = multiply(frame.rotation, quarter)
                 box = turned(one.bounds, multiply(rotation, transposed(frame.rotation)), frame)
-                yield Turn(body, to_rpy(rotation), _overlap(box, other.bounds))
+                yield QuarterTurn(body, to_rpy(rotation), _overlap(box, other.bounds))
 
     @property
     def is_apart(self) -> bool:
@@ -191,7 +191,7 @@ class Likeness:
         return visual if seen >= touched else collision
 
 
-class Likenesses:
+class VisualCollisionPairs:
     """The links of a robot that are both touched and seen.
 
     Args:
@@ -203,7 +203,7 @@ class Likenesses:
     def __init__(
         self,
         model: RobotModel,
-        lump: Callable[[Body], Lump | None],
+        lump: Callable[[Body], MeshSolid | None],
         is_ambiguous: Callable[[Body], bool],
     ) -> None:
         self._model = model
@@ -211,9 +211,9 @@ class Likenesses:
         self._is_ambiguous = is_ambiguous
 
     @cached_property
-    def claims(self) -> dict[str, list[Likeness]]:
+    def claims(self) -> dict[str, list[VisualCollisionPair]]:
         """The links that are unlike, by the code of the one rule that tells it."""
-        found: dict[str, list[Likeness]] = {}
+        found: dict[str, list[VisualCollisionPair]] = {}
         for one in self._each():
             if code := self._code(one):
                 found.setdefault(code, []).append(one)
@@ -225,14 +225,14 @@ class Likenesses:
         places = (joint.origin.position for joint in self._model.joints)
         return max((hypot(*place) for place in places), default=0.0)
 
-    def _each(self) -> Iterator[Likeness]:
+    def _each(self) -> Iterator[VisualCollisionPair]:
         for link in self._model.links:
             if link.visuals and link.collisions:
                 touched, seen = (solid(b, self._lump) for b in (link.collisions, link.visuals))
                 if touched and seen and touched.parts != seen.parts:
-                    yield Likeness(link, touched, seen)
+                    yield VisualCollisionPair(link, touched, seen)
 
-    def _code(self, one: Likeness) -> str:
+    def _code(self, one: VisualCollisionPair) -> str:
         if one.overlap >= ALIGNED or (one.is_marker and not one.is_shrunk):
             return ""
         if one.factor:
@@ -246,7 +246,7 @@ class Likenesses:
         return "GEO004" if one.is_apart else ""
 
 
-def turned(box: Box, rotation: Rotation, about: Frame) -> Box:
+def turned(box: BoundingBox, rotation: Rotation, about: Transform) -> BoundingBox:
     """The box around a box that is turned about the origin of a frame."""
     there = about.position
     x, y, z = (a - b for a, b in zip(box.center, there, strict=True))
@@ -255,7 +255,7 @@ def turned(box: Box, rotation: Rotation, about: Frame) -> Box:
     half = [sum(abs(r) * e for r, e in zip(row, edges, strict=True)) / 2 for row in rotation]
     low = [a + b - c for a, b, c in zip(center, there, half, strict=True)]
     high = [a + b + c for a, b, c in zip(center, there, half, strict=True)]
-    return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+    return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
 def _quarters() -> Iterator[Rotation]:
@@ -273,17 +273,17 @@ def _quarters() -> Iterator[Rotation]:
 QUARTERS: tuple[Rotation, ...] = tuple(_quarters())
 
 
-def _overlap(one: Box, other: Box, shift: Vector = (0.0, 0.0, 0.0)) -> float:
+def _overlap(one: BoundingBox, other: BoundingBox, shift: Vector = (0.0, 0.0, 0.0)) -> float:
     """The common volume of two boxes by that of both together, the other one shifted."""
     x, y, z = shift
     low, high = ((a + x, b + y, c + z) for a, b, c in other)
-    common = one.common_volume(Box(low, high))
+    common = one.common_volume(BoundingBox(low, high))
     both = one.volume + other.volume - common
     return common / both if both > 0 else 0.0
 
 
-def _is_mesh(one: Solid) -> bool:
-    return any(isinstance(part, Lump) for part in one.parts)
+def _is_mesh(one: LinkSolid) -> bool:
+    return any(isinstance(part, MeshSolid) for part in one.parts)
 
 
 def _form(shape: Shape) -> tuple[object, ...]:

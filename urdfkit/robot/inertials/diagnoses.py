@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.spatial import ORIGIN
 from urdfkit.robot.inertia import principal_moments, scaled
-from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, Weighed, by_tensor
-from urdfkit.robot.shapes import Lump
+from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
+from urdfkit.robot.shapes import MeshSolid
 
 if TYPE_CHECKING:
     from urdfkit.core.spatial import Vector
     from urdfkit.robot.inertials.masses import Masses
-    from urdfkit.robot.shapes import Box, Primitive
+    from urdfkit.robot.shapes import BoundingBox, Primitive
 
 #: Times the largest possible moment that is taken for impossible: the matter of a link may reach
 #: somewhat farther than its collision shape.
@@ -50,10 +50,10 @@ NOTICED = 0.1
 WIDE, MANY = 0.3, 3
 
 
-def claims(masses: Masses) -> dict[str, list[Weighed]]:
+def claims(masses: Masses) -> dict[str, list[LinkInertia]]:
     """The doubtful inertias by the code of the rule that tells them."""
-    found: dict[str, list[Weighed]] = {}
-    placeholders: list[Weighed] = []
+    found: dict[str, list[LinkInertia]] = {}
+    placeholders: list[LinkInertia] = []
     for weighed in masses.weighed:
         code = _judge(weighed, masses)
         if code:
@@ -68,7 +68,7 @@ def claims(masses: Masses) -> dict[str, list[Weighed]]:
     return found
 
 
-def _judge(weighed: Weighed, masses: Masses) -> str:
+def _judge(weighed: LinkInertia, masses: Masses) -> str:
     """The rule that tells what is impossible or implausible; empty if nothing is."""
     if weighed.is_indefinite:
         return "INE002"
@@ -92,7 +92,7 @@ def _judge(weighed: Weighed, masses: Masses) -> str:
     return ""
 
 
-def implausible_density(weighed: Weighed) -> float | None:
+def implausible_density(weighed: LinkInertia) -> float | None:
     """The density in kg/m^3 if no material of robots has it; the one nearer to a material's."""
     if weighed.densities is None or weighed.mass < SIGNIFICANT * weighed.body.mass:
         return None
@@ -102,7 +102,7 @@ def implausible_density(weighed: Weighed) -> float | None:
     return high if high < LIGHTEST / NEAR else None
 
 
-def unit_slip(weighed: Weighed) -> str:
+def unit_slip(weighed: LinkInertia) -> str:
     """The unit that explains an implausible density: ``g``, ``mm``, or nothing."""
     if weighed.densities is None or weighed.solid is None or weighed.expected is None:
         return ""
@@ -114,7 +114,7 @@ def unit_slip(weighed: Weighed) -> str:
     return "mm" if plausible and max(weighed.solid.bounds.edges) > LARGEST_PART else ""
 
 
-def center_is_outside(weighed: Weighed) -> float | None:
+def center_is_outside(weighed: LinkInertia) -> float | None:
     """How far the centre of mass is outside the shapes, in m, if that is hardly meant.
 
     More than their size; or less, where a slip explains it.
@@ -131,7 +131,7 @@ def center_is_outside(weighed: Weighed) -> float | None:
     return None
 
 
-def center_slip(weighed: Weighed) -> str:
+def center_slip(weighed: LinkInertia) -> str:
     """What explains that the centre of mass is outside: a predicate whose subject is the centre."""
     center, outline = weighed.inertial.origin.position, weighed.outline
     if center == ORIGIN:
@@ -152,16 +152,16 @@ def center_slip(weighed: Weighed) -> str:
     return ""
 
 
-def _is_gltf(part: Primitive | Lump) -> bool:
-    return isinstance(part, Lump) and part.name.lower().endswith((".gltf", ".glb"))
+def _is_gltf(part: Primitive | MeshSolid) -> bool:
+    return isinstance(part, MeshSolid) and part.name.lower().endswith((".gltf", ".glb"))
 
 
-def _outside(point: Vector, box: Box) -> float:
+def _outside(point: Vector, box: BoundingBox) -> float:
     """How far a point is outside a box along the axis where that is most, in m; 0 inside."""
     return max(max(low - x, 0.0, x - high) for x, low, high in zip(point, *box, strict=True))
 
 
-def _is_unlike_shape(weighed: Weighed) -> bool:
+def _is_unlike_shape(weighed: LinkInertia) -> bool:
     """True if people wrote the tensor and it is not that of the shapes.
 
     Beside a mesh the collision is a rough likeness; then only a round tensor is doubted.
@@ -172,7 +172,7 @@ def _is_unlike_shape(weighed: Weighed) -> bool:
 
 
 def _sort_placeholders(
-    placeholders: list[Weighed], masses: Masses, found: dict[str, list[Weighed]]
+    placeholders: list[LinkInertia], masses: Masses, found: dict[str, list[LinkInertia]]
 ) -> None:
     """Placeholders beside a mesh, or without a shape, that cannot be near the truth."""
     told = {weighed.tensor for weighed in found.get("INE006", ())}

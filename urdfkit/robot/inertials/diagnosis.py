@@ -14,7 +14,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.diagnoses import HEAVIEST, TOO_SMALL
-from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, Weighed
+from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
 from urdfkit.robot.model import Tensor, number
 from urdfkit.text.diagnostic import Confidence, Fix
 from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
@@ -76,7 +76,7 @@ class Diagnosis(Record):
         return f"the tensor {self.cause}: write {written(self.tensor)}"
 
 
-def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
+def of_unlike_shape(weighed: LinkInertia, masses: Masses) -> Diagnosis:
     """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
     expected = weighed.expected
     assert expected is not None
@@ -88,7 +88,7 @@ def of_unlike_shape(weighed: Weighed, masses: Masses) -> Diagnosis:
     return Diagnosis(cause, _of_shape(weighed) if is_wrong else None, Confidence.INFERRED)
 
 
-def _is_invented(weighed: Weighed, expected: Tensor) -> bool:
+def _is_invented(weighed: LinkInertia, expected: Tensor) -> bool:
     """True if nobody measured a tensor, so that even the rough shape of the link tells more.
 
     Three equal moments of a shape that has none, or of one digit, are a guess; moments in the very
@@ -103,13 +103,13 @@ def _is_invented(weighed: Weighed, expected: Tensor) -> bool:
     return is_scaled or max(ratios) < TOO_SMALL or min(ratios) > 1 / TOO_SMALL
 
 
-def _of_shape(weighed: Weighed) -> Tensor | None:
+def _of_shape(weighed: LinkInertia) -> Tensor | None:
     """The tensor of the shape; None where that marks a place, or is too small for the mass."""
     is_other = weighed.is_marker or (weighed.densities and weighed.densities[0] > HEAVIEST)
     return None if is_other else weighed.expected
 
 
-def _slips(weighed: Weighed, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
+def _slips(weighed: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Slips without which the tensor agrees with the shape, each with the tensor meant."""
     if weighed.is_at_wrong_axes:
         yield of_wrong_axes(weighed)
@@ -134,7 +134,7 @@ def _is_even(tensor: Tensor) -> bool:
     return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
 
 
-def of_wrong_axes(weighed: Weighed) -> tuple[str, Tensor]:
+def of_wrong_axes(weighed: LinkInertia) -> tuple[str, Tensor]:
     """Why a tensor with the moments of the shape has other axes, and the tensor meant.
 
     Its own entries, as far as possible: moved as little as needed, or with other signs.
@@ -149,7 +149,7 @@ def of_wrong_axes(weighed: Weighed) -> tuple[str, Tensor]:
 
 
 def _rearranged(
-    weighed: Weighed, expected: Tensor, orders: Iterable[Sequence[int]]
+    weighed: LinkInertia, expected: Tensor, orders: Iterable[Sequence[int]]
 ) -> Tensor | None:
     """The entries of a tensor in other places or with other signs, nearest to those of the shape.
 
@@ -182,7 +182,7 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
     return keys if len(keys) == len(different) else []
 
 
-def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:
+def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
     """Why no body can have a tensor, and which was meant if the numbers tell it."""
     if weighed.is_measured and weighed.expected:
         meant = _rearranged(weighed, weighed.expected, [range(3)])
@@ -201,7 +201,7 @@ def of_impossible(weighed: Weighed, masses: Masses) -> Diagnosis:
     return Diagnosis("", None, Confidence.GUESSED)
 
 
-def _rewritten(weighed: Weighed) -> Iterator[tuple[str, Tensor | None]]:
+def _rewritten(weighed: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     """Ways of writing it that make the tensor possible, each with the tensor meant."""
     a, b, c, d, e, f = weighed.tensor
     as_in_sdf = Tensor(a, d, e, b, f, c)
@@ -223,7 +223,7 @@ def _rewritten(weighed: Weighed) -> Iterator[tuple[str, Tensor | None]]:
             yield f"has {key} ten times too large", tenth
 
 
-def _twins(weighed: Weighed, masses: Masses) -> Iterator[Weighed]:
+def _twins(weighed: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
     for left, right in masses.twins:
         if weighed in (left, right):
             yield right if weighed is left else left
@@ -235,14 +235,14 @@ def is_possible(tensor: Tensor) -> bool:
     return low > 0 and high <= (low + middle) * (1 + ROUNDING)
 
 
-def _shifted_from_origin(weighed: Weighed, mass: float) -> Tensor:
+def _shifted_from_origin(weighed: LinkInertia, mass: float) -> Tensor:
     """The tensor moved between the centre of mass and the origin of the link."""
     origin = weighed.inertial.origin
     offset = rotate(transposed(origin.rotation), origin.position)
     return inertia.shifted(weighed.tensor, mass, offset)
 
 
-def advice(weighed: Weighed, diagnosis: Diagnosis) -> str:
+def advice(weighed: LinkInertia, diagnosis: Diagnosis) -> str:
     """What to do about a tensor, in one line; empty if the help of the rule says it."""
     if not from_macro(weighed.at):
         return str(diagnosis)
@@ -264,7 +264,7 @@ def _digits(tensor: Tensor) -> list[str]:
     ]
 
 
-def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
+def replacement(weighed: LinkInertia, tensor: Tensor | None) -> Fix | None:
     """A fix that writes a tensor in the place of one that stands in the file as numbers.
 
     Entries that are right stay as they are written; one that stood elsewhere, or had the other
@@ -279,7 +279,7 @@ def replacement(weighed: Weighed, tensor: Tensor | None) -> Fix | None:
     return Fix.of(f"write {title}", edits)
 
 
-def _changed(weighed: Weighed, tensor: Tensor) -> dict[str, str]:
+def _changed(weighed: LinkInertia, tensor: Tensor) -> dict[str, str]:
     """The new texts of the entries that are wrong, by their names."""
     texts = {key: weighed.at.attributes[key].value.strip() for key in Tensor._fields}
     written_as = {-old: _negated(texts[key]) for key, old in weighed.tensor._asdict().items()}
@@ -302,14 +302,14 @@ def _negated(text: str) -> str:
     return text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
 
 
-def _differs(key: str, weighed: Weighed, tensor: Tensor) -> bool:
+def _differs(key: str, weighed: LinkInertia, tensor: Tensor) -> bool:
     """True if an entry differs from the one computed by more than its digits are worth."""
     old, value, largest = getattr(weighed.tensor, key), getattr(tensor, key), max(map(abs, tensor))
     bound = CLEAR * largest if key[1] != key[2] else (EXACT - 1) * abs(value)
     return bool(abs(old - value) > bound)
 
 
-def as_solid(weighed: Weighed) -> str:
+def as_solid(weighed: LinkInertia) -> str:
     """What the shape of a link has, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
     expected = weighed.expected
     assert expected is not None

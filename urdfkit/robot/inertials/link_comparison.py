@@ -10,7 +10,7 @@ from urdfkit.core.spatial import Vector, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.model import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
-from urdfkit.robot.shapes import Box, Lump, Primitive, Solid, solid
+from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, solid
 
 #: Part of its rigid body's mass or inertia below which an error of a link is lost in it.
 SIGNIFICANT = 0.01
@@ -41,7 +41,7 @@ PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
 MARKER = 0.005
 
 
-class Weighed:
+class LinkInertia:
     """A link with a mass and an inertia tensor.
 
     Attributes:
@@ -59,7 +59,7 @@ class Weighed:
         inertial: Inertial,
         tensor: Tensor,
         body: RigidBody,
-        lump: Callable[[Body], Lump | None] | None = None,
+        lump: Callable[[Body], MeshSolid | None] | None = None,
     ) -> None:
         at = inertial.at.child("inertia")
         assert at is not None
@@ -119,7 +119,7 @@ class Weighed:
         return float((max(self.moments[2], 0.0) / self.mass) ** 0.5)
 
     @cached_property
-    def solid(self) -> Solid | None:
+    def solid(self) -> LinkSolid | None:
         """Its collisions, else its visuals; None unless all of them are measured."""
         if self.link.collisions and self.link.visuals:
             return solid(self.link.collisions, self._lump)
@@ -153,18 +153,18 @@ class Weighed:
         return inertia.rotated(tensor, transposed(self.inertial.origin.rotation))
 
     @cached_property
-    def solids(self) -> tuple[Solid, ...]:
+    def solids(self) -> tuple[LinkSolid, ...]:
         """Its collisions and its visuals, as far as all of them are measured."""
         found = (solid(self.link.collisions, self._lump), solid(self.link.visuals, self._lump))
         return tuple(one for one in found if one)
 
     @cached_property
-    def outline(self) -> Box:
+    def outline(self) -> BoundingBox:
         """The bounding box of its shapes along the axes of the link."""
         boxes = [one.bounds for one in self.solids]
         low = [min(box.low[i] for box in boxes) for i in range(3)]
         high = [max(box.high[i] for box in boxes) for i in range(3)]
-        return Box((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+        return BoundingBox((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
     @cached_property
     def reach(self) -> float:
@@ -235,9 +235,9 @@ class Weighed:
         return self.mass / most, self.mass / least if least else inf
 
 
-def by_tensor(weighed: Iterable[Weighed]) -> Iterator[list[Weighed]]:
+def by_tensor(weighed: Iterable[LinkInertia]) -> Iterator[list[LinkInertia]]:
     """Links in groups with the same tensor, in the order of the first of each."""
-    groups: dict[Tensor, list[Weighed]] = {}
+    groups: dict[Tensor, list[LinkInertia]] = {}
     for one in weighed:
         groups.setdefault(one.tensor, []).append(one)
     yield from groups.values()

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.editing.edits import insert_behind, replace
-from urdfkit.text.editing.tokens import Kind, tokens
+from urdfkit.text.editing.tokens import TokenKind, tokens
 from urdfkit.text.source import Span
 from urdfkit.workspace.includes import is_included
 
 if TYPE_CHECKING:
     from urdfkit.robot import Description
     from urdfkit.robot.model import Body, Link
-    from urdfkit.text.document import Attribute, Element, Frame, Tag
+    from urdfkit.text.document import Attribute, CallFrame, Element, Tag
 
 #: The moments about x, y and z of a uniform solid about its centre, by its parameters.
 _MOMENTS = {
@@ -101,7 +101,7 @@ def _has_comment_above(definition: Tag) -> bool:
     return text.endswith(b"-->") and before.count(b"\n", len(text)) < 2
 
 
-def _frame(link: Link) -> Frame | None:
+def _frame(link: Link) -> CallFrame | None:
     """The macro call that gave a link its inertial, if the macro holds nothing else."""
     assert link.inertial is not None
     at = link.inertial.at
@@ -110,12 +110,14 @@ def _frame(link: Link) -> Frame | None:
         return None
     source, start, end = frame.definition.inner_span
     body = source.data[start:end].decode("utf-8", "replace")
-    inner = [token for token in tokens(body) if token.kind is not Kind.COMMENT]
+    inner = [token for token in tokens(body) if token.kind is not TokenKind.COMMENT]
     written = "".join(token.text for token in inner).strip()
     origin = at.child("origin")
     if at.frame is not frame or (origin and any(_numbers(origin))):
         return None
-    whole = "".join(t.text for t in tokens(at.tag_at.whole_span.text) if t.kind is not Kind.COMMENT)
+    whole = "".join(
+        t.text for t in tokens(at.tag_at.whole_span.text) if t.kind is not TokenKind.COMMENT
+    )
     return frame if written == whole else None
 
 
@@ -125,7 +127,7 @@ def _numbers(origin: Element) -> list[str]:
     return [text for value in values for text in value.split() if text.strip("+-0.")]
 
 
-def _call(link: Link, frame: Frame) -> _Call | None:
+def _call(link: Link, frame: CallFrame) -> _Call | None:
     """The new call in the place of one; None if the shape or the mass cannot be passed on."""
     mass = _mass(link, frame)
     bodies = link.collisions or link.visuals
@@ -142,7 +144,7 @@ def _call(link: Link, frame: Frame) -> _Call | None:
     return _Call(frame.call, shape.kind, (("mass", mass), *sizes, *pose))
 
 
-def _mass(link: Link, frame: Frame) -> str | None:
+def _mass(link: Link, frame: CallFrame) -> str | None:
     """The argument that a call gives for the mass, as text, if it gives nothing else."""
     assert link.inertial is not None
     element = link.inertial.at.child("mass")
@@ -167,7 +169,7 @@ def _sizes(shape: Element, kind: str) -> list[tuple[str, str]] | None:
     return [(name, text or "") for name, text in zip(parameters, texts, strict=True)]
 
 
-def _pose(body: Body, frame: Frame) -> list[tuple[str, str]] | None:
+def _pose(body: Body, frame: CallFrame) -> list[tuple[str, str]] | None:
     """The arguments for the pose of a shape."""
     origin = body.at.child("origin")
     if origin is None or not _numbers(origin):

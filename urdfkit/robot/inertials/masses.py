@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, Weighed, by_tensor
+from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor, number
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
-from urdfkit.robot.shapes import Lump
+from urdfkit.robot.shapes import MeshSolid
 from urdfkit.robot.symmetry import numbered_pairs, pairs
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.document import Element, Tag
@@ -53,7 +53,7 @@ class Masses:
         self,
         model: RobotModel,
         tree: KinematicTree,
-        lump: Callable[[Body], Lump | None] | None = None,
+        lump: Callable[[Body], MeshSolid | None] | None = None,
     ) -> None:
         self._lump = lump
         self.model = model
@@ -68,35 +68,35 @@ class Masses:
         return {link.name: body for body in self.bodies for link, _ in body.links}
 
     @cached_property
-    def weighed(self) -> tuple[Weighed, ...]:
+    def weighed(self) -> tuple[LinkInertia, ...]:
         """The links with a positive mass and a tensor, in the order of the document."""
-        found: list[Weighed] = []
+        found: list[LinkInertia] = []
         for link in self.model.links:
             inertial, body = link.inertial, self.body_of.get(link.name)
             if inertial and inertial.tensor and body and link.mass > 0:
-                weighed = Weighed(link, inertial, inertial.tensor.value, body, self._lump)
+                weighed = LinkInertia(link, inertial, inertial.tensor.value, body, self._lump)
                 found.append(weighed)
         return tuple(found)
 
     @cached_property
-    def by_name(self) -> dict[str, Weighed]:
+    def by_name(self) -> dict[str, LinkInertia]:
         """The same by the name of the link; the first of each name."""
         return {weighed.link.name: weighed for weighed in reversed(self.weighed)}
 
     @cached_property
-    def of_their_shape(self) -> dict[Tensor, Weighed]:
+    def of_their_shape(self) -> dict[Tensor, LinkInertia]:
         """By each tensor that is that of the shape of some link, the first such link."""
         return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
 
     @cached_property
-    def claims(self) -> dict[str, list[Weighed]]:
+    def claims(self) -> dict[str, list[LinkInertia]]:
         """The doubtful inertias, each under the code of the one rule that tells it."""
         from urdfkit.robot.inertials.diagnoses import claims
 
         return claims(self)
 
     @cached_property
-    def wrong_as_a_whole(self) -> list[Weighed]:
+    def wrong_as_a_whole(self) -> list[LinkInertia]:
         """The links with implausible densities, if they are most and all too high, or too low.
 
         One slip made them, such as a unit of the whole robot.
@@ -157,7 +157,7 @@ class Masses:
         return found[::-1]
 
     @cached_property
-    def twins(self) -> list[tuple[Weighed, Weighed]]:
+    def twins(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """The links of the left and of the right that hang on the same link, or on twins."""
         named = pairs(self.tree.parents)
         numbered = numbered_pairs(
@@ -181,7 +181,7 @@ class Masses:
         return joint.parent.value if joint and joint.parent else ""
 
     @cached_property
-    def unlike_twins(self) -> list[tuple[Weighed, Weighed]]:
+    def unlike_twins(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Twins of which one has clearly more mass or larger moments, and no other rule says so."""
         claimed = {
             w.link.name for code in self.claims if code != "INE008" for w in self.claims[code]
@@ -203,7 +203,7 @@ class Masses:
         return {tag: links for tag, links in groups.items() if _spread(links) > SAME_MASS}
 
     @cached_property
-    def copies(self) -> list[list[Weighed]]:
+    def copies(self) -> list[list[LinkInertia]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
         told = {w.tensor for code in self.claims if code != "INE008" for w in self.claims[code]}
         told.update(w.tensor for pair in self.unlike_twins for w in pair)
@@ -223,7 +223,7 @@ class Masses:
         ]
 
 
-def unlike(left: Weighed, right: Weighed) -> str:
+def unlike(left: LinkInertia, right: LinkInertia) -> str:
     """In what two links differ beyond tolerance: ``mass``, ``inertia``, or nothing."""
     light, heavy = sorted((left.mass, right.mass))
     if heavy > TWIN_MASS * light:

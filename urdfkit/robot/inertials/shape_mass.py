@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 SOURCES = ("auto", "collision", "visual", "hull")
 
 
-class Matter(Record):
+class ShapeMass(Record):
     """What some shapes enclose.
 
     Attributes:
@@ -46,7 +46,7 @@ class Matter(Record):
         return MassProperties(mass, center, Tensor(*(mass * (each / volume) for each in tensor)))
 
 
-def matter(link: Link, source: str, measures: Measure) -> Matter | str:
+def matter(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     """What the shapes of a link enclose, or why that is not known.
 
     Args:
@@ -63,7 +63,7 @@ def matter(link: Link, source: str, measures: Measure) -> Matter | str:
         if not bodies:
             continue
         found = _enclosed(bodies, name, measures, hull=source == "hull")
-        if isinstance(found, Matter):
+        if isinstance(found, ShapeMass):
             return found
         reason = found
     return reason
@@ -71,7 +71,7 @@ def matter(link: Link, source: str, measures: Measure) -> Matter | str:
 
 def _enclosed(
     bodies: tuple[Body, ...], name: str, measures: Measure, *, hull: bool
-) -> Matter | str:
+) -> ShapeMass | str:
     parts: list[MassProperties] = []
     notes: list[str] = []
     hulls = 0
@@ -95,7 +95,7 @@ def _enclosed(
         notes.append(f"pieces of a mesh overlap; up to {100 * overlaps:.0f} % is counted too much")
     if len(parts) > 1:
         notes.append(f"{len(parts)} shapes; where they overlap, matter counts twice")
-    return Matter(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
+    return ShapeMass(combined(parts), f"the hull of {name}" if hulls else name, tuple(notes))
 
 
 class _Enclosed(Record):

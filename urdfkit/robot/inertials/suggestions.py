@@ -8,12 +8,12 @@ from math import dist
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import IDENTITY, Frame, Vector
+from urdfkit.core.spatial import IDENTITY, Transform, Vector
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments, rotated
 from urdfkit.robot.inertials.diagnosis import CLEAR
-from urdfkit.robot.inertials.shape_mass import Matter, matter
+from urdfkit.robot.inertials.shape_mass import ShapeMass, matter
 from urdfkit.robot.model import Inertial, Link, Tensor, numbers
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.text.diagnostic import Edit
@@ -42,7 +42,7 @@ _TURNED = 0.1
 _NOISE = 1e-6
 
 
-class Proposal(Record):
+class InertiaProposal(Record):
     """The inertia of a link, or of the rigid body that it is the topmost link of.
 
     Attributes:
@@ -57,7 +57,7 @@ class Proposal(Record):
     link: Link
     links: tuple[str, ...]
     declared: MassProperties | None
-    matter: Matter | None
+    matter: ShapeMass | None
     computed: MassProperties | None
     reason: str
 
@@ -117,7 +117,7 @@ class Proposal(Record):
         ]
 
 
-class UnknownLink(UrdfkitError):
+class NoSuchLink(UrdfkitError):
     """No link of the robot has that name."""
 
 
@@ -129,7 +129,7 @@ def propose(
     density: float | None = None,
     links: Collection[str] = (),
     lump: bool = False,
-) -> tuple[Proposal, ...]:
+) -> tuple[InertiaProposal, ...]:
     """Declared against computed, for every link that has a shape or an inertia.
 
     Args:
@@ -146,11 +146,11 @@ def propose(
     known = robot.model.links_by_name
     for name in links:
         if name not in known:
-            raise UnknownLink(f"there is no link '{name}'{did_you_mean(name, known)}")
+            raise NoSuchLink(f"there is no link '{name}'{did_you_mean(name, known)}")
     if lump:
         groups = [body.links for body in rigid_bodies(robot.tree)]
     else:
-        groups = [((link, Frame()),) for link in known.values()]
+        groups = [((link, Transform()),) for link in known.values()]
     proposals = []
     for group in groups:
         if links and group[0][0].name not in links:
@@ -164,17 +164,17 @@ def propose(
 
 def _proposal(
     robot: Robot, link: Link, source: str, mass: float | None, density: float | None
-) -> Proposal:
+) -> InertiaProposal:
     declared = _declared(link.inertial)
     found = matter(link, source, robot.measures)
     if isinstance(found, str):
-        return Proposal(link, (link.name,), declared, None, None, found)
+        return InertiaProposal(link, (link.name,), declared, None, None, found)
     if mass is None:
         mass = density * found.properties.mass if density else link.mass
     if not mass > 0:
         reason = "it has no mass; give --mass, --density or --material"
-        return Proposal(link, (link.name,), declared, found, None, reason)
-    return Proposal(link, (link.name,), declared, found, found.weighing(mass), "")
+        return InertiaProposal(link, (link.name,), declared, found, None, reason)
+    return InertiaProposal(link, (link.name,), declared, found, found.weighing(mass), "")
 
 
 def _declared(inertial: Inertial | None) -> MassProperties | None:
@@ -184,7 +184,7 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
     return MassProperties(inertial.mass.value, inertial.origin.position, tensor)
 
 
-def _lumped(each: list[Proposal], frames: list[Frame]) -> Proposal:
+def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
     """Links as one body in the frame of the first; a link that weighs nothing adds nothing."""
     first = each[0]
     if len(each) == 1:
@@ -194,7 +194,7 @@ def _lumped(each: list[Proposal], frames: list[Frame]) -> Proposal:
     declared = [_seen(one.declared, frame) for one, frame in zip(each, frames, strict=True)]
     computed = [_seen(one.computed, frame) for one, frame in zip(each, frames, strict=True)]
     reason = "".join(f"link '{one.link.name}': {one.reason}" for one in unknown[:1])
-    return Proposal(
+    return InertiaProposal(
         first.link,
         links,
         combined(filter(None, declared)) if any(declared) else None,
@@ -204,7 +204,7 @@ def _lumped(each: list[Proposal], frames: list[Frame]) -> Proposal:
     )
 
 
-def _seen(properties: MassProperties | None, frame: Frame) -> MassProperties | None:
+def _seen(properties: MassProperties | None, frame: Transform) -> MassProperties | None:
     """Mass properties of a child frame in its parent."""
     if properties is None:
         return None
@@ -212,7 +212,7 @@ def _seen(properties: MassProperties | None, frame: Frame) -> MassProperties | N
     return MassProperties(mass, frame.apply(center), rotated(tensor, frame.rotation))
 
 
-def rewrites(proposals: Iterable[Proposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:
+def rewrites(proposals: Iterable[InertiaProposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:
     """The files with the computed inertias written in, and why some cannot be.
 
     Only what a file holds as numbers is edited. Nothing is written:
@@ -238,7 +238,7 @@ def rewrites(proposals: Iterable[Proposal]) -> tuple[tuple[Rewrite, ...], dict[s
     return tuple(files), left
 
 
-def _edits(proposal: Proposal) -> tuple[Edit, ...] | str:
+def _edits(proposal: InertiaProposal) -> tuple[Edit, ...] | str:
     """The edits that write what is computed, or why there are none."""
     if proposal.computed is None:
         return proposal.reason

@@ -8,7 +8,7 @@ from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 
 
-class Material(Record):
+class GazeboMaterial(Record):
     """A material script of Gazebo.
 
     Attributes:
@@ -27,12 +27,12 @@ class Material(Record):
 
 
 @cache
-def materials() -> dict[str, Material]:
+def materials() -> dict[str, GazeboMaterial]:
     """The materials by name; upper and lower case matter."""
-    found: dict[str, Material] = {}
+    found: dict[str, GazeboMaterial] = {}
     for name, fact in data("materials")["materials"].items():
         rgba, other = fact.get("rgba"), fact.get("gz_diffuse")
-        found[name] = Material(
+        found[name] = GazeboMaterial(
             name,
             tuple(rgba) if rgba else None,
             fact.get("kind") == "textured",

@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 
 
-class Tag(Record):
+class ControlTag(Record):
     """A tag in ``<ros2_control>``.
 
     Attributes:
@@ -53,7 +53,7 @@ class Measure(Record):
     sides: tuple[tuple[str, ...], ...]
 
 
-class Controller(Record):
+class ControllerType(Record):
     """A type of controller.
 
     Attributes:
@@ -93,7 +93,7 @@ def component_types() -> list[str]:
 
 
 @cache
-def grammar() -> dict[str, Tag]:
+def grammar() -> dict[str, ControlTag]:
     """The tags in ``<ros2_control>``, by name."""
     return {name: _tag(entry) for name, entry in _content()["grammar"].items()}
 
@@ -107,9 +107,9 @@ def since(tag: str, part: str) -> str:
     return found
 
 
-def _tag(entry: dict[str, list[str]]) -> Tag:
+def _tag(entry: dict[str, list[str]]) -> ControlTag:
     attributes, children = entry["attributes"], entry["children"]
-    return Tag(
+    return ControlTag(
         tuple(name.rstrip("!") for name in attributes),
         tuple(name.rstrip("!") for name in children),
         frozenset(name[:-1] for name in (*attributes, *children) if name.endswith("!")),
@@ -140,10 +140,10 @@ def control_plugin(filename: str) -> str | None:
 
 
 @cache
-def controllers() -> dict[str, Controller]:
+def controllers() -> dict[str, ControllerType]:
     """The types of controller whose parameters name joints."""
     return {
-        name: Controller(
+        name: ControllerType(
             tuple(entry["joints"]),
             tuple(
                 Measure(parameter, kind, tuple(map(tuple, sides)))

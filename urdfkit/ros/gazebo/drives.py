@@ -7,9 +7,9 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector, dot, minus, rotate
+from urdfkit.core.spatial import Transform, Vector, dot, minus, rotate
 from urdfkit.robot.model import number
-from urdfkit.ros.gazebo.plugins import Reference, Use
+from urdfkit.ros.gazebo.plugins import PluginUse, Reference
 
 if TYPE_CHECKING:
     from urdfkit.robot.model import Joint, Link
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from urdfkit.text.document import Attribute, Element
 
 
-class Kind(Record):
+class DriveKind(Record):
     """How a library drives.
 
     Attributes:
@@ -37,26 +37,28 @@ class Kind(Record):
 
 #: By the id in the catalogue of plugins.
 KINDS = {
-    "gazebo_ros_diff_drive@classic-ros1": Kind("wheelSeparation", "wheelDiameter", True),
-    "gazebo_ros_diff_drive@classic-ros2": Kind("wheel_separation", "wheel_diameter", True),
-    "gazebo_ros_skid_steer_drive@classic-ros1": Kind(
+    "gazebo_ros_diff_drive@classic-ros1": DriveKind("wheelSeparation", "wheelDiameter", True),
+    "gazebo_ros_diff_drive@classic-ros2": DriveKind("wheel_separation", "wheel_diameter", True),
+    "gazebo_ros_skid_steer_drive@classic-ros1": DriveKind(
         "wheelSeparation", "wheelDiameter", True, slips=True
     ),
-    "diffdrive_plugin_6w@classic-ros1": Kind("wheelSeparation", "wheelDiameter", True, slips=True),
-    "diffdrive_plugin_multi_wheel@classic-ros1": Kind(
+    "diffdrive_plugin_6w@classic-ros1": DriveKind(
         "wheelSeparation", "wheelDiameter", True, slips=True
     ),
-    "gz-sim-diff-drive-system@gz": Kind("wheel_separation", "wheel_radius", False),
-    "gz-sim-mecanum-drive-system@gz": Kind("wheel_separation", "wheel_radius", False),
-    "gz-sim-ackermann-steering-system@gz": Kind("", "wheel_radius", False, steered=True),
-    "gazebo_ros_tricycle_drive@classic-ros1": Kind(
+    "diffdrive_plugin_multi_wheel@classic-ros1": DriveKind(
+        "wheelSeparation", "wheelDiameter", True, slips=True
+    ),
+    "gz-sim-diff-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
+    "gz-sim-mecanum-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
+    "gz-sim-ackermann-steering-system@gz": DriveKind("", "wheel_radius", False, steered=True),
+    "gazebo_ros_tricycle_drive@classic-ros1": DriveKind(
         "encoderWheelSeparation", "encoderWheelDiameter", True, steered=True
     ),
-    "gazebo_ros_tricycle_drive@classic-ros2": Kind(
+    "gazebo_ros_tricycle_drive@classic-ros2": DriveKind(
         "wheel_separation", "encoder_wheel_diameter", True, steered=True
     ),
-    "gazebo_ros_ackermann_drive@classic-ros2": Kind("", "", False, steered=True),
-    "DiffDrivePlugin@classic (no ROS)": Kind("", "", False),
+    "gazebo_ros_ackermann_drive@classic-ros2": DriveKind("", "", False, steered=True),
+    "DiffDrivePlugin@classic (no ROS)": DriveKind("", "", False),
 }
 
 #: Libraries that move single joints; the joint that each moves.
@@ -81,7 +83,7 @@ _PARALLEL = 0.999
 _APART = 0.01
 
 
-class Rolling(Record):
+class DrivenWheel(Record):
     """A wheel in the frame of the root, when all joints are at zero.
 
     Attributes:
@@ -103,7 +105,7 @@ class Rolling(Record):
         """Of the tyre, as far as the shape tells."""
         return self.hub or self.origin
 
-    def is_parallel(self, other: Rolling) -> bool:
+    def is_parallel(self, other: DrivenWheel) -> bool:
         """True if two wheels turn about the same direction, in either sense."""
         return abs(dot(self.axis, other.axis)) >= _PARALLEL
 
@@ -119,15 +121,15 @@ class Wheel(Record):
 
     reference: Reference
     side: str
-    rolling: Rolling
+    rolling: DrivenWheel
 
 
-def drive_of(use: Use) -> Kind | None:
+def drive_of(use: PluginUse) -> DriveKind | None:
     """How a plugin drives; None if it is no drive."""
     return KINDS.get(use.plugin.id) if use.plugin else None
 
 
-def driven(use: Use) -> list[Reference]:
+def driven(use: PluginUse) -> list[Reference]:
     """The joints that a plugin moves."""
     if use.plugin is None:
         return []
@@ -140,7 +142,7 @@ def driven(use: Use) -> list[Reference]:
     return [r for r in references if not only or r.parameter.name == only]
 
 
-def wheels(use: Use, tree: KinematicTree) -> Iterator[Wheel]:
+def wheels(use: PluginUse, tree: KinematicTree) -> Iterator[Wheel]:
     """The wheels of a drive that turn in the model."""
     for reference in driven(use):
         joint = tree.model.joints_by_name.get(reference.name)
@@ -152,14 +154,14 @@ def wheels(use: Use, tree: KinematicTree) -> Iterator[Wheel]:
             yield Wheel(reference, side, found)
 
 
-def rolling(joint: Joint, tree: KinematicTree) -> Rolling | None:
+def rolling(joint: Joint, tree: KinematicTree) -> DrivenWheel | None:
     """What the model tells of the wheel that turns about a joint; None if it is nowhere."""
     frame = tree.frames.get(joint.child.value) if joint.child else None
     axis = _unit(joint.axis.value if joint.axis else (1.0, 0.0, 0.0))
     if frame is None or axis is None or joint.child is None:
         return None
     hub, radius = _tyre(tree.model.links_by_name[joint.child.value], frame, axis)
-    return Rolling(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
+    return DrivenWheel(joint, rotate(frame.rotation, axis), hub, radius, frame.position)
 
 
 def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
@@ -169,7 +171,7 @@ def pairs(found: list[Wheel]) -> Iterator[tuple[Wheel, Wheel]]:
     yield from zip(left, right, strict=False)
 
 
-def wrong_sides(left: Rolling, right: Rolling) -> tuple[str, str] | None:
+def wrong_sides(left: DrivenWheel, right: DrivenWheel) -> tuple[str, str] | None:
     """Why a drive does not take a robot where it is told to, and the remedy; None if it does.
 
     A drive rolls forwards by turning all wheels in the positive sense, and left is where the axis
@@ -193,7 +195,7 @@ def wrong_sides(left: Rolling, right: Rolling) -> tuple[str, str] | None:
     return f"{message}rolls, so that it turns the wrong way", remedy
 
 
-def given(use: Use, name: str) -> tuple[Element | Attribute, float] | None:
+def given(use: PluginUse, name: str) -> tuple[Element | Attribute, float] | None:
     """A parameter in m and where it is written: the plugin for a default. None if unreadable.
 
     Several values, one for each pair of wheels, count as unreadable unless they are equal.
@@ -214,7 +216,7 @@ def _unit(vector: Vector) -> Vector | None:
     return (vector[0] / length, vector[1] / length, vector[2] / length) if length > 1e-9 else None
 
 
-def _tyre(link: Link, frame: Frame, axis: Vector) -> tuple[Vector | None, float | None]:
+def _tyre(link: Link, frame: Transform, axis: Vector) -> tuple[Vector | None, float | None]:
     """Centre and radius of a wheel whose one collision is a sphere, or a cylinder on the axle."""
     if len(link.collisions) != 1:
         return None, None

@@ -7,7 +7,7 @@ from math import cos, pi, sin, tan
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Frame, Vector, from_rpy
+from urdfkit.core.spatial import Transform, Vector, from_rpy
 from urdfkit.robot.model import numbers
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 
@@ -31,7 +31,7 @@ _RAYS, _PICTURES = ("ray", "lidar"), ("camera", "depth")
 _BEAMS, _HALF = 16, 0.4
 
 
-class Eye(Record):
+class OpticalSensor(Record):
     """A lidar or a camera.
 
     Attributes:
@@ -48,7 +48,7 @@ class Eye(Record):
     who: str
     kind: str
     type: str = ""
-    frame: Frame = Frame()
+    frame: Transform = Transform()
     least: float = 0.0
     sweep: tuple[float, float] = (-pi, pi)
 
@@ -64,14 +64,14 @@ class Eye(Record):
         return [(1.0, 0.0, 0.0), *((ahead, a * ahead, b * ahead) for a, b in corners)]
 
 
-def eyes(model: RobotModel) -> Iterator[Eye]:
+def eyes(model: RobotModel) -> Iterator[OpticalSensor]:
     """The eyes of a model: those that Gazebo simulates, and other links that are called so."""
     found = [eye for sensor in sensors(model) if (eye := _of(sensor))]
     yield from found
     known = {eye.link for eye in found}
     for link in model.links:
         if link.name not in known and (kind := kind_of(link.name)):
-            yield Eye(link.name, f"link '{link.name}'", kind)
+            yield OpticalSensor(link.name, f"link '{link.name}'", kind)
 
 
 def kind_of(name: str) -> str:
@@ -84,15 +84,15 @@ def kind_of(name: str) -> str:
     return "camera" if any(word in name for word in CAMERAS) else ""
 
 
-def _of(sensor: Sensor) -> Eye | None:
+def _of(sensor: Sensor) -> OpticalSensor | None:
     pose = sensor.find("pose")
     place = numbers(pose.text) if pose else (0.0,) * 6
     if place is None or len(place) != 6 or (pose and pose.attributes):
         return None
-    frame = Frame(from_rpy(*place[3:]), (place[0], place[1], place[2]))
+    frame = Transform(from_rpy(*place[3:]), (place[0], place[1], place[2]))
     if any(word in sensor.type for word in _PICTURES):
         near = sensor.number("camera/clip/near")
-        return Eye(
+        return OpticalSensor(
             sensor.reference, sensor.who, "camera", sensor.type, frame, near.value if near else 0.0
         )
     if not sensor.lidar or not any(word in sensor.type for word in _RAYS):
@@ -103,7 +103,7 @@ def _of(sensor: Sensor) -> Eye | None:
     scan = f"{sensor.lidar}/scan/horizontal"
     first, last = (sensor.number(f"{scan}/{end}") for end in ("min_angle", "max_angle"))
     sweep = (first.value, last.value) if first and last else (-pi, pi)
-    return Eye(
+    return OpticalSensor(
         sensor.reference,
         sensor.who,
         "lidar",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import Speller
+from urdfkit.core.suggest import Suggester
 from urdfkit.ros.catalog.plugins import Plugin, often_unread, renames
-from urdfkit.ros.gazebo.plugins import Item, Use
+from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 
 
-class Unread(Record):
+class UnreadParameter(Record):
     """A tag that a plugin does not read.
 
     Attributes:
@@ -17,12 +17,12 @@ class Unread(Record):
         meant: the tag that it is a slip of, or None.
     """
 
-    item: Item
+    item: PluginParameter
     other: Plugin | None
     meant: str | None
 
 
-def unread(use: Use) -> list[Unread]:
+def unread(use: PluginUse) -> list[UnreadParameter]:
     """What a plugin does not read; nothing for one that is not known.
 
     Tags that shipped examples give without need are left out.
@@ -35,19 +35,19 @@ def unread(use: Use) -> list[Unread]:
         return []
     common = {name for names in often_unread().values() for name in names}
     given = {item.path for item in use.items}
-    speller = Speller([name for name in plugin.parameters if name not in given])
-    found: list[Unread] = []
+    speller = Suggester([name for name in plugin.parameters if name not in given])
+    found: list[UnreadParameter] = []
     for item in missed:
         other = _other(use, plugin, item)
         meant = None if "/" in item.path else speller.meant(item.path) or None
         is_cut_short = meant is not None and meant.startswith(item.path)  # updateRate(HZ) of an IMU
         if other is None and item.path in common and not is_cut_short:
             continue
-        found.append(Unread(item, other, meant if meant and "/" not in meant else None))
+        found.append(UnreadParameter(item, other, meant if meant and "/" not in meant else None))
     return found
 
 
-def _other(use: Use, plugin: Plugin, item: Item) -> Plugin | None:
+def _other(use: PluginUse, plugin: Plugin, item: PluginParameter) -> Plugin | None:
     """The plugin of another generation that reads a tag."""
     for one in use.known:
         if one.generation != plugin.generation and not one.removed and one.reads(item.path):

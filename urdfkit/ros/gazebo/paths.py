@@ -34,7 +34,7 @@ _TEXTS = (
 )  # fmt: skip
 
 
-class Survey(Record):
+class ResourcePaths(Record):
     """What the files of a workspace say.
 
     Attributes:
@@ -46,7 +46,7 @@ class Survey(Record):
     is_told: bool
 
 
-def survey(root: str, folders: Folders) -> Survey:
+def survey(root: str, folders: Folders) -> ResourcePaths:
     """Look through the text files of a workspace, within bounds.
 
     Args:
@@ -58,10 +58,10 @@ def survey(root: str, folders: Folders) -> Survey:
     for path in files[:MAX_FILES]:
         data = _begin(path)
         if any(word in data for word in _TELLERS):
-            return Survey(starter, True)
+            return ResourcePaths(starter, True)
         if starter is None and _is_launch(path) and any(word in data for word in _STARTERS):
             starter = path
-    return Survey(starter, len(files) > MAX_FILES)
+    return ResourcePaths(starter, len(files) > MAX_FILES)
 
 
 def _is_launch(path: str) -> bool:

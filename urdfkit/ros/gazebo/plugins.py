@@ -23,7 +23,7 @@ _CLASSIC = ("classic-ros1", "classic-ros2")
 _GAZEBO_ROS = ("gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "gazebo_ros2_control")
 
 
-class Item(Record):
+class PluginParameter(Record):
     """A tag or an attribute in a plugin.
 
     Attributes:
@@ -41,7 +41,7 @@ class Reference(Record):
     """A name of a link or joint that a plugin looks up in the simulated model."""
 
     parameter: Parameter
-    item: Item
+    item: PluginParameter
     name: str
 
     @property
@@ -50,7 +50,7 @@ class Reference(Record):
         return "link" if self.parameter.type == "link" else "joint"
 
 
-class Use:
+class PluginUse:
     """A ``<plugin>`` of a model.
 
     Attributes:
@@ -104,21 +104,23 @@ class Use:
         return "link" if self.block.get("reference") else "model"
 
     @cached_property
-    def items(self) -> tuple[Item, ...]:
+    def items(self) -> tuple[PluginParameter, ...]:
         """Everything in it, outer tags before inner ones."""
         return tuple(self._items())
 
-    def _items(self) -> Iterator[Item]:
+    def _items(self) -> Iterator[PluginParameter]:
         stack = [("", child) for child in reversed(self.at.children)]
         while stack:
             path, element = stack.pop()
             path += element.tag
-            yield Item(path, element, element.text.strip())
+            yield PluginParameter(path, element, element.text.strip())
             for attribute in element.attributes.values():
-                yield Item(f"{path}/@{attribute.name}", attribute, attribute.value.strip())
+                yield PluginParameter(
+                    f"{path}/@{attribute.name}", attribute, attribute.value.strip()
+                )
             stack += [(f"{path}/", child) for child in reversed(element.children)]
 
-    def values(self, path: str) -> list[Item]:
+    def values(self, path: str) -> list[PluginParameter]:
         """The tags or attributes at a path."""
         return [item for item in self.items if item.path == path]
 
@@ -130,9 +132,9 @@ class Use:
         parameter = self.plugin.parameters.get(path) if self.plugin else None
         return (parameter.default or "") if parameter else ""
 
-    def unread(self, plugin: Plugin) -> list[Item]:
+    def unread(self, plugin: Plugin) -> list[PluginParameter]:
         """The tags that a plugin does not read; of a block that it does not know only the first."""
-        found: list[Item] = []
+        found: list[PluginParameter] = []
         closed = ""  # what is in a tag follows right behind it
         for item in self.items:
             if "@" in item.path or (closed and item.path.startswith(closed)):
@@ -158,11 +160,11 @@ class Use:
                     yield Reference(parameter, item, name)
 
 
-def uses(model: RobotModel, targets: Targets) -> tuple[Use, ...]:
+def uses(model: RobotModel, targets: Targets) -> tuple[PluginUse, ...]:
     """Every plugin in the ``<gazebo>`` blocks of a model."""
     wanted = {name for target in targets.names for name in GENERATIONS.get(target, ())}
     return tuple(
-        Use(element, block, wanted)
+        PluginUse(element, block, wanted)
         for block in model.gazebo
         for element in block.walk()
         if element.tag == "plugin" and _is_for_gazebo(element)
@@ -174,7 +176,7 @@ def _is_for_gazebo(plugin: Element) -> bool:
     return plugin.parent is not None and plugin.parent.tag not in ("hardware", "transmission")
 
 
-def generations(use: Use) -> set[str]:
+def generations(use: PluginUse) -> set[str]:
     """The generations that may have a plugin's library; empty if it is not known.
 
     A library without ROS runs with both of them, and of a vendor's library for one of them there

@@ -55,7 +55,7 @@ class Sensor(Record):
         return self.at.all("plugin")
 
 
-class Written(Record):
+class SettingElement(Record):
     """An element in the block that holds a sensor's settings.
 
     Attributes:
@@ -97,7 +97,7 @@ class Written(Record):
                 yield attribute, setting
 
 
-def written(sensor: Sensor) -> Iterator[Written]:
+def written(sensor: Sensor) -> Iterator[SettingElement]:
     """The elements below the blocks of a sensor; what is in an unknown one is passed over."""
     for block in sensor.at.children:
         known = settings(block.tag)
@@ -108,7 +108,7 @@ def written(sensor: Sensor) -> Iterator[Written]:
             path, element, known = stack.pop()
             path += element.tag
             around = element.parent.tag if element.parent else block.tag
-            yield Written(element, around, path, known)
+            yield SettingElement(element, around, path, known)
             if path not in known:
                 continue
             if element.tag == "noise":

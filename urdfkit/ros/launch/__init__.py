@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from urdfkit.ros.launch.collect import Collector
     from urdfkit.ros.launch.contents import Launch
-    from urdfkit.text.document import Frame
+    from urdfkit.text.document import CallFrame
     from urdfkit.text.source import Source
     from urdfkit.workspace.resolve import Resolver
 
@@ -38,7 +38,7 @@ def _read(
     collector: Collector,
     source: Source,
     arguments: Mapping[str, str | None],
-    frame: Frame | None,
+    frame: CallFrame | None,
 ) -> None:
     if source.path.endswith(".py"):
         from urdfkit.ros.launch.python import read

@@ -6,11 +6,11 @@ import os
 import re
 from collections.abc import Collection, Iterable, Iterator
 
-from urdfkit.core.suggest import Speller, did_you_mean
+from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import Signature
-from urdfkit.text.document import Frame
+from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem, is_launch
 from urdfkit.workspace.resolve import Resolver
@@ -26,11 +26,11 @@ MAX_FILES, MAX_FOLDERS = 500, 2000
 
 def is_slip(name: str, known: Iterable[str]) -> bool:
     """True if a name is nearly a known one, and not that of something else."""
-    return bool(Speller(frozenset(known), _SLIP).meant(name))
+    return bool(Suggester(frozenset(known), _SLIP).meant(name))
 
 
 def undeclared(
-    name: str, declared: Collection[str], span: Span, frame: Frame | None, *, is_lost: bool
+    name: str, declared: Collection[str], span: Span, frame: CallFrame | None, *, is_lost: bool
 ) -> Problem:
     """That an argument is used and not declared.
 
@@ -47,7 +47,7 @@ def not_taken(
     passed: Iterable[tuple[str, Span]],
     taken: Signature,
     source: Source,
-    frame: Frame | None,
+    frame: CallFrame | None,
     *,
     ros: int,
 ) -> Iterator[Problem]:
@@ -67,7 +67,7 @@ def not_taken(
 
 
 def not_given(
-    known: Collection[str], taken: Signature, source: Source, span: Span, frame: Frame | None
+    known: Collection[str], taken: Signature, source: Source, span: Span, frame: CallFrame | None
 ) -> Iterator[Problem]:
     """The arguments without a default that an included file is not given."""
     for name in sorted(taken.required.difference(known)):

@@ -12,13 +12,13 @@ from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
     MAX_INCLUDED,
     PARAMETERS,
-    Description,
     FileUse,
     Launch,
+    LaunchedDescription,
     PackageUse,
-    Started,
+    StartedProgram,
 )
-from urdfkit.text.document import Frame, Tag
+from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.resolve import Resolver
@@ -31,7 +31,9 @@ if TYPE_CHECKING:
 
 _XACRO = ("xacro", "xacro.py")
 #: Reads a launch file with the values of its arguments, included at a place.
-Reader: TypeAlias = "Callable[[Collector, Source, Mapping[str, str | None], Frame | None], None]"
+Reader: TypeAlias = (
+    "Callable[[Collector, Source, Mapping[str, str | None], CallFrame | None], None]"
+)
 
 
 class Collector:
@@ -50,11 +52,11 @@ class Collector:
         self.resolver = resolver
         self._reader = reader
         self.outer = outer
-        self.descriptions: list[Description] = []
+        self.descriptions: list[LaunchedDescription] = []
         self.files: list[FileUse] = []
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
-        self.started: list[Started] = []
+        self.started: list[StartedProgram] = []
         self.is_whole = True
         self.names_parameters = False
         self.included = included
@@ -77,7 +79,7 @@ class Collector:
         self.files.append(FileUse(span.text, path, exists, span, purpose))
         return exists
 
-    def command(self, text: str, span: Span, frame: Frame) -> None:
+    def command(self, text: str, span: Span, frame: CallFrame) -> None:
         """A shell command whose output is the robot description."""
         try:
             words = shlex.split(text)
@@ -95,7 +97,7 @@ class Collector:
             self.description(files[0], arguments, span, frame)
 
     def description(
-        self, path: str, arguments: Mapping[str, str | None], span: Span, frame: Frame
+        self, path: str, arguments: Mapping[str, str | None], span: Span, frame: CallFrame
     ) -> None:
         """A file that is the robot description, expanded with arguments; None is not known."""
         if not os.path.exists(path):
@@ -103,10 +105,10 @@ class Collector:
         if self.file(path, span, "the robot description"):
             known = {name: value for name, value in arguments.items() if value is not None}
             is_whole = len(known) == len(arguments)
-            self.descriptions.append(Description(path, known, frame, is_whole))
+            self.descriptions.append(LaunchedDescription(path, known, frame, is_whole))
 
     def follow(
-        self, path: str, source: Source, arguments: Mapping[str, str | None], frame: Frame
+        self, path: str, source: Source, arguments: Mapping[str, str | None], frame: CallFrame
     ) -> None:
         """Take over the robots and the parameters of an included launch file.
 
@@ -144,6 +146,6 @@ class Collector:
         )
 
 
-def frame_at(source: Source, tag: Tag, outer: Frame | None) -> Frame:
+def frame_at(source: Source, tag: Tag, outer: CallFrame | None) -> CallFrame:
     """The step from a launch file to what it starts."""
-    return Frame("launch", os.path.basename(source.path), tag, None, outer)
+    return CallFrame("launch", os.path.basename(source.path), tag, None, outer)

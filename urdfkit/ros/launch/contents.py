@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.core.record import Record
-from urdfkit.text.document import Frame
+from urdfkit.text.document import CallFrame
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import Problem
 
@@ -16,7 +16,7 @@ MAX_DEPTH = 8
 MAX_INCLUDED = 200
 
 
-class Description(Record):
+class LaunchedDescription(Record):
     """A robot description that a launch file makes.
 
     Attributes:
@@ -28,7 +28,7 @@ class Description(Record):
 
     path: str
     arguments: dict[str, str]
-    frame: Frame
+    frame: CallFrame
     is_whole: bool = True
 
 
@@ -65,7 +65,7 @@ class Word(Record):
     span: Span
 
 
-class Started(Record):
+class StartedProgram(Record):
     """A program that a launch file starts.
 
     Attributes:
@@ -82,7 +82,7 @@ class Started(Record):
     words: tuple[Word, ...]
     parameters: frozenset[str] | None
     span: Span
-    frame: Frame | None
+    frame: CallFrame | None
 
 
 class Launch(Record):
@@ -98,11 +98,11 @@ class Launch(Record):
             what is in a file, or in its own text.
     """
 
-    descriptions: tuple[Description, ...]
+    descriptions: tuple[LaunchedDescription, ...]
     files: tuple[FileUse, ...]
     packages: tuple[PackageUse, ...]
     problems: tuple[Problem, ...]
-    started: tuple[Started, ...]
+    started: tuple[StartedProgram, ...]
     is_whole: bool
     names_parameters: bool
 

@@ -9,12 +9,12 @@ from itertools import pairwise
 from urdfkit.ros.launch.collect import Collector, frame_at
 from urdfkit.ros.launch.commands import run_together
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import PARAMETERS, Started
+from urdfkit.ros.launch.contents import PARAMETERS, StartedProgram
 from urdfkit.ros.launch.scopes import unread
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text import python_source
-from urdfkit.text.document import Frame, Tag
+from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem
 
@@ -26,7 +26,7 @@ def read(
     collector: Collector,
     source: Source,
     arguments: Mapping[str, str | None],
-    frame: Frame | None,
+    frame: CallFrame | None,
 ) -> None:
     """What a launch file in Python needs, as far as constants reach."""
     try:
@@ -48,7 +48,7 @@ class _Reader:
         source: Source,
         tree: ast.Module,
         arguments: Mapping[str, str | None],
-        frame: Frame | None,
+        frame: CallFrame | None,
     ) -> None:
         self.collector = collector
         self.source = source
@@ -98,7 +98,7 @@ class _Reader:
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
         executable = argument(call, None, "executable") or argument(call, None, "node_executable")
-        started = Started(
+        started = StartedProgram(
             name or "",
             self.values.text(executable) or "",
             self.values.words(words),
@@ -125,7 +125,7 @@ class _Reader:
     def _process(self, call: ast.Call) -> None:
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)
-        self.collector.started.append(Started("", "", words, frozenset(), span, None))
+        self.collector.started.append(StartedProgram("", "", words, frozenset(), span, None))
 
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")
@@ -190,7 +190,7 @@ class _Reader:
         span = self.values.span(call)
         self.collector.description(self.values.path(path), arguments, span, self._frame(call))
 
-    def _frame(self, call: ast.Call) -> Frame:
+    def _frame(self, call: ast.Call) -> CallFrame:
         start = self.values.span(call).start
         return frame_at(self.source, Tag(self.source, start, start), self.frame)
 

@@ -11,12 +11,12 @@ from itertools import islice
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch import read_launch
-from urdfkit.ros.launch.contents import Description
+from urdfkit.ros.launch.contents import LaunchedDescription
 from urdfkit.ros.launch.markup import parsed
 from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
-from urdfkit.text.document import Element, Frame
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_launch
 from urdfkit.workspace.resolve import Resolver
@@ -27,7 +27,7 @@ MAX_FILES, MAX_FOLDERS = 200, 2000
 MAX_GIVEN = 16
 
 
-class Given(Record):
+class RobotArguments(Record):
     """Arguments of a robot.
 
     Attributes:
@@ -38,10 +38,10 @@ class Given(Record):
 
     arguments: dict[str, str]
     launch: str
-    frame: Frame | None
+    frame: CallFrame | None
 
 
-def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given]:
+def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[RobotArguments]:
     """What launch files give to a robot that lacks arguments, each set of them once.
 
     That is what the launch files of its package start it with, else those of other packages of
@@ -54,8 +54,8 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
         resolver: finds packages, and reads files.
     """
     real = os.path.realpath(robot)
-    own: dict[tuple[tuple[str, str], ...], Given] = {}
-    others: dict[tuple[str, ...], Given] = {}
+    own: dict[tuple[tuple[str, str], ...], RobotArguments] = {}
+    others: dict[tuple[str, ...], RobotArguments] = {}
     package = resolver.packages.enclosing(robot)
     for folder, name in _searched(robot, resolver):
         for launch, description in _descriptions(folder, name, resolver):
@@ -64,10 +64,10 @@ def given(robot: str, needed: Collection[str], resolver: Resolver) -> list[Given
                 continue
             if os.path.realpath(description.path) == real:
                 key = tuple(sorted(arguments.items()))
-                own.setdefault(key, Given(arguments, launch, description.frame))
+                own.setdefault(key, RobotArguments(arguments, launch, description.frame))
             elif resolver.packages.enclosing(description.path) == package:
                 chosen = {name: arguments[name] for name in needed}
-                others.setdefault(tuple(chosen.values()), Given(chosen, launch, None))
+                others.setdefault(tuple(chosen.values()), RobotArguments(chosen, launch, None))
         if own:
             break
     return list(islice((own or others).values(), MAX_GIVEN))
@@ -99,7 +99,7 @@ def _searched(robot: str, resolver: Resolver) -> Iterator[tuple[str, str]]:
 @lru_cache(maxsize=2)  # the robots of a package are asked for one after the other
 def _descriptions(
     folder: str, mentioned: str, resolver: Resolver
-) -> tuple[tuple[str, Description], ...]:
+) -> tuple[tuple[str, LaunchedDescription], ...]:
     """The robots that launch files of a folder start, with the path of the launch file."""
     return tuple(
         (source.path, description)

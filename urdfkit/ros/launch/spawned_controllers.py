@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.ros.launch.contents import Started, Word
+from urdfkit.ros.launch.contents import StartedProgram, Word
 
 _SPAWNERS = ("spawner", "spawner.py")
 _LOADS = ("load", "spawn")
@@ -23,7 +23,7 @@ _VALUED = frozenset(
 _DEFINING = frozenset(("-t", "--controller-type"))
 
 
-def controllers(started: Started) -> Iterator[Word]:
+def controllers(started: StartedProgram) -> Iterator[Word]:
     """The names of controllers that a program loads by what others define."""
     words = _arguments(started)
     texts = [(word.text or "").partition("=")[0] for word in words]
@@ -38,7 +38,7 @@ def controllers(started: Started) -> Iterator[Word]:
         is_value = text in _VALUED and "=" not in (word.text or "")
 
 
-def _arguments(started: Started) -> tuple[Word, ...]:
+def _arguments(started: StartedProgram) -> tuple[Word, ...]:
     """What stands behind the command; nothing if it loads no controllers."""
     words = started.words
     if started.package == "controller_manager":

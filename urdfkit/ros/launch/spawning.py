@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.core.record import Record
-from urdfkit.ros.launch.contents import Started, Word
+from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
 class Spawner(Record):
@@ -65,7 +65,7 @@ SPAWNERS = {
 _NUMBER = re.compile(r"-[\d.]")
 
 
-def options(started: Started, spawner: Spawner) -> tuple[dict[str, Word], bool]:
+def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word], bool]:
     """The options, with the words of their values; False if there may be others."""
     given: dict[str, Word] = {}
     is_known = True

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
-from urdfkit.text.document import Element, Frame
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.xml_reader import Problem
 
 _CONDITIONS = frozenset(("if", "unless"))
@@ -117,7 +117,7 @@ def _names(row: str) -> set[str]:
     return {word.rstrip("!") for word in row.split()}
 
 
-def slips(element: Element, ros: int, frame: Frame | None) -> Iterator[Problem]:
+def slips(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
     """What launch refuses or passes over in a tag, apart from the tags in it."""
     table = _TABLES[ros]
     row = table.get(element.tag)

@@ -17,12 +17,12 @@ from urdfkit.ros.launch.argument_checks import (
     undeclared,
 )
 from urdfkit.ros.launch.collect import Collector, frame_at
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Started, Word
+from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, StartedProgram, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
 from urdfkit.ros.launch.tags import dialect, slips
-from urdfkit.text.document import Attribute, Element, Frame
+from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem
 from urdfkit.workspace.manifest import manifest_of
@@ -43,7 +43,7 @@ def read(
     collector: Collector,
     source: Source,
     arguments: Mapping[str, str | None],
-    frame: Frame | None,
+    frame: CallFrame | None,
 ) -> None:
     """What a launch file in XML or YAML needs; files that it includes are followed."""
     _File(collector, source, arguments, (), frame, collector.outer).read()
@@ -58,7 +58,7 @@ class _File:
         source: Source,
         arguments: Mapping[str, str | None],
         lent: Iterable[str] = (),
-        frame: Frame | None = None,
+        frame: CallFrame | None = None,
         outer: tuple[str, ...] = (),
     ) -> None:
         self.collector = collector
@@ -268,7 +268,7 @@ class _File:
             elif _DESCRIPTION.search(name):
                 self._described(attribute, frame)
 
-    def _described(self, attribute: Attribute, frame: Frame) -> None:
+    def _described(self, attribute: Attribute, frame: CallFrame) -> None:
         """The command of a robot description: ROS 1's attribute, ROS 2's ``$(command '...')``."""
         text = attribute.value
         if attribute.name == "value":
@@ -292,7 +292,7 @@ class _File:
                 path = self._path(found.group(1))
                 self.collector.file(path, arguments.span, "the RViz configuration")
         executable = element.attributes.get("exec") or element.attributes.get("type")
-        started = Started(
+        started = StartedProgram(
             name or "",
             (self.text(executable) if executable else None) or "",
             self._words(arguments),
@@ -305,7 +305,7 @@ class _File:
 
     def _executable(self, element: Element) -> None:
         words = self._words(element.attributes.get("cmd"))
-        started = Started("", "", words, frozenset(), element.span, self.frame)
+        started = StartedProgram("", "", words, frozenset(), element.span, self.frame)
         self.collector.started.append(started)
 
     def _words(self, attribute: Attribute | None) -> tuple[Word, ...]:

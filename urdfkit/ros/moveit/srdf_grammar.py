@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from urdfkit.text.document import Attribute, Element
 
 
-class Kind(Record):
+class ElementGrammar(Record):
     """What an element has; ``text`` of ``children`` are tags, of the others attributes."""
 
     required: tuple[str, ...] = ()
@@ -24,7 +24,7 @@ class Kind(Record):
     children: tuple[str, ...] = ()
 
 
-class Slip(Record):
+class SrdfDeviation(Record):
     """A tag or attribute that is no part of SRDF, and the one that was meant."""
 
     at: Element | Attribute
@@ -35,7 +35,7 @@ class Slip(Record):
 
 #: By tag; ``joint`` of a state has a value, too.
 KINDS = {
-    "robot": Kind(
+    "robot": ElementGrammar(
         ("name",),
         ("version",),
         tuple(
@@ -44,28 +44,28 @@ KINDS = {
             "joint_property".split()
         ),
     ),
-    "group": Kind(("name",), (), ("link", "joint", "chain", "group")),
-    "link": Kind(("name",)),
-    "joint": Kind(("name",)),
-    "chain": Kind(("base_link", "tip_link")),
-    "group_state": Kind(("name", "group"), (), ("joint",)),
-    "end_effector": Kind(("name", "group", "parent_link"), ("parent_group",)),
-    "virtual_joint": Kind(("name", "type", "parent_frame", "child_link")),
-    "passive_joint": Kind(("name",)),
-    "disable_collisions": Kind(("link1", "link2"), ("reason",)),
-    "enable_collisions": Kind(("link1", "link2"), ("reason",)),
-    "disable_default_collisions": Kind(("link",)),
-    "link_sphere_approximation": Kind(("link",), (), ("sphere",)),
-    "sphere": Kind(("center", "radius")),
-    "joint_property": Kind(("joint_name", "property_name", "value")),
+    "group": ElementGrammar(("name",), (), ("link", "joint", "chain", "group")),
+    "link": ElementGrammar(("name",)),
+    "joint": ElementGrammar(("name",)),
+    "chain": ElementGrammar(("base_link", "tip_link")),
+    "group_state": ElementGrammar(("name", "group"), (), ("joint",)),
+    "end_effector": ElementGrammar(("name", "group", "parent_link"), ("parent_group",)),
+    "virtual_joint": ElementGrammar(("name", "type", "parent_frame", "child_link")),
+    "passive_joint": ElementGrammar(("name",)),
+    "disable_collisions": ElementGrammar(("link1", "link2"), ("reason",)),
+    "enable_collisions": ElementGrammar(("link1", "link2"), ("reason",)),
+    "disable_default_collisions": ElementGrammar(("link",)),
+    "link_sphere_approximation": ElementGrammar(("link",), (), ("sphere",)),
+    "sphere": ElementGrammar(("center", "radius")),
+    "joint_property": ElementGrammar(("joint_name", "property_name", "value")),
 }
-_STATE_JOINT = Kind(("name", "value"))
+_STATE_JOINT = ElementGrammar(("name", "value"))
 
 #: How like a name a word must be to be taken for a slip of it.
 _SLIP = 0.75
 
 
-def _elements(root: Element) -> Iterator[tuple[Element, Kind]]:
+def _elements(root: Element) -> Iterator[tuple[Element, ElementGrammar]]:
     """The elements that SRDF knows, outer ones first."""
     stack = [root]
     while stack:
@@ -77,20 +77,20 @@ def _elements(root: Element) -> Iterator[tuple[Element, Kind]]:
         stack += [child for child in reversed(element.children) if child.tag in kind.children]
 
 
-def slips(root: Element) -> Iterator[Slip]:
+def slips(root: Element) -> Iterator[SrdfDeviation]:
     """The misspelt tags and attributes of a file."""
     for element, kind in _elements(root):
         for child in element.children:
             if child.tag not in kind.children and ":" not in child.tag:
                 meant = nearest(child.tag, kind.children, _SLIP)
                 if meant:
-                    yield Slip(child, element, child.tag, meant)
+                    yield SrdfDeviation(child, element, child.tag, meant)
         names = (*kind.required, *kind.optional)
         for attribute in element.attributes.values():
             if attribute.name not in names and ":" not in attribute.name:
                 meant = nearest(attribute.name, names, _SLIP)
                 if meant and element.get(meant) is None:
-                    yield Slip(attribute, element, attribute.name, meant)
+                    yield SrdfDeviation(attribute, element, attribute.name, meant)
 
 
 def lacking(root: Element) -> Iterator[tuple[Element, str]]:

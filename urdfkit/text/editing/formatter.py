@@ -15,7 +15,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.editing.edits import STEP
 from urdfkit.text.editing.start_tags import MACRO, holders, parameters, start_tag, vectors
-from urdfkit.text.editing.tokens import Kind, Token, tokens
+from urdfkit.text.editing.tokens import Token, TokenKind, tokens
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_xacro, syntax_problems
 
@@ -71,7 +71,7 @@ def _require_robot(source: Source) -> None:
         problems = syntax_problems(source)
         reason = f"{problems[0].span}: {problems[0].message}"
         raise UnreadableRobot(reason, tuple(problems)) from None
-    root = next(one for one in tokens(source.data.decode()) if one.kind is Kind.START)
+    root = next(one for one in tokens(source.data.decode()) if one.kind is TokenKind.START)
     if root.name != "robot" and not is_xacro(source):
         raise UnreadableRobot(f"{source.path}: no robot, its root is <{root.name}>")
 
@@ -121,13 +121,13 @@ class _Writer:
         number = 0
         while number < len(self._tokens):
             token = self._tokens[number]
-            if token.kind is Kind.TEXT:
+            if token.kind is TokenKind.TEXT:
                 self._text_of(token)
-            elif token.kind is Kind.COMMENT:
+            elif token.kind is TokenKind.COMMENT:
                 self._comment(token, number)
-            elif token.kind is Kind.END:
+            elif token.kind is TokenKind.END:
                 self._end(token)
-            elif token.kind is Kind.START:
+            elif token.kind is TokenKind.START:
                 number = self._element(token, number)
             else:
                 self._line(token.text)
@@ -184,9 +184,13 @@ class _Writer:
     def _comment(self, token: Token, number: int) -> None:
         """Behind what it stands behind on its line, else on a line of its own."""
         before = self._tokens[number - 1] if number else None
-        if before and before.kind is Kind.TEXT:
+        if before and before.kind is TokenKind.TEXT:
             before = self._tokens[number - 2] if number > 1 else None
-        if self._gap == 0 and before and before.kind not in (Kind.INSTRUCTION, Kind.DOCTYPE):
+        if (
+            self._gap == 0
+            and before
+            and before.kind not in (TokenKind.INSTRUCTION, TokenKind.DOCTYPE)
+        ):
             self._lines[-1] += f" {_stripped(token.text)}"
             return
         self._line(_shifted(token.text, self._column(token.at), len(self._indent)))
@@ -207,18 +211,18 @@ def _outline(found: list[Token], path: str) -> _Outline:
     verbatim: set[int] = set()
     stack: list[int] = []
     for number, token in enumerate(found):
-        if token.kind is Kind.START:
+        if token.kind is TokenKind.START:
             if "xml:space" in token.text and ("xml:space", "preserve") in _values(token):
                 verbatim.add(number)
             if not token.is_empty:
                 stack.append(number)
                 if len(stack) > MAX_DEPTH:
                     raise UnreadableRobot(f"{path}: elements are nested too deeply to be laid out")
-        elif token.kind is Kind.END:
+        elif token.kind is TokenKind.END:
             start = stack.pop()
             ends[start] = number
             inner = found[start + 1]
-            if number == start + 2 and inner.kind is Kind.TEXT and "\n" not in inner.text:
+            if number == start + 2 and inner.kind is TokenKind.TEXT and "\n" not in inner.text:
                 verbatim.add(start)  # one space can be a value
         elif stack and _holds_meaning(token, [found[i].name for i in stack]):
             verbatim.add(stack[-1])
@@ -230,7 +234,7 @@ def _values(token: Token) -> list[tuple[str, str]]:
 
 
 def _is_blank(token: Token) -> bool:
-    return token.kind is Kind.TEXT and not token.text.strip()
+    return token.kind is TokenKind.TEXT and not token.text.strip()
 
 
 def _holds_meaning(token: Token, path: list[str]) -> bool:
@@ -240,9 +244,9 @@ def _holds_meaning(token: Token, path: list[str]) -> bool:
         token: any but tags.
         path: names of the elements around it.
     """
-    if token.kind is Kind.CDATA:
+    if token.kind is TokenKind.CDATA:
         return True
-    return token.kind is Kind.TEXT and bool(token.text.strip()) and not _is_stray_in(path)
+    return token.kind is TokenKind.TEXT and bool(token.text.strip()) and not _is_stray_in(path)
 
 
 def _is_stray_in(path: list[str]) -> bool:

@@ -22,7 +22,7 @@ _NAME = re.compile(r"<([^\s/>]+)")
 _ATTRIBUTE = re.compile(r"""\s+([^\s=]+)\s*=\s*("[^"]*"|'[^']*')""")
 
 
-class Kind(Enum):
+class TokenKind(Enum):
     """What a token is."""
 
     COMMENT = "comment"
@@ -37,7 +37,7 @@ class Kind(Enum):
 class Token(Record):
     """A piece of a document, from one offset to the next."""
 
-    kind: Kind
+    kind: TokenKind
     text: str
     at: int
 
@@ -50,7 +50,7 @@ class Token(Record):
     @property
     def is_empty(self) -> bool:
         """True for ``<a/>``."""
-        return self.kind is Kind.START and self.text.endswith("/>")
+        return self.kind is TokenKind.START and self.text.endswith("/>")
 
     @property
     def attributes(self) -> list[tuple[str, str]]:
@@ -70,5 +70,5 @@ def tokens(text: str) -> Iterator[Token]:
         if match is None:
             raise ValueError(f"no XML at {at}")
         assert match.lastgroup is not None
-        yield Token(Kind(match.lastgroup), match.group(), at)
+        yield Token(TokenKind(match.lastgroup), match.group(), at)
         at = match.end()
