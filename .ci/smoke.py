@@ -22,9 +22,9 @@ def run(command: str, *arguments: str | Path, code: int = 0) -> str:
     result = subprocess.run(
         [BIN / command, *arguments], capture_output=True, text=True, encoding="utf-8", check=False
     )
-    told = f"{command} {' '.join(map(str, arguments))}: exit {result.returncode}\n"
-    assert result.returncode == code, told + result.stdout + result.stderr
-    assert "Traceback" not in result.stderr, told + result.stderr
+    reported = f"{command} {' '.join(map(str, arguments))}: exit {result.returncode}\n"
+    assert result.returncode == code, reported + result.stdout + result.stderr
+    assert "Traceback" not in result.stderr, reported + result.stderr
     return result.stdout
 
 

@@ -90,14 +90,14 @@ def main() -> None:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "robot.urdf")
             file.write_text(new.join(SOUND.rsplit(old, 1)), encoding="utf-8")
-            told = [
+            reported = [
                 verdict([word.format(str(file)) if "{!" in word else word for word in words])
                 for words in programs.values()
             ]
             check = [sys.executable, "-m", "urdfkit", "check", "--isolated", "--select", code]
             found = subprocess.run([*check, str(file)], check=False, capture_output=True, text=True)
-            told.append(code if code in found.stdout else "silent")
-        print("|", " | ".join([name, *told]), "|")
+            reported.append(code if code in found.stdout else "silent")
+        print("|", " | ".join([name, *reported]), "|")
 
 
 if __name__ == "__main__":

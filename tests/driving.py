@@ -24,7 +24,7 @@ drive:
 """
 
 
-def told(folder: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
+def reported(folder: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
     """What a rule says about a robot with these controllers."""
     (folder / "c.yaml").write_text(text)
     names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")

@@ -18,7 +18,7 @@ MANIFEST = """<?xml version="1.0"?>
 """
 
 
-def told(
+def reported(
     folder: Path, code: str, name: str, text: str, files: Mapping[str, str] | None = None
 ) -> list[Diagnostic]:
     """What a rule says of ``launch/<name>``.

@@ -68,6 +68,8 @@ def weighed(text: str) -> LinkInertia:
     return found
 
 
-def claims(text: str) -> dict[str, list[str]]:
+def diagnoses(text: str) -> dict[str, list[str]]:
     """The links that each rule claims."""
-    return {code: [one.link.name for one in found] for code, found in masses(text).claims.items()}
+    return {
+        code: [one.link.name for one in found] for code, found in masses(text).diagnoses.items()
+    }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from tests import told as one_text
+from tests import reported as one_text
 from tests.workspaces import add_file, mesh_link
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
@@ -26,7 +26,7 @@ def link(*parts: str, name: str = "arm") -> str:
     return f'<link name="{name}">{"".join(parts)}</link>'
 
 
-def told(
+def reported(
     folder: Path,
     code: str,
     robot: str,
@@ -47,13 +47,13 @@ def told(
 
 def messages(folder: Path, code: str, robot: str, files: Mapping[str, bytes]) -> list[str]:
     """The messages of a rule, in the order of the file."""
-    return [found.message for found in told(folder, code, robot, files)]
+    return [found.message for found in reported(folder, code, robot, files)]
 
 
 def reasons(folder: Path, code: str, name: str, data: bytes) -> list[tuple[str, str]]:
     """What a rule says of the file of the mesh of a link, as an error, and the help."""
     add_file(folder / name, data)
-    found = one_text.told(code, mesh_link(name), str(folder / "arm.urdf"))
+    found = one_text.reported(code, mesh_link(name), str(folder / "arm.urdf"))
     assert all(diagnostic.severity is Severity.ERROR for diagnostic in found)
     start = f"link 'arm': the visual mesh '{name}' "
     return [(diagnostic.message.removeprefix(start), diagnostic.help) for diagnostic in found]

@@ -101,12 +101,12 @@ def test_the_findings_are_those_that_were_read(entry: tuple[Path, dict[str, Any]
         for code in sorted({*before, *now})
         if before.get(code) != now.get(code)
     ]
-    told = "\n".join(
+    reported = "\n".join(
         f"{one.span}: {one.code} {one.message}"
         for one in report.diagnostics
         if now.get(one.code, 0) > before.get(one.code, 0)
     )
-    assert not changes, f"{', '.join(changes)}; python -m tests.update_corpus_findings\n{told}"
+    assert not changes, f"{', '.join(changes)}; python -m tests.update_corpus_findings\n{reported}"
 
 
 def test_every_model_has_its_findings() -> None:

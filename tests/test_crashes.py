@@ -45,7 +45,7 @@ def fail(*_: object) -> Any:
     raise ZeroDivisionError("planted")
 
 
-def told(report: Report) -> list[tuple[str, str, int]]:
+def reported(report: Report) -> list[tuple[str, str, int]]:
     return [(d.span.source.path, d.code, d.span.start) for d in report.diagnostics]
 
 
@@ -76,7 +76,7 @@ PARTS = [
 def test_a_part_that_fails_costs_its_rules(
     owner: type, name: str, lost: tuple[str, ...], robots: list[Path], monkeypatch
 ) -> None:
-    before = told(check(*robots))
+    before = reported(check(*robots))
     part = cached_property(fail)
     part.__set_name__(owner, name)
     monkeypatch.setattr(owner, name, part)
@@ -89,18 +89,18 @@ def test_a_part_that_fails_costs_its_rules(
     assert crashed.isdisjoint(report.rules)
     kept = [one for one in before if one[1] not in crashed]
     assert kept
-    assert [one for one in kept if one not in told(report)] == []
+    assert [one for one in kept if one not in reported(report)] == []
 
 
 @pytest.mark.parametrize("family", ["geometry", "gazebo_plugins", "inertia", "joints", "meshes"])
 def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
     family: str, robots: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    before = told(check(*robots))
+    before = reported(check(*robots))
     monkeypatch.setattr(import_module(f"urdfkit.checks.{family}"), "applies", fail)
     report = check(*robots)
     lost = rules.of_family(family)
-    assert told(report) == [one for one in before if one[1] not in lost]
+    assert reported(report) == [one for one in before if one[1] not in lost]
     assert {(c.code, c.path) for c in report.crashed} == {(c, str(p)) for c in lost for p in robots}
 
 
@@ -108,7 +108,7 @@ def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
 def test_a_robot_that_fails_costs_no_other_robot(
     jobs: int, robots: list[Path], monkeypatch
 ) -> None:
-    before = [one for one in told(check(*robots)) if one[0] == str(robots[0])]
+    before = [one for one in reported(check(*robots)) if one[0] == str(robots[0])]
     read = vars(Subject)["reading"].func
     broken = str(robots[1])
 
@@ -119,7 +119,7 @@ def test_a_robot_that_fails_costs_no_other_robot(
     part.__set_name__(Subject, "reading")
     monkeypatch.setattr(Subject, "reading", part)
     report = check(*robots, jobs=jobs)
-    assert told(report) == before
+    assert reported(report) == before
     assert [(c.code, c.path) for c in report.crashed] == [("", broken)]
 
 
@@ -144,10 +144,10 @@ def test_rules_that_fail_alike_are_one_line(robots: list[Path], monkeypatch, cap
 def test_a_launch_file_that_fails_costs_no_robot(robots: list[Path], monkeypatch) -> None:
     launch = robots[0].with_name("r.launch")
     launch.write_text("<launch/>")
-    before = told(check(*robots))
+    before = reported(check(*robots))
     monkeypatch.setattr("urdfkit.ros.launch.read_launch", fail)
     report = check(launch, *robots)
-    assert told(report) == before
+    assert reported(report) == before
     assert {crash.path for crash in report.crashed} == {str(launch)}
 
 

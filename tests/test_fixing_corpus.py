@@ -68,13 +68,13 @@ def test_unsafe_fixes_add_no_error_and_are_applied_once(entry: tuple[Path, dict[
         before = check(file, arguments=arguments)
         assert not _errors(fixes.report) - _errors(before)
         old, new = (_parts(file, arguments, some) for some in ({}, texts))
-        told = "".join(
+        reported = "".join(
             f"{call.message} {call.element} {[note.message for note in found.related]}"
             for found in fixes.applied
             for call in found.calls
         )
         assert [
-            name for name in old.keys() & new if old[name] != new[name] and name not in told
+            name for name in old.keys() & new if old[name] != new[name] and name not in reported
         ] == []
         again = fix(file, arguments=arguments, force=True, unsafe=True, texts=texts)
         assert [one.code for one in again.applied] == []

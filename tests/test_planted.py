@@ -60,11 +60,13 @@ def plants() -> Iterator[Plant]:
         if not lines:
             continue
         code, robot, file = lines[0].split()
-        told = dict(line.split(" ", 1) for line in lines[1:] if line[0] not in "-+")
+        reported = dict(line.split(" ", 1) for line in lines[1:] if line[0] not in "-+")
         old, new = ("\n".join(x[2:] for x in lines[1:] if x[0] == sign) for sign in "-+")
-        where, _, line = told.get("at", "").partition(": ")
-        followers = frozenset(told.get("then", "").split())
-        yield Plant(code, robot, file, old, new, int(told.get("nth", 1)), followers, (where, line))
+        where, _, line = reported.get("at", "").partition(": ")
+        followers = frozenset(reported.get("then", "").split())
+        yield Plant(
+            code, robot, file, old, new, int(reported.get("nth", 1)), followers, (where, line)
+        )
 
 
 PLANTS = tuple(plants())
@@ -117,13 +119,13 @@ def test_it_is_found_where_it_was_planted(plant: Plant, tmp_path: Path) -> None:
     files = copied(plant.robot, tmp_path)
     places = planted(plant, tmp_path)
     report = check(*files)
-    told = [(found.code, place(found, tmp_path)) for found in report.diagnostics]
+    reported = [(found.code, place(found, tmp_path)) for found in report.diagnostics]
     assert report.crashed == ()
-    assert any(code == plant.code and at in places for code, at in told), told
+    assert any(code == plant.code and at in places for code, at in reported), reported
     elsewhere = {
         found.code
         for found in report.diagnostics
         if found.severity is Severity.ERROR and place(found, tmp_path) not in places
     }
-    assert elsewhere - {plant.code} <= plant.followers, told
-    assert len(told) <= MOST, told
+    assert elsewhere - {plant.code} <= plant.followers, reported
+    assert len(reported) <= MOST, reported

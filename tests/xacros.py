@@ -16,7 +16,7 @@ def xacro(body: str, name: str = ' name="r"') -> str:
     return f"<robot{name} {NAMESPACE}>\n{body}\n</robot>\n"
 
 
-def told(code: str, body: str, **arguments: str) -> list[Diagnostic]:
+def reported(code: str, body: str, **arguments: str) -> list[Diagnostic]:
     """What a rule says about the body of a xacro."""
     source = Source("robot.xacro", xacro(body).encode())
     report = engine.check(source, select=[code], arguments=arguments)

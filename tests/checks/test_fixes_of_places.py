@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 
 SHAPE = '<geometry><box size="0.4 0.1 0.1"/></geometry>'
 
@@ -37,7 +37,7 @@ def test_a_collision_gets_the_origin_of_the_same_shape(
 
 def test_a_collision_of_another_shape_keeps_its_origin() -> None:
     robot = body('<origin xyz="0 0 1"/>', "").replace("0.4 0.1 0.1", "0.4 0.2 0.1", 1)
-    assert [one.fix for one in told("GEO004", robot)] == [None]
+    assert [one.fix for one in reported("GEO004", robot)] == [None]
 
 
 FOOTPRINT = """\
@@ -63,13 +63,13 @@ FOOTPRINT = """\
 def test_the_robot_is_lifted_to_the_ground(origin: str, lifted: str) -> None:
     robot = f'<robot name="example">\n{FOOTPRINT.format(lifted)}\n</robot>\n'
     assert fixed("TRE008", FOOTPRINT.format(origin)) == robot
-    assert told("TRE008", FOOTPRINT.format(lifted)) == []
+    assert reported("TRE008", FOOTPRINT.format(lifted)) == []
 
 
 def test_a_computed_height_is_not_edited() -> None:
     head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
     robot = FOOTPRINT.format('<origin xyz="0 0 ${0.05*4}"/>')
-    assert [one.fix for one in told("TRE008", f"{head}{robot}</robot>", "r.xacro")] == [None]
+    assert [one.fix for one in reported("TRE008", f"{head}{robot}</robot>", "r.xacro")] == [None]
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,7 @@ def test_a_computed_height_is_not_edited() -> None:
 )
 def test_only_a_copy_is_removed(first: str, second: str, same: bool) -> None:
     robot = f'<link name="a"><visual>{first}{second}{SHAPE}</visual></link>'
-    (found,) = told("URD007", robot)
+    (found,) = reported("URD007", robot)
     assert (found.fix is not None) is same
     if found.fix:
         assert found.fix.safe

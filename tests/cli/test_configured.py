@@ -157,10 +157,10 @@ def test_the_viewer(robot: Path, monkeypatch, capsys) -> None:
     configure(robot, TWO)
     assert main(["view", str(robot), "--variant", "right", "--no-open"]) == 0
     (wish,) = seen
-    told = describe(
+    reported = describe(
         wish.file, arguments=wish.arguments, config=wish.config, variant=wish.variant, quick=True
     )
-    assert told.subject.arguments == {"side": "right"}
+    assert reported.subject.arguments == {"side": "right"}
 
 
 def test_the_language_server(robot: Path) -> None:

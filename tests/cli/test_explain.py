@@ -19,8 +19,8 @@ def test_several_rules_are_explained_one_after_the_other(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     assert main(["explain", "TRE006", "TRE001"]) == 0
-    told = capsys.readouterr().out
-    assert told == f"{render(rules.get('TRE006'))}\n\n{render(rules.get('TRE001'))}"
+    reported = capsys.readouterr().out
+    assert reported == f"{render(rules.get('TRE006'))}\n\n{render(rules.get('TRE001'))}"
 
 
 def test_a_family_is_no_rule(capsys: pytest.CaptureFixture[str]) -> None:

@@ -89,10 +89,10 @@ def test_a_robot_that_cannot_be_read_says_why(
         encoding="utf-8",
     )
     assert main(["info", str(file)]) == 2
-    told = capsys.readouterr().err
-    assert told.startswith(f"error: {file}:1:")
-    assert "'nothing'" in told
-    assert told.endswith(f"; see 'urdfkit check {file}', which tells 1 error more\n")
+    reported = capsys.readouterr().err
+    assert reported.startswith(f"error: {file}:1:")
+    assert "'nothing'" in reported
+    assert reported.endswith(f"; see 'urdfkit check {file}', which tells 1 error more\n")
 
 
 @pytest.mark.parametrize(
@@ -106,12 +106,12 @@ def test_a_robot_that_cannot_be_read_says_why(
     ],
 )
 def test_what_cannot_be_done_is_said(
-    words: list[str], told: str, capsys: pytest.CaptureFixture[str]
+    words: list[str], reported: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", *words]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert told in captured.err
+    assert reported in captured.err
 
 
 def test_the_first_error_is_told_not_a_warning_before_it(
@@ -123,17 +123,17 @@ def test_the_first_error_is_told_not_a_warning_before_it(
         '<xacro:arg name="name" default="r"/><link name="${x}"/></robot>'
     )
     assert main(["info", str(file)]) == 2
-    told = capsys.readouterr().err
-    assert "name 'x' is not defined" in told
-    assert "more" not in told
+    reported = capsys.readouterr().err
+    assert "name 'x' is not defined" in reported
+    assert "more" not in reported
 
 
 def test_instead_of_a_folder_its_robots_are_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", str(MODELS / "good" / "two_link_arm")]) == 2
-    told = capsys.readouterr().err
-    assert f"is a folder; name one of its robots: {os.path.relpath(ARM)}\n" in told
+    reported = capsys.readouterr().err
+    assert f"is a folder; name one of its robots: {os.path.relpath(ARM)}\n" in reported
     assert main(["info", str(tmp_path)]) == 2
     assert capsys.readouterr().err.endswith("is a folder; name the file of a robot\n")
 
@@ -157,9 +157,9 @@ def test_an_argument_that_nothing_reads_is_told(
         '<xacro:if value="0"><link name="$(arg side)"/></xacro:if></robot>'
     )
     assert main(["info", str(robot), given]) == 0
-    told = capsys.readouterr().err
-    assert note in told
-    assert bool(note) == bool(told)
+    reported = capsys.readouterr().err
+    assert note in reported
+    assert bool(note) == bool(reported)
     assert main(["check", str(robot), given, "--select", "XML"]) == 0
     out = capsys.readouterr().out
     assert note in out

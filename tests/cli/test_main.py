@@ -52,10 +52,10 @@ def test_the_version_has_one_source() -> None:
     [("lint", "check"), ("chek", "check"), ("xacro", "expand"), ("help", "--help")],
 )
 def test_a_command_of_another_tool(
-    word: str, meant: str, capsys: pytest.CaptureFixture[str]
+    word: str, suggested: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main([word]) == 2
-    assert f"there is no command '{word}'; did you mean '{meant}'?" in capsys.readouterr().err
+    assert f"there is no command '{word}'; did you mean '{suggested}'?" in capsys.readouterr().err
 
 
 needs_meshes = pytest.mark.skipif(bool(missing_for_meshes()), reason="it needs the extra meshes")

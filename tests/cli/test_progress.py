@@ -96,19 +96,19 @@ def on_a_terminal(*words: str | Path, command: str = "check") -> tuple[str, str]
     time.sleep(0.05)
     os.set_blocking(ours, False)
     try:
-        told = os.read(ours, 10_000).decode()
+        reported = os.read(ours, 10_000).decode()
     except OSError:  # nothing was written
-        told = ""
+        reported = ""
     os.close(ours)
-    return out, told
+    return out, reported
 
 
 @UNIX
 def test_a_folder_on_a_terminal() -> None:
-    out, told = on_a_terminal(MODELS / "good", "--exit-zero")
-    assert told.startswith("\r[")
-    assert "] 3 of 3" in told
-    assert told.endswith("\r\x1b[K")
+    out, reported = on_a_terminal(MODELS / "good", "--exit-zero")
+    assert reported.startswith("\r[")
+    assert "] 3 of 3" in reported
+    assert reported.endswith("\r\x1b[K")
     assert "\x1b" not in out
     assert "[#" not in out
 
@@ -131,9 +131,9 @@ def test_one_file_tells_of_its_meshes(command: str, tmp_path: Path) -> None:
         '<visual><geometry><mesh filename="a.stl"/></geometry></visual>'
         '<collision><geometry><mesh filename="b.stl"/></geometry></collision></link></robot>'
     )
-    _, told = on_a_terminal(file, command=command)
-    assert told.startswith(f"\r[{' ' * 30}] 0 of 2 mesh files")
-    assert told.endswith("\r\x1b[K")
+    _, reported = on_a_terminal(file, command=command)
+    assert reported.startswith(f"\r[{' ' * 30}] 0 of 2 mesh files")
+    assert reported.endswith("\r\x1b[K")
 
 
 def test_it_appears_though_the_first_thing_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:

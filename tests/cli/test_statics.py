@@ -88,8 +88,8 @@ def test_without_pinocchio_it_says_what_is_missing(
     ],
 )
 def test_what_cannot_be_done_is_said(
-    words: list[str], told: str, capsys: pytest.CaptureFixture[str]
+    words: list[str], reported: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("pinocchio")
     assert main(["statics", ARM, *words]) == 2
-    assert told in capsys.readouterr().err
+    assert reported in capsys.readouterr().err

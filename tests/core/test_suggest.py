@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from urdfkit.core.suggest import Suggester, did_you_mean, is_slip, nearest
+from urdfkit.core.suggest import Suggester, did_you_mean, is_typo, nearest
 
 CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
 
@@ -21,8 +21,8 @@ CODES = ["XML001", "XML002", "TRE006", "not-well-formed", "base_link"]
         ("", None),
     ],
 )
-def test_nearest(word: str, meant: str | None) -> None:
-    assert nearest(word, CODES) == meant
+def test_nearest(word: str, suggested: str | None) -> None:
+    assert nearest(word, CODES) == suggested
 
 
 @pytest.mark.parametrize(
@@ -44,8 +44,8 @@ def test_nearest(word: str, meant: str | None) -> None:
     ],
 )
 def test_a_slip_is_one_letter_or_two_exchanged(word: str, other: str, expected: bool) -> None:
-    assert is_slip(word, other) is expected
-    assert is_slip(other, word) is expected
+    assert is_typo(word, other) is expected
+    assert is_typo(other, word) is expected
 
 
 def test_did_you_mean() -> None:
@@ -75,27 +75,27 @@ def test_an_endless_word_costs_little() -> None:
         ("roler_b", "roller_b"),
     ],
 )
-def test_a_sibling_is_not_a_slip(word: str, meant: str) -> None:
+def test_a_sibling_is_not_a_slip(word: str, suggested: str) -> None:
     known = ["base_link", "left_wheel", "wheel_1", "wheel_2", "fl_leg", "roller_b"]
-    assert Suggester(known).meant(word) == meant
+    assert Suggester(known).suggested(word) == suggested
 
 
 def test_a_speller_bounds_its_work() -> None:
-    speller = Suggester(["base_link"])
-    slips = [f"bas{'e' * length}_link" for length in range(2, Suggester.MAX_WORDS + 12)]
-    assert speller.meant(slips[0]) == "base_link"
-    for slip in slips:
-        speller.meant(slip)
-    assert speller.meant("base_lnk") == "", "more words are not looked at"
-    assert speller.meant(slips[0]) == "base_link", "a word is looked at once"
-    assert Suggester([f"l{n}" for n in range(Suggester.MAX_KNOWN + 1)]).meant("l1x") == ""
+    suggester = Suggester(["base_link"])
+    mistakes = [f"bas{'e' * length}_link" for length in range(2, Suggester.MAX_WORDS + 12)]
+    assert suggester.suggested(mistakes[0]) == "base_link"
+    for mistake in mistakes:
+        suggester.suggested(mistake)
+    assert suggester.suggested("base_lnk") == "", "more words are not looked at"
+    assert suggester.suggested(mistakes[0]) == "base_link", "a word is looked at once"
+    assert Suggester([f"l{n}" for n in range(Suggester.MAX_KNOWN + 1)]).suggested("l1x") == ""
 
 
 def test_the_hint_of_a_speller() -> None:
-    speller = Suggester(["left_arm", "right_arm"])
-    assert speller.hint("left_amr") == "; did you mean 'left_arm'?"
-    assert speller.hint("rght_arm") == "; did you mean 'right_arm'?"
-    assert speller.hint("head") == ""
+    suggester = Suggester(["left_arm", "right_arm"])
+    assert suggester.hint("left_amr") == "; did you mean 'left_arm'?"
+    assert suggester.hint("rght_arm") == "; did you mean 'right_arm'?"
+    assert suggester.hint("head") == ""
 
 
 @pytest.mark.parametrize(
@@ -108,5 +108,5 @@ def test_the_hint_of_a_speller() -> None:
         ("imageTopic", "imageTopicName", "imageTopicName"),
     ],
 )
-def test_a_word_in_front_changes_the_meaning(word: str, known: str, meant: str) -> None:
-    assert Suggester([known]).meant(word) == meant
+def test_a_word_in_front_changes_the_meaning(word: str, known: str, suggested: str) -> None:
+    assert Suggester([known]).suggested(word) == suggested

@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cylinder, joint, revolute, sphere
-from tests.told import messages
+from tests.reported import messages
 
 PALM = box(0.1, 0.1, 0.05)
 

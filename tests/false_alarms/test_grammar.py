@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 from urdfkit.text.diagnostic import Severity
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
@@ -32,11 +32,13 @@ JOINT = (
     ],
 )
 def test_what_a_known_program_reads_is_no_unknown_element(robot: str) -> None:
-    assert [found for code in ("URD001", "URD002", "URD009") for found in told(code, robot)] == []
+    assert [
+        found for code in ("URD001", "URD002", "URD009") for found in reported(code, robot)
+    ] == []
 
 
 def test_the_same_words_elsewhere_are_unknown() -> None:
-    (found,) = told("URD001", '<link name="a"/><collision_checking/>')
+    (found,) = reported("URD001", '<link name="a"/><collision_checking/>')
     assert found.severity is Severity.WARNING
 
 
@@ -58,5 +60,5 @@ def test_the_same_words_elsewhere_are_unknown() -> None:
     ],
 )
 def test_what_loses_nothing_is_an_info(code: str, robot: str, severity: int) -> None:
-    (found,) = told(code, robot)
+    (found,) = reported(code, robot)
     assert found.severity is (Severity.INFO, Severity.WARNING)[severity]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import link
+from tests.reported import messages
 from tests.robot.test_joint_loads import pendulum
-from tests.told import messages
 
 pytest.importorskip("pinocchio")
 

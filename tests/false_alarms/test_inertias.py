@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 #: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
 ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
@@ -31,7 +31,7 @@ def test_a_floor_under_the_moments_of_many_links_is_one_finding() -> None:
         for n in range(12)
     ]
     palm = part("palm", 1, (0.004, 0.004, 0.004), BALL)
-    (found,) = told("INE006", palm + "".join(fingers))
+    (found,) = reported("INE006", palm + "".join(fingers))
     assert found.message.endswith(" and 9 more)")
     assert len(found.related) == 11
 
@@ -41,4 +41,4 @@ def test_a_density_near_the_bound_is_no_finding(mass: float, count: int) -> None
     density = 14400 * 0.0041888  # a ball of 0.1 m is of 0.0041888 m^3
     assert (mass > density) is bool(count)
     moment = 0.4 * mass * 0.01
-    assert len(told("INE010", part("ball", mass, (moment,) * 3, BALL))) == count
+    assert len(reported("INE010", part("ball", mass, (moment,) * 3, BALL))) == count

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -14,13 +14,13 @@ def test_absolute_paths_outside_of_the_repository(tmp_path: Path, mark: str) -> 
     """Clearpath's robots keep their description in /etc/clearpath."""
     files = {mark: ""} if mark else {}
     text = '<rosparam file="/etc/clearpath/robot.yaml"/>'
-    assert told(tmp_path / "arm", "LAU003", "a.launch", text, files) == []
+    assert reported(tmp_path / "arm", "LAU003", "a.launch", text, files) == []
     program = (
         "import launch, launch_ros.actions\n"
         "def generate_launch_description():\n"
         "    return launch.LaunchDescription([launch_ros.actions.Node(package='p', "
         "executable='e', parameters=['/etc/clearpath/platform/config/control.yaml'])])\n"
     )
-    assert told(tmp_path / "arm", "LAU003", "a.launch.py", program, files) == []
+    assert reported(tmp_path / "arm", "LAU003", "a.launch.py", program, files) == []
     inside = f'<rosparam file="{tmp_path}/arm/config/robot.yaml"/>'
-    assert len(told(tmp_path / "arm", "LAU003", "a.launch", inside, files)) == 1
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", inside, files)) == 1

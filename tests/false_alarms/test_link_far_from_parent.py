@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import joint, link, shape
-from tests.told import messages
+from tests.reported import messages
 
 SMALL = shape("visual", '<box size="0.01 0.01 0.01"/>')
 TORSO = shape("visual", '<box size="0.3 0.3 1.2"/>', xyz="0 0 0.7")

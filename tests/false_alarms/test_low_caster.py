@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import joint, link, shape
-from tests.told import told
+from tests.reported import reported
 
 
 def on_wheels(caster: float, footprint: float = 0.05) -> str:
@@ -21,7 +21,7 @@ def on_wheels(caster: float, footprint: float = 0.05) -> str:
 
 
 def test_a_caster_that_reaches_lower_than_the_wheels() -> None:
-    (found,) = told("TRE008", on_wheels(-0.05))
+    (found,) = reported("TRE008", on_wheels(-0.05))
     assert found.message == (
         "the lowest collision point (link 'caster') is 0.02 m below 'base_footprint', which by "
         "convention lies on the ground; on it left, right hang 0.02 m in the air"
@@ -32,10 +32,10 @@ def test_a_caster_that_reaches_lower_than_the_wheels() -> None:
 
 @pytest.mark.parametrize("footprint", [0.0, 0.1])
 def test_a_robot_that_stands_on_all_of_them_is_lifted(footprint: float) -> None:
-    (found,) = told("TRE008", on_wheels(-0.03, footprint))
+    (found,) = reported("TRE008", on_wheels(-0.03, footprint))
     assert "hang" not in found.message
     assert found.fix is not None
 
 
 def test_a_caster_that_ends_above_the_ground() -> None:
-    assert told("TRE008", on_wheels(0.0)) == []
+    assert reported("TRE008", on_wheels(0.0)) == []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 NAMES = ("front_left", "front_right", "rear_left", "rear_right")
 PLACES = ("0.2 0.15 0", "0.2 -0.15 0", "-0.2 0.15 0", "-0.2 -0.15 0")
@@ -26,7 +26,7 @@ def test_four_wheels_in_their_corners() -> None:
 
 @pytest.mark.parametrize("odd", range(4))
 @pytest.mark.parametrize("slip", ["y", "x", "forward", "up", "below"])
-def test_the_odd_one_is_told(odd: int, slip: str) -> None:
+def test_the_odd_one_is_told(odd: int, mistake: str) -> None:
     x, y, z = map(float, PLACES[odd].split())
     wrong = {
         "y": (x, -y, z),
@@ -34,7 +34,7 @@ def test_the_odd_one_is_told(odd: int, slip: str) -> None:
         "forward": (x + 0.03, y, z),
         "up": (x, y, 0.05),
         "below": (x, y, -0.1),
-    }[slip]
+    }[mistake]
     places = [*PLACES]
     places[odd] = " ".join(map(str, wrong))
     (message,) = messages("JNT031", robot(*places))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import told
+from tests.reported import reported
 from urdfkit.text.diagnostic import Severity
 
 KEPT = block("<preserveFixedJoint>true</preserveFixedJoint>", "hand")
@@ -29,5 +29,5 @@ def shared(kind: str, name: str = "hand") -> str:
 def test_a_fixed_joint_that_gazebo_merges_may_have_the_name_of_a_link(
     robot: str, severity: Severity
 ) -> None:
-    (found,) = told("NAM003", robot, targets=("gz-harmonic",))
+    (found,) = reported("NAM003", robot, targets=("gz-harmonic",))
     assert found.severity is severity

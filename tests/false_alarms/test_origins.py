@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import link, shape
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 
 BASE = '<box size="0.4 0.3 {}"/>'
 
@@ -20,7 +20,7 @@ def test_the_origin_of_half_the_height_in_the_visual_alone(height: str, half: st
         shape("visual", box, f"0 0 {half}"),
         "<collision>\n<geometry>\n" + box + "\n</geometry>\n</collision>",
     )
-    (found,) = told("GEO004", robot)
+    (found,) = reported("GEO004", robot)
     assert "33%" in found.message or "34%" in found.message
     assert f'xyz="0 0 {half}"' in fixed("GEO004", robot).split("<collision>")[1]
 
@@ -28,6 +28,6 @@ def test_the_origin_of_half_the_height_in_the_visual_alone(height: str, half: st
 def test_a_shift_that_may_be_meant() -> None:
     box = BASE.format("0.1")
     assert (
-        told("GEO004", link("base", shape("visual", box, "0 0 0.04"), shape("collision", box)))
+        reported("GEO004", link("base", shape("visual", box, "0 0 0.04"), shape("collision", box)))
         == []
     )

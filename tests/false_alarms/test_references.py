@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 LINKS = '<link name="base_link"/><link name="arm_link"/>'
 ARM = '<joint name="a" type="fixed"><parent link="base_link"/><child link="arm_link"/></joint>'

@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 from urdfkit import Diagnostic, check
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 
 ARMS = ("left", "right")
 
 
 def about_srdf(robot: Path, **arguments: str) -> tuple[Diagnostic, ...]:
     """What a reader sees of the findings about the SRDF."""
-    return gathered(check(robot, select=["SRD"], arguments=arguments).diagnostics)
+    return grouped(check(robot, select=["SRD"], arguments=arguments).diagnostics)
 
 
 def arm(side: str, prefix: str = "") -> str:

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import inertial, joint, link, shape
 from tests.output.test_overview import of
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.cli import main
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.report.document import describe
@@ -43,7 +43,7 @@ def test_a_caster_without_collision_holds_nothing() -> None:
 
 
 def test_a_caster_without_collision_is_a_warning() -> None:
-    (found,) = told("GEO002", on_wheels())
+    (found,) = reported("GEO002", on_wheels())
     assert found.severity is Severity.WARNING
     assert found.message == (
         "link 'caster' has a visual and no collision; without it the robot does not stand"
@@ -53,7 +53,7 @@ def test_a_caster_without_collision_is_a_warning() -> None:
 def test_so_are_the_wheels_under_a_base_with_collision() -> None:
     box = '<box size="0.3 0.2 0.02"/>'
     base = shape("visual", box) + shape("collision", box)
-    found = told("GEO002", on_wheels(BOTH, wheel=shape("visual", BALL), base=base))
+    found = reported("GEO002", on_wheels(BOTH, wheel=shape("visual", BALL), base=base))
     assert [one.severity for one in found] == [Severity.WARNING] * 2
 
 
@@ -66,7 +66,7 @@ def test_so_are_the_wheels_under_a_base_with_collision() -> None:
     ],
 )
 def test_what_holds_nothing_up_is_an_info(text: str) -> None:
-    (found,) = told("GEO002", text)
+    (found,) = reported("GEO002", text)
     assert found.severity is Severity.INFO
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, sensor
-from tests.told import told
+from tests.reported import reported
 
 
 def test_an_element_that_is_ignored_is_not_said_to_be_missing() -> None:
     noise = "<imu><noise><type>gaussian</type></noise></imu>\n"
-    (found,) = told("GAZ042", BASE + sensor("imu", noise))
+    (found,) = reported("GAZ042", BASE + sensor("imu", noise))
     assert found.message == "sensor 's': unknown element <noise> in <imu> (ignored)"
     assert "<angular_velocity>" in found.help

@@ -102,8 +102,8 @@ def test_it_installs_this_urdfkit(tmp_path: Path) -> None:
         [program.with_name("python"), "-c", "import numpy"], check=False, capture_output=True
     )
     assert heavy.returncode != 0, "no extra was asked for"
-    told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
-    assert told.stdout.startswith("urdfkit ")
+    reported = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
+    assert reported.stdout.startswith("urdfkit ")
 
 
 @needs_bash

@@ -172,10 +172,10 @@ def test_real_robots(tmp_path: Path, hooks: Repository, home: Path) -> None:
     refused = repository.commit()
     assert refused.returncode == 1
     place = part.relative_to(tmp_path).as_posix()
-    told = " ".join(refused.stderr.split())
+    reported = " ".join(refused.stderr.split())
     line = 1 + text[: text.index('<mass value="${mass}"/>')].count("\n")
-    assert f"{place}:{line}:22: error XAC001" in told
-    assert "1 error in 5 files" in told
+    assert f"{place}:{line}:22: error XAC001" in reported
+    assert "1 error in 5 files" in reported
     assert "urdf_tutorial" not in refused.stderr
 
     part.write_text(text)

@@ -100,8 +100,8 @@ def shown(page: Page, selector: str) -> str:
 
 def look_at(page: Page, address: str, package: Path) -> None:
     """Open the robot, and wait for what is wrong with it."""
-    told = Counter(one.severity for one in check(package / ROBOT).diagnostics)
-    wanted = [str(told[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
+    reported = Counter(one.severity for one in check(package / ROBOT).diagnostics)
+    wanted = [str(reported[one]) for one in (Severity.ERROR, Severity.WARNING, Severity.INFO)]
     payload = quote(json.dumps([["openFile", f"vscode-remote://{address}{package / ROBOT}"]]))
     page.driver.get(f"http://{address}/?folder={package}&payload={payload}")
     until(lambda: shown(page, "#status\\.problems").split()[:3] == wanted)

@@ -72,7 +72,7 @@ def test_a_folder_is_its_entry_points(robots: Path) -> None:
 
 @pytest.mark.parametrize("jobs", [1, 2, 8])
 def test_processes_change_nothing_but_the_time(robots: Path, jobs: int) -> None:
-    def told(report: Report) -> object:
+    def reported(report: Report) -> object:
         rows = [
             (
                 str(d.span),
@@ -91,7 +91,7 @@ def test_processes_change_nothing_but_the_time(robots: Path, jobs: int) -> None:
     (robots / "four.urdf").write_text(f'<robot name="r"><link name="a"/>{LOOP}</robot>')
     calls: list[tuple[int, int]] = []
     report = check(robots, jobs=jobs, progress=lambda *n: calls.append(n))
-    assert told(report) == told(check(robots))
+    assert reported(report) == reported(check(robots))
     assert report.diagnostics
     assert report.skipped
     assert calls == [(n, 4) for n in range(1, 5)]
@@ -127,8 +127,8 @@ def test_a_finding_says_which_variants_have_it(tmp_path: Path) -> None:
     config = Config(robots=robots)
     for jobs in (1, 3):
         report = check(file, select=["NAM001", "TRE006"], config=config, jobs=jobs)
-        told = [(d.code, d.span.line, d.variants) for d in report.diagnostics]
-        assert told == [
+        reported = [(d.code, d.span.line, d.variants) for d in report.diagnostics]
+        assert reported == [
             ("TRE006", 2, ()),
             ("NAM001", 3, ("l", "xl")),
             ("NAM001", 4, ("s",)),

@@ -4,15 +4,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 from urdfkit import Diagnostic, Source, check
-from urdfkit.lint.grouping import MAX_NOTES, MAX_SINGLE, gathered
+from urdfkit.lint.grouping import MAX_NOTES, MAX_SINGLE, grouped
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.formats import json, markdown, text
 
 
 def shown(code: str, robot: str) -> tuple[Diagnostic, ...]:
-    return gathered(told(code, robot))
+    return grouped(reported(code, robot))
 
 
 def links(number: int, tag: str = "<tint/>") -> str:
@@ -78,8 +78,10 @@ def test_what_a_comment_accepts_is_not_among_them() -> None:
 
 
 def test_a_help_of_its_own_stands_in_the_note() -> None:
-    slips = "robotBaseFrme odometryFrme commandTopc odometryTopc publishOdmTF odometryRte".split()
-    tags = "".join(f"<{tag}>x</{tag}>" for tag in slips)
+    mistakes = (
+        "robotBaseFrme odometryFrme commandTopc odometryTopc publishOdmTF odometryRte".split()
+    )
+    tags = "".join(f"<{tag}>x</{tag}>" for tag in mistakes)
     plugin = f'<plugin name="p" filename="libgazebo_ros_planar_move.so">{tags}</plugin>'
     found = shown("GAZ032", f'<link name="a"/><gazebo>{plugin}</gazebo>')
     (finding,) = found
@@ -103,7 +105,7 @@ def test_people_are_shown_one_and_programs_get_each() -> None:
 def test_what_is_alike_in_two_files_is_shown_for_each() -> None:
     robot = whole_robot(links(5)).encode()
     report = check(Source("a.urdf", robot), Source("b.urdf", robot), select=["URD001"])
-    assert [one.span.source.path for one in gathered(report.diagnostics)] == ["a.urdf", "b.urdf"]
+    assert [one.span.source.path for one in grouped(report.diagnostics)] == ["a.urdf", "b.urdf"]
 
 
 MASS = (
@@ -128,7 +130,7 @@ def test_what_an_exporter_writes_on_every_link_is_one_finding(code: str, what: s
             f'<parent link="base"/><child link="l{number}"/></joint>'
             f'<gazebo reference="l{number}">{what.format(number)}</gazebo>'
         )
-    assert len(told(code, robot)) == 3
+    assert len(reported(code, robot)) == 3
     assert len(shown(code, robot)) == 1
 
 
@@ -162,7 +164,7 @@ def test_controllers_of_a_robot_with_other_names_are_one_finding(tmp_path: Path)
     )
     found = check(tmp_path / "r.launch", select=["RCT013"]).diagnostics
     assert len(found) == 3
-    assert len(gathered(found)) == 1
+    assert len(grouped(found)) == 1
 
 
 def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path) -> None:
@@ -173,5 +175,5 @@ def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path)
     (tmp_path / "all.launch").write_text(f"<launch>\n{includes}\n</launch>")
     found = check(tmp_path / "all.launch", select=["LAU007"]).diagnostics
     assert len(found) == 3
-    (seen,) = gathered(found)
+    (seen,) = grouped(found)
     assert seen.message == "'arm.launch' has no argument 'sim' (and 2 more like this)"

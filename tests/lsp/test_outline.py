@@ -11,18 +11,18 @@ from urdfkit.lsp.outline import MAX_DEPTH, Entry, outline
 
 def shape(file: Edited) -> list[tuple[int, str, str, str]]:
     """Depth, kind, name and detail of all entries."""
-    told = []
+    reported = []
     stack = [(0, entry) for entry in reversed(outline(file.robot, file.page))]
     while stack:
         depth, entry = stack.pop()
-        told.append((depth, entry.kind, entry.name, entry.detail))
+        reported.append((depth, entry.kind, entry.name, entry.detail))
         stack += [(depth + 1, child) for child in reversed(entry.children)]
-    return told
+    return reported
 
 
 def test_the_mission() -> None:
-    told = shape(Edited(MISSION, MISSION.read_text()))
-    assert told[:8] == [
+    reported = shape(Edited(MISSION, MISSION.read_text()))
+    assert reported[:8] == [
         (0, "link", "dummy", ""),
         (1, "joint", "dummy_joint", "fixed"),
         (2, "link", "base_footprint", "0.0001 kg"),
@@ -32,10 +32,10 @@ def test_the_mission() -> None:
         (6, "link", "wheel_1", "0.5 kg"),
         (5, "joint", "base_to_wheel2", "continuous"),
     ]
-    kinds = [kind for _, kind, _, _ in told]
+    kinds = [kind for _, kind, _, _ in reported]
     assert (kinds.count("link"), kinds.count("joint")) == (10, 9)
-    assert (0, "macro", "default_inertial", "mass") in told
-    assert (0, "property", "length_wheel", "0.05") in told
+    assert (0, "macro", "default_inertial", "mass") in reported
+    assert (0, "property", "length_wheel", "0.05") in reported
 
 
 def test_what_a_macro_makes_is_at_its_call(tmp_path: Path) -> None:
@@ -81,8 +81,10 @@ def robot(*joints: tuple[str, str]) -> str:
 
 
 def test_loops_and_two_parents_are_told_once(tmp_path: Path) -> None:
-    told = shape(Edited(tmp_path / "r.urdf", robot(("a", "b"), ("b", "c"), ("c", "b"), ("x", "x"))))
-    names = [name for _, _, name, _ in told]
+    reported = shape(
+        Edited(tmp_path / "r.urdf", robot(("a", "b"), ("b", "c"), ("c", "b"), ("x", "x")))
+    )
+    names = [name for _, _, name, _ in reported]
     assert sorted(names) == ["a", "a-b", "b", "b-c", "c", "c-b", "x", "x-x"]
 
 

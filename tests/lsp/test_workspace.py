@@ -39,10 +39,10 @@ def test_the_findings_are_those_of_the_command_line() -> None:
     file = Edited(MISSION, MISSION.read_text(encoding="utf-8"))
     checked = file.workspace.check(file.path, thorough=True)
     assert checked.trouble == ""
-    told = [(f.code, f.span.start, f.message) for f in checked.diagnostics[file.path]]
+    reported = [(f.code, f.span.start, f.message) for f in checked.diagnostics[file.path]]
     report = urdfkit.check(MISSION)
-    assert told == [(f.code, f.span.start, f.message) for f in report.diagnostics]
-    assert len(told) > 40
+    assert reported == [(f.code, f.span.start, f.message) for f in report.diagnostics]
+    assert len(reported) > 40
 
 
 def test_the_text_counts_and_not_the_file() -> None:

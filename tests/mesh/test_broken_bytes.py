@@ -17,7 +17,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.mesh import made
-from tests.meshed import link, mesh, told
+from tests.meshed import link, mesh, reported
 from urdfkit.mesh import samples
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.io.load import UnloadableMesh, load, load_bytes, salvage
@@ -110,7 +110,7 @@ def test_other_bytes_somewhere(name: str, data: Any) -> None:
 @pytest.mark.parametrize("part", [0.3, 0.55])
 def test_a_check_tells_it(name: str, part: float, tmp_path: Path) -> None:
     data = WHOLE[name][: int(part * len(WHOLE[name]))]
-    found = told(tmp_path, "MSH", link(mesh(name)), {name: data})
+    found = reported(tmp_path, "MSH", link(mesh(name)), {name: data})
     assert {"MSH008", "MSH009", "MSH010", "MSH011", "MSH034"} & {one.code for one in found}
 
 

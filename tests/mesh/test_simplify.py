@@ -66,11 +66,11 @@ def test_a_flat_surface_needs_two_triangles_a_side() -> None:
 
 @pytest.mark.parametrize(("work", "bound"), [(to_error, 0.01), (to_budget, 300)])
 def test_progress_is_told(work: Callable[..., object], bound: float) -> None:
-    told: list[tuple[int, int]] = []
-    work(BALL, bound, lambda done, total: told.append((done, total)))
-    assert told[-1][0] == told[-1][1]
-    assert told == sorted(told)
-    assert len(told) <= 15, "every step measures, which takes a while"
+    reported: list[tuple[int, int]] = []
+    work(BALL, bound, lambda done, total: reported.append((done, total)))
+    assert reported[-1][0] == reported[-1][1]
+    assert reported == sorted(reported)
+    assert len(reported) <= 15, "every step measures, which takes a while"
 
 
 @needs_corpus

@@ -20,8 +20,8 @@ def test_a_box_as_declared_and_as_its_shape() -> None:
     assert row.properties.mass == 6
     assert row.moments == pytest.approx((0.025, 0.05, 0.065))
     assert row.density == pytest.approx(1000)
-    assert row.matter is not None
-    assert row.matter.source == "the collision"
+    assert row.shape_mass is not None
+    assert row.shape_mass.source == "the collision"
     assert row.of_shapes is not None
     moments, axes = row.of_shapes
     assert moments == pytest.approx((0.025, 0.05, 0.065), rel=1e-12)
@@ -77,6 +77,6 @@ def test_meshes_of_a_real_arm_have_the_density_of_an_arm() -> None:
     found = mass_properties(read(file, arguments={"name": "ur", "ur_type": "ur5e"}))
     rows = {row.link: row for row in found.rows}
     forearm = rows["forearm_link"]
-    assert forearm.matter is not None
+    assert forearm.shape_mass is not None
     assert forearm.density is not None
     assert 300 < forearm.density < 3000

@@ -80,10 +80,10 @@ def test_a_position(robot: Subject, joint: str, text: str | float, position: flo
         ),
     ],
 )
-def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], told: str) -> None:
+def test_what_is_no_position_is_told(robot: Subject, given: dict[str, str], reported: str) -> None:
     with pytest.raises(PoseError) as error:
         pose(robot, given)
-    assert str(error.value) == told
+    assert str(error.value) == reported
 
 
 @pytest.mark.parametrize(
@@ -121,12 +121,12 @@ def test_a_file(robot: Subject, tmp_path: Path, text: str) -> None:
     ],
 )
 def test_a_file_that_is_no_pose_is_told(
-    robot: Subject, tmp_path: Path, text: str, told: str
+    robot: Subject, tmp_path: Path, text: str, reported: str
 ) -> None:
     (tmp_path / "pose.yaml").write_text(text)
     with pytest.raises(PoseError) as error:
         pose(robot, name=str(tmp_path / "pose.yaml"))
-    assert told in str(error.value)
+    assert reported in str(error.value)
 
 
 def test_a_folder_is_no_file(robot: Subject, tmp_path: Path) -> None:

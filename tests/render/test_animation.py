@@ -95,13 +95,13 @@ def test_an_animation_has_its_pictures_and_the_same_bytes_twice(
 ) -> None:
     robot = read(ARM)
     scenes = list(sweep(build(robot), robot, "elbow", frames=4))
-    told: list[tuple[int, int]] = []
+    reported: list[tuple[int, int]] = []
     images = animated(
         followed(scenes, size=SIZE),
         quality="draft",
-        progress=lambda done, of: told.append((done, of)),
+        progress=lambda done, of: reported.append((done, of)),
     )
-    assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
+    assert reported == [(1, 4), (2, 4), (3, 4), (4, 4)]
     paths = [tmp_path / f"{name}.{suffix}" for name in "ab"]
     for path in paths:
         save_animation(images, path)

@@ -198,15 +198,15 @@ def test_an_empty_robot_is_an_empty_picture() -> None:
 
 
 def test_progress_goes_from_the_first_step_to_the_last() -> None:
-    told: list[tuple[int, int]] = []
+    reported: list[tuple[int, int]] = []
     picture(
         scene(link("a", BOX)),
         ["front", "top"],
         size=(200, 100),
         threads=2,
-        progress=lambda done, total: told.append((done, total)),
+        progress=lambda done, total: reported.append((done, total)),
     )
-    assert sorted(told) == [(done, told[-1][1]) for done in range(1, told[-1][1] + 1)]
+    assert sorted(reported) == [(done, reported[-1][1]) for done in range(1, reported[-1][1] + 1)]
 
 
 @pytest.mark.parametrize("orthographic", [False, True])

@@ -34,8 +34,8 @@ def test_links_have_the_colour_of_their_worst_finding_and_its_codes() -> None:
 def test_an_error_wins_over_a_warning() -> None:
     robot = read(MODEL)
     report = check(robot.source, select=["MSH001", "GAZ045"])
-    told = by_link(robot, report.diagnostics)["laser_frame"]
-    assert [one.code for one in told] == ["MSH001", "GAZ045"]
+    reported = by_link(robot, report.diagnostics)["laser_frame"]
+    assert [one.code for one in reported] == ["MSH001", "GAZ045"]
 
 
 def test_a_sound_robot_is_quiet() -> None:

@@ -147,9 +147,9 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
         ),
     )
     scene = explained(build(subject), subject, ["contacts"])
-    told = {label.text: label.point for label in scene.labels}
-    assert set(told) == {"a, b: 100 mm", "b, c: 50 mm"}
-    assert told["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
+    reported = {label.text: label.point for label in scene.labels}
+    assert set(reported) == {"a, b: 100 mm", "b, c: 50 mm"}
+    assert reported["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
     shown = {item.link: item.look.rgba for item in scene.items if item.label == "box"}
     assert set(shown) == {"a", "b", "c"}
     assert shown["a"] == NEIGHBOURS

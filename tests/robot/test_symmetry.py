@@ -138,7 +138,7 @@ def test_a_long_chain_takes_no_long_time() -> None:
     assert apart(found, parents) == []
 
 
-def twins(*joints: str) -> list[tuple[str, str]]:
+def symmetric_pairs(*joints: str) -> list[tuple[str, str]]:
     """The names of the joints that are pairs in a robot of joints."""
     names = sorted({name for one in joints for name in re.findall(r'(?<=link=")\w+', one)})
     tree = subject("".join(map(link, names)) + "".join(joints)).tree
@@ -150,7 +150,7 @@ def moving(parent: str, child: str, place: str = "0 0 0", kind: str = "continuou
 
 
 def test_joints_are_pairs_by_name_wherever_they_hang() -> None:
-    found = twins(
+    found = symmetric_pairs(
         moving("base", "l_hip"),
         moving("l_hip", "l_knee"),
         moving("base", "r_hip"),
@@ -161,16 +161,20 @@ def test_joints_are_pairs_by_name_wherever_they_hang() -> None:
 
 def test_numbered_joints_are_pairs_by_place_on_one_link() -> None:
     beside = (moving("base", "leg_1", "1 2 0"), moving("base", "leg_2", "1 -2 0"))
-    assert twins(*beside) == [("leg_1_joint", "leg_2_joint")]
-    assert twins(beside[0], moving("base", "box"), moving("box", "leg_2", "1 -2 0")) == []
+    assert symmetric_pairs(*beside) == [("leg_1_joint", "leg_2_joint")]
+    assert symmetric_pairs(beside[0], moving("base", "box"), moving("box", "leg_2", "1 -2 0")) == []
     # A name that tells its side is in no second pair.
-    assert twins(*beside, moving("base", "l_arm", "1 2 0"), moving("base", "r_arm", "1 -2 0")) == [
+    assert symmetric_pairs(
+        *beside, moving("base", "l_arm", "1 2 0"), moving("base", "r_arm", "1 -2 0")
+    ) == [
         ("l_arm_joint", "r_arm_joint"),
         ("leg_1_joint", "leg_2_joint"),
     ]
 
 
 def test_fixed_joints_and_what_hangs_on_one_another_are_no_pairs() -> None:
-    assert twins(moving("base", "l", kind="fixed"), moving("base", "r", kind="fixed")) == []
-    assert twins(moving("base", "l"), moving("l", "r")) == []
-    assert twins(moving("base", "l"), moving("base", "r")) == [("l_joint", "r_joint")]
+    assert (
+        symmetric_pairs(moving("base", "l", kind="fixed"), moving("base", "r", kind="fixed")) == []
+    )
+    assert symmetric_pairs(moving("base", "l"), moving("l", "r")) == []
+    assert symmetric_pairs(moving("base", "l"), moving("base", "r")) == [("l_joint", "r_joint")]

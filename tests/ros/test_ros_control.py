@@ -79,9 +79,9 @@ def test_transmissions() -> None:
     ((joint, of),) = driven_joints(model)
     assert (joint.get("name"), of) == ("swing", model.transmissions[0])
     assert [is_of_pr2(one) for one in model.transmissions] == [False, True]
-    slip = '<transmission type="SimpleTransmission"><joint name="swing"/>{}</transmission>'
+    mistake = '<transmission type="SimpleTransmission"><joint name="swing"/>{}</transmission>'
     for content, older in (("", False), ("<mechanicalReduction/>", True), ("<type/>", False)):
-        (one,) = subject(ROBOT + slip.format(content)).model.transmissions
+        (one,) = subject(ROBOT + mistake.format(content)).model.transmissions
         assert is_of_pr2(one) is older
 
 

@@ -59,8 +59,8 @@ def test_unknown_names_have_a_bound() -> None:
     assert found(f'<robot name="r"{many}/>') == {"URD002": MAX_UNKNOWN}
     many = "<visual><geometry><{0}/></geometry></visual>"
     shapes = "".join(many.format(f"shape{number}") for number in range(5000))
-    told = found(f'<robot name="r"><link name="a">{shapes}</link></robot>')
-    assert sum(told.values()) <= 2 * MAX_UNKNOWN
+    reported = found(f'<robot name="r"><link name="a">{shapes}</link></robot>')
+    assert sum(reported.values()) <= 2 * MAX_UNKNOWN
 
 
 def test_the_work_grows_with_the_document_only() -> None:

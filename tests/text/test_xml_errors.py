@@ -11,21 +11,21 @@ from hypothesis import strategies as st
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from urdfkit.text.source import Source
 from urdfkit.text.tag_matching import MAX_ERRORS
-from urdfkit.text.xml_errors import MAX_TAGS, syntax_slips
+from urdfkit.text.xml_errors import MAX_TAGS, syntax_mistakes
 
 
-def slips(text: str) -> list[tuple[int, int, str]]:
+def mistakes(text: str) -> list[tuple[int, int, str]]:
     """Line, column and message of every slip."""
     data = text.encode()
     source = Source("robot.urdf", data)
-    return [(*source.position(slip.start), slip.message) for slip in syntax_slips(data)]
+    return [(*source.position(mistake.start), mistake.message) for mistake in syntax_mistakes(data)]
 
 
 def one(text: str) -> tuple[str, str]:
     """The text that the only slip marks, and its message; ``|`` where something is missing."""
     data = text.encode()
-    (slip,) = syntax_slips(data)
-    return data[slip.start : slip.end].decode() or "|", slip.message
+    (mistake,) = syntax_mistakes(data)
+    return data[mistake.start : mistake.end].decode() or "|", mistake.message
 
 
 def inside(text: str) -> str:
@@ -57,13 +57,13 @@ class TestAttributes:
 
     def test_given_twice(self) -> None:
         data = inside('<link name="a" name="b"/>').encode()
-        (slip,) = syntax_slips(data)
-        assert slip.message == "attribute 'name' is given twice"
-        assert (slip.start, slip.end) == (31, 35)
-        assert slip.notes == ((22, 26, "first given here"),)
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.message == "attribute 'name' is given twice"
+        assert (mistake.start, mistake.end) == (31, 35)
+        assert mistake.notes == ((22, 26, "first given here"),)
 
     def test_of_the_same_name_in_another_element_is_none(self) -> None:
-        assert syntax_slips(inside('<link name="a"/><link name="a"/>').encode()) == []
+        assert syntax_mistakes(inside('<link name="a"/><link name="a"/>').encode()) == []
 
 
 class TestText:
@@ -87,11 +87,11 @@ class TestText:
 
     @pytest.mark.parametrize("text", ["&lt;&gt;&amp;&quot;&apos;", "&#228;", "&#x1F916;", "a > b"])
     def test_what_xml_allows(self, text: str) -> None:
-        assert syntax_slips(inside(text).encode()) == []
+        assert syntax_mistakes(inside(text).encode()) == []
 
     def test_an_entity_that_the_file_declares_is_none(self) -> None:
         text = '<!DOCTYPE robot [<!ENTITY b "c">]>' + inside("&b;")
-        assert syntax_slips(text.encode()) == []
+        assert syntax_mistakes(text.encode()) == []
 
 
 class TestComments:
@@ -99,85 +99,87 @@ class TestComments:
         assert one(inside("<!-- a -- b -->")) == ("--", "'--' is not allowed inside a comment")
 
     def test_a_third_dash_at_the_end(self) -> None:
-        assert slips(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
+        assert mistakes(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
 
     def test_a_row_of_dashes_is_one_slip(self) -> None:
         assert one(inside("<!---------->"))[1] == "'--' is not allowed inside a comment"
 
     def test_without_an_end_hides_the_rest_and_nothing_follows_from_it(self) -> None:
         message = "the comment never ends: '-->' is missing"
-        assert slips(inside("<link><!-- a <b>")) == [(1, 23, message)]
+        assert mistakes(inside("<link><!-- a <b>")) == [(1, 23, message)]
 
     def test_anything_else_may_stand_in_it(self) -> None:
-        assert syntax_slips(inside("<!-- <a & b - c> \"'' -->").encode()) == []
+        assert syntax_mistakes(inside("<!-- <a & b - c> \"'' -->").encode()) == []
 
 
 class TestTags:
     def test_not_closed_names_the_tag_and_where_it_should_have_ended(self) -> None:
         data = b'<robot name="r">\n  <link name="arm">\n</robot>'
-        (slip,) = syntax_slips(data)
-        assert data[slip.start : slip.end] == b'<link name="arm">'
-        assert slip.message == '<link name="arm"> is not closed before </robot>'
-        ((start, end, note),) = slip.notes
+        (mistake,) = syntax_mistakes(data)
+        assert data[mistake.start : mistake.end] == b'<link name="arm">'
+        assert mistake.message == '<link name="arm"> is not closed before </robot>'
+        ((start, end, note),) = mistake.notes
         assert data[start:end] == b"</robot>"
         assert note == "</robot> closes the element around it"
 
     def test_two_not_closed(self) -> None:
-        assert slips('<robot><link name="a"><link name="b"></robot>') == [
+        assert mistakes('<robot><link name="a"><link name="b"></robot>') == [
             (1, 8, '<link name="a"> is not closed before </robot>'),
             (1, 23, '<link name="b"> is not closed before </robot>'),
         ]
 
     def test_an_end_tag_of_another_name(self) -> None:
         data = b'<robot name="r"><joint name="j"></link></robot>'
-        (slip,) = syntax_slips(data)
-        assert data[slip.start : slip.end] == b"</link>"
-        assert slip.message == "</link> stands where </joint> is expected"
-        assert slip.notes == ((16, 32, '<joint name="j"> is open since here'),)
+        (mistake,) = syntax_mistakes(data)
+        assert data[mistake.start : mistake.end] == b"</link>"
+        assert mistake.message == "</link> stands where </joint> is expected"
+        assert mistake.notes == ((16, 32, '<joint name="j"> is open since here'),)
 
     def test_an_end_tag_of_another_name_that_is_open_too(self) -> None:
         text = '<robot><link name="a"><visual></link></link></robot>'
-        assert slips(text) == [(1, 31, "</link> stands where </visual> is expected")]
+        assert mistakes(text) == [(1, 31, "</link> stands where </visual> is expected")]
 
     def test_not_closed_inside_one_that_is(self) -> None:
         text = '<robot><link name="a"><visual></link><link name="b"/></robot>'
-        assert slips(text) == [(1, 23, "<visual> is not closed before </link>")]
+        assert mistakes(text) == [(1, 23, "<visual> is not closed before </link>")]
 
     def test_an_empty_element_that_is_closed_again(self) -> None:
         data = b'<robot><link name="a"/>\n<visual/></link></robot>'
-        (slip,) = syntax_slips(data)
-        assert slip.message == "</link> closes nothing: no <link> is open"
-        ((start, end, note),) = slip.notes
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.message == "</link> closes nothing: no <link> is open"
+        ((start, end, note),) = mistake.notes
         assert data[start:end] == b'<link name="a"/>'
         assert note == "<link .../> closes itself: its '/' is one too many"
 
     def test_closed_in_the_wrong_order_is_one_slip(self) -> None:
-        assert slips("<robot><a><b></a></b></robot>") == [(1, 11, "<b> is not closed before </a>")]
+        assert mistakes("<robot><a><b></a></b></robot>") == [
+            (1, 11, "<b> is not closed before </a>")
+        ]
 
     def test_without_its_bracket(self) -> None:
         text = '<robot><parent link="a"\n  <child link="b"/></robot>'
-        assert slips(text) == [(1, 24, "'>' is missing at the end of <parent")]
+        assert mistakes(text) == [(1, 24, "'>' is missing at the end of <parent")]
 
     def test_without_its_bracket_may_have_content(self) -> None:
         text = '<robot><link name="a"\n  <visual/></link></robot>'
-        assert slips(text) == [(1, 22, "'>' is missing at the end of <link")]
+        assert mistakes(text) == [(1, 22, "'>' is missing at the end of <link")]
 
     def test_an_end_tag_with_attributes(self) -> None:
         message = "an end tag holds nothing but its name: </link>"
-        assert slips('<robot><link></link name="a"></robot>') == [(1, 14, message)]
+        assert mistakes('<robot><link></link name="a"></robot>') == [(1, 14, message)]
 
     def test_an_end_tag_without_its_bracket(self) -> None:
         text = "<robot><link></link</robot>"
-        assert slips(text) == [(1, 14, "'>' is missing behind </link")]
+        assert mistakes(text) == [(1, 14, "'>' is missing behind </link")]
 
 
 class TestTheWholeFile:
     def test_cut_off_between_tags(self) -> None:
         data = b'<robot name="r">\n  <link name="a">\n    <visual>\n'
-        (slip,) = syntax_slips(data)
-        assert slip.message == "the file ends before </visual>, </link>, </robot>"
-        assert slip.start == slip.end == len(data) - 1
-        assert [message for _, _, message in slip.notes] == [
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.message == "the file ends before </visual>, </link>, </robot>"
+        assert mistake.start == mistake.end == len(data) - 1
+        assert [message for _, _, message in mistake.notes] == [
             "<visual> is not closed",
             '<link name="a"> is not closed',
             '<robot name="r"> is not closed',
@@ -185,29 +187,29 @@ class TestTheWholeFile:
 
     @pytest.mark.parametrize("end", ["<link", '<link name="a"', "<link name=", '<link name="a'])
     def test_cut_off_inside_a_tag_is_one_slip(self, end: str) -> None:
-        ((line, column, _),) = slips(f"<robot>\n  {end}")
+        ((line, column, _),) = mistakes(f"<robot>\n  {end}")
         assert (line, column >= 3) == (2, True)
 
     def test_a_second_root(self) -> None:
         data = b"<robot/><link/><link/>"
-        (slip,) = syntax_slips(data)
-        assert slip.trailing
-        assert (slip.start, slip.end) == (8, 15)
-        assert slip.message == "<link> behind the end of <robot>"
-        assert slip.notes == ((0, 8, "<robot> begins here"),)
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.trailing
+        assert (mistake.start, mistake.end) == (8, 15)
+        assert mistake.message == "<link> behind the end of <robot>"
+        assert mistake.notes == ((0, 8, "<robot> begins here"),)
 
     def test_text_behind_the_end(self) -> None:
-        (slip,) = syntax_slips(b"<robot></robot>\n  bye <b>\n")
-        assert slip.trailing
-        assert (slip.start, slip.end) == (18, 21)
+        (mistake,) = syntax_mistakes(b"<robot></robot>\n  bye <b>\n")
+        assert mistake.trailing
+        assert (mistake.start, mistake.end) == (18, 21)
 
     def test_an_end_tag_behind_the_end(self) -> None:
-        assert slips("<robot></robot></robot>") == [
+        assert mistakes("<robot></robot></robot>") == [
             (1, 16, "</robot> closes nothing: no <robot> is open")
         ]
 
     def test_text_before_the_first_tag(self) -> None:
-        assert slips("hello <robot/>") == [(1, 1, "text before the first tag")]
+        assert mistakes("hello <robot/>") == [(1, 1, "text before the first tag")]
 
     @pytest.mark.parametrize(
         ("text", "message"),
@@ -227,39 +229,39 @@ class TestTheWholeFile:
         ],
     )
     def test_is_something_else(self, text: str, message: str) -> None:
-        assert slips(text) == [(1, 1, message)]
+        assert mistakes(text) == [(1, 1, message)]
 
     def test_binary_is_one_slip(self) -> None:
-        (slip,) = syntax_slips(b"<robot>" + bytes(range(32)) * 9)
-        assert slip.message == "the file is no text: it holds 261 control characters"
+        (mistake,) = syntax_mistakes(b"<robot>" + bytes(range(32)) * 9)
+        assert mistake.message == "the file is no text: it holds 261 control characters"
 
     @pytest.mark.parametrize(
         "declaration", ['<?xml verison="1.0"?>', "<?xml?>", '<?xml version="1.0" standalone="x"?>']
     )
     def test_a_wrong_declaration(self, declaration: str) -> None:
         message = 'the XML declaration must read <?xml version="1.0"?>'
-        assert slips(declaration + "<robot/>") == [(1, 1, message)]
+        assert mistakes(declaration + "<robot/>") == [(1, 1, message)]
 
     def test_a_declaration_further_down(self) -> None:
         message = "the XML declaration must stand at the very beginning of the file"
-        assert slips('\n<?xml version="1.0"?><robot/>') == [(2, 1, message)]
+        assert mistakes('\n<?xml version="1.0"?><robot/>') == [(2, 1, message)]
 
     def test_other_instructions_are_fine(self) -> None:
-        assert syntax_slips(b'<?xml-model href="a"?><robot><?php ?></robot>') == []
+        assert syntax_mistakes(b'<?xml-model href="a"?><robot><?php ?></robot>') == []
 
 
 class TestPlaces:
     def test_columns_count_characters(self) -> None:
-        assert slips("<robot>\n\tÄ€🤖 & b</robot>") == [(2, 6, "'&' must be written '&amp;'")]
+        assert mistakes("<robot>\n\tÄ€🤖 & b</robot>") == [(2, 6, "'&' must be written '&amp;'")]
 
     @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
     def test_lines_end_as_they_may(self, end: str) -> None:
         text = end.join(["<robot>", "  <link>", "</robot>", ""])
-        assert slips(text) == [(2, 3, "<link> is not closed before </robot>")]
+        assert mistakes(text) == [(2, 3, "<link> is not closed before </robot>")]
 
     def test_all_slips_are_told_in_the_order_of_the_file(self) -> None:
         text = inside('\n<link name=a/>\n<!-- -- -->\n<b c="1"d="2"/>\n& <x>')
-        assert [(line, column) for line, column, _ in slips(text)] == [
+        assert [(line, column) for line, column, _ in mistakes(text)] == [
             (2, 12),
             (3, 6),
             (4, 9),
@@ -269,7 +271,7 @@ class TestPlaces:
 
     def test_in_a_line_of_a_megabyte(self) -> None:
         text = inside("<link/>" * 150_000 + "&")
-        assert slips(text) == [(1, 16 + 1_050_000 + 1, "'&' must be written '&amp;'")]
+        assert mistakes(text) == [(1, 16 + 1_050_000 + 1, "'&' must be written '&amp;'")]
 
 
 class TestBounds:
@@ -290,11 +292,11 @@ class TestBounds:
         ids=range(10),
     )
     def test_hostile_text_ends_soon_and_is_refused(self, data: bytes) -> None:
-        found = syntax_slips(data)
+        found = syntax_mistakes(data)
         assert 0 < len(found) <= MAX_ERRORS
 
     def test_beyond_the_bound_on_tags_the_parser_says_what_is_wrong(self) -> None:
-        assert syntax_slips(b"<a>" * (MAX_TAGS + 1)) == []
+        assert syntax_mistakes(b"<a>" * (MAX_TAGS + 1)) == []
 
 
 def refused_by_expat(data: bytes) -> bool:
@@ -310,7 +312,7 @@ def test_no_slip_is_found_where_expat_finds_none() -> None:
     files = [path for path in CORPUS.rglob("*") if path.suffix in (".urdf", ".xacro", ".xml")]
     accepted = [path for path in files if not refused_by_expat(path.read_bytes())]
     assert len(accepted) > 300
-    assert [path for path in accepted if syntax_slips(path.read_bytes())] == []
+    assert [path for path in accepted if syntax_mistakes(path.read_bytes())] == []
 
 
 MODEL = (MODELS / "good" / "gripper.urdf").read_bytes()
@@ -325,7 +327,7 @@ PIECES = [b"<", b">", b'"', b"&", b"/", b"--", b"</link>", b"<link>", b"]]>", b"
 )
 def test_slips_are_found_exactly_where_expat_refuses(at: int, length: int, piece: bytes) -> None:
     data = MODEL[:at] + piece + MODEL[at + length :]
-    found = syntax_slips(data)
+    found = syntax_mistakes(data)
     assert bool(found) == refused_by_expat(data)
-    assert [slip.start for slip in found] == sorted({slip.start for slip in found})
-    assert all(0 <= slip.start <= slip.end <= len(data) for slip in found)
+    assert [mistake.start for mistake in found] == sorted({mistake.start for mistake in found})
+    assert all(0 <= mistake.start <= mistake.end <= len(data) for mistake in found)

@@ -219,7 +219,7 @@ def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
     ],
 )
 def test_what_fails_is_told_once_and_does_not_end_the_viewer(
-    error: Exception, told: str, monkeypatch: pytest.MonkeyPatch
+    error: Exception, reported: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = str(MODELS / "good" / "gripper.urdf")
 
@@ -236,4 +236,4 @@ def test_what_fails_is_told_once_and_does_not_end_the_viewer(
     def fail(*_: object) -> None:
         raise error
 
-    assert asyncio.run(follow()) == (told, 2, "")
+    assert asyncio.run(follow()) == (reported, 2, "")

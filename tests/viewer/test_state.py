@@ -64,9 +64,9 @@ def test_so_is_one_while_it_is_read(folder: Path, monkeypatch: pytest.MonkeyPatc
     known = read(wish).stamps
 
     def described(*words: Any, **more: Any) -> ReportInput:
-        told = describe(*words, **more)
+        reported = describe(*words, **more)
         (folder / "a.mtl").write_text("newmtl other\n")
-        return told
+        return reported
 
     monkeypatch.setattr(module, "describe", described)
     state = read(wish, [*known, str(folder / "of_an_older_state.stl")])

@@ -14,7 +14,7 @@ from urdfkit import check
 from urdfkit.lint.config import Config
 from urdfkit.lint.discovery import discover
 from urdfkit.mesh import samples
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
 if not hasattr(os, "mkfifo"):
@@ -33,7 +33,7 @@ def test_what_is_no_file_is_empty(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     add_file(tmp_path / "file", b"abc")
     names = ("pipe", "file", ".", "none", "\0")
-    assert [peek(str(tmp_path / name), 2) for name in names] == [b"", b"ab", b"", b"", b""]
+    assert [read_head(str(tmp_path / name), 2) for name in names] == [b"", b"ab", b"", b"", b""]
 
 
 @pytest.mark.parametrize(

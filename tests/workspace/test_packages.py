@@ -176,17 +176,17 @@ def test_a_clone_or_worktree_inside_a_repository_ends_the_search(tmp_path: Path,
     ],
 )
 def test_the_repositories_of_a_workspace_see_one_another(
-    tmp_path: Path, mark: str, told: str
+    tmp_path: Path, mark: str, reported: str
 ) -> None:
     add_file(tmp_path / "ws" / mark)
-    source = tmp_path / "ws" / "src" if told == "src" else tmp_path / "ws"
+    source = tmp_path / "ws" / "src" if reported == "src" else tmp_path / "ws"
     near = add_package(source / "one" / "arm", "arm") / "arm.urdf"
     add_file(source / "one" / ".git" / "HEAD")
     hand = add_package(source / "two" / "hand", "hand")
     add_file(source / "two" / ".git" / "HEAD")
     add_package(tmp_path / "ws" / "install" / "foot", "foot")
     add_package(tmp_path / "else" / "leg", "leg")
-    assert root(near) == (str(source), told)
+    assert root(near) == (str(source), reported)
     assert first(finder(), "hand", near) == str(hand)
     assert first(finder(), "foot", near) is None
     assert first(finder(), "leg", near) is None

@@ -42,9 +42,9 @@ def expand(
     path: Path, arguments: Mapping[str, str] | None = None, packages: Mapping[str, str] = {}
 ) -> Outcome:
     """Expand a file with the stock package."""
-    told = io.StringIO()
+    reported = io.StringIO()
     text = error = None
-    with _installed(packages), contextlib.redirect_stderr(told):
+    with _installed(packages), contextlib.redirect_stderr(reported):
         try:
             document = xacro.process_file(str(path), mappings=dict(arguments or {}))
             text = document.toprettyxml(indent="  ")
@@ -52,7 +52,7 @@ def expand(
             error = f"XML parsing error: {broken}"
         except Exception as other:
             error = str(other) or repr(other)
-    lines = told.getvalue().splitlines()
+    lines = reported.getvalue().splitlines()
     warnings = tuple(
         line.removeprefix("warning: ") for line in lines if line.startswith("warning: ")
     )

@@ -117,12 +117,12 @@ def _tell(xacro: Xacro, *, quiet: bool) -> None:
 
 def _errors(xacro: Xacro) -> Iterator[Problem]:
     """The errors, each of a place once; warnings were printed as xacro words them."""
-    told = set()
+    reported = set()
     for problem in xacro.problems:
         key = (problem.code, problem.span, problem.message)
         is_error = get(problem.code).severity is Severity.ERROR
-        if is_error and key not in told:
-            told.add(key)
+        if is_error and key not in reported:
+            reported.add(key)
             yield problem
 
 

@@ -67,7 +67,7 @@ def render(rule: Rule) -> str:
     """The page of a rule."""
     needs = ", ".join(words for need, words in _NEEDS.items() if need in rule.needs)
     parts = [
-        _fill(f"{rule.code} {rule.name} ({_told(rule)})"),
+        _fill(f"{rule.code} {rule.name} ({_reported(rule)})"),
         *map(_fill, rule.explanation.split("\n\n")),
         _fill(f"Needs: {needs or 'the text of the file'}"),
     ]
@@ -82,7 +82,7 @@ def render(rule: Rule) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def _told(rule: Rule) -> str:
+def _reported(rule: Rule) -> str:
     """What a rule weighs, and whether it has a fix."""
     return f"{severities(rule)}, {'with' if rule.fixable else 'without'} a fix"
 

@@ -97,14 +97,14 @@ def _mass(link: Element) -> str:
 
 def _row(conversion: Conversion, name: str, mass: float) -> str:
     if name in conversion.dropped:
-        fate = f"dropped: {conversion.dropped[name]}"
+        conversion_result = f"dropped: {conversion.dropped[name]}"
     elif name not in conversion.survivor:
-        fate = "not made"
+        conversion_result = "not made"
     elif conversion.survivor[name] == name:
-        fate = "stays"
+        conversion_result = "stays"
     else:
-        fate = f"merged into {conversion.survivor[name]}"
-    return f"{f'{mass:g}' if mass else '-':>10}  {fate}"
+        conversion_result = f"merged into {conversion.survivor[name]}"
+    return f"{f'{mass:g}' if mass else '-':>10}  {conversion_result}"
 
 
 def _link(link: SimulatedLink) -> Iterator[str]:

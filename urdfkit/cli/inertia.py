@@ -101,13 +101,17 @@ def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     notes: dict[str, list[str]] = {}
     for one in proposals:
         rows.append((one.link.name, _row("declared", one.declared)))
-        for note in (one.reason, *(one.matter.notes if one.matter else ())):
+        for note in (one.reason, *(one.shape_mass.notes if one.shape_mass else ())):
             if note:
                 notes.setdefault(note, []).append(one.link.name)
         if one.computed is None:
             rows.append(("", one.verdict))
             continue
-        name = one.matter.source.removeprefix("the ").partition(" of ")[0] if one.matter else ""
+        name = (
+            one.shape_mass.source.removeprefix("the ").partition(" of ")[0]
+            if one.shape_mass
+            else ""
+        )
         verdict = one.verdict + (f" x{one.factor:.3g}" if one.verdict == "differs" else "")
         rows.append(("", f"{_row(name, one.computed)}  {verdict}"))
     yield from output.beside(rows)
@@ -151,9 +155,9 @@ def as_json(proposals: Sequence[InertiaProposal]) -> dict[str, Any]:
                 "factor": one.factor if one.factor < float("inf") else None,
                 "declared": _properties(one.declared),
                 "computed": _properties(one.computed),
-                "source": one.matter.source if one.matter else None,
-                "volume": one.matter.properties.mass if one.matter else None,
-                "notes": list(one.matter.notes) if one.matter else [],
+                "source": one.shape_mass.source if one.shape_mass else None,
+                "volume": one.shape_mass.properties.mass if one.shape_mass else None,
+                "notes": list(one.shape_mass.notes) if one.shape_mass else [],
                 "reason": one.reason,
             }
             for one in proposals

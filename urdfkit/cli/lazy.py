@@ -54,8 +54,8 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         word = args[0]
         if word not in self.names and not word.startswith("-"):
-            meant = _ELSEWHERE.get(word) if ctx.parent is None else None
-            hint = f"; did you mean '{meant}'?" if meant else did_you_mean(word, self.names)
+            suggested = _ELSEWHERE.get(word) if ctx.parent is None else None
+            hint = f"; did you mean '{suggested}'?" if suggested else did_you_mean(word, self.names)
             if os.path.exists(word):
                 hint = f"; to check that file: {ctx.command_path} check {word}"
             raise click.UsageError(f"there is no command '{word}'{hint}", ctx)

@@ -104,7 +104,7 @@ def _unknown(found: MassTable) -> Iterator[str]:
             "total"
         ]
     for row in found.rows:
-        for reason in (row.reason, *(row.matter.notes if row.matter else ())):
+        for reason in (row.reason, *(row.shape_mass.notes if row.shape_mass else ())):
             if reason:
                 reasons.setdefault(reason, []).append(row.link)
     if reasons:
@@ -159,15 +159,15 @@ def _numbers(body: MassProperties, moments: Vector, axes: Rotation) -> dict[str,
 
 def _link(row: MassRow) -> dict[str, Any]:
     shapes: dict[str, Any] | None = None
-    if row.matter and row.of_shapes:
+    if row.shape_mass and row.of_shapes:
         moments, axes = row.of_shapes
         shapes = {
-            "source": row.matter.source,
-            "volume": row.matter.properties.mass,
-            "center": list(row.matter.properties.center),
+            "source": row.shape_mass.source,
+            "volume": row.shape_mass.properties.mass,
+            "center": list(row.shape_mass.properties.center),
             "principal_moments": list(moments),
             "principal_axes": [list(line) for line in axes],
-            "notes": list(row.matter.notes),
+            "notes": list(row.shape_mass.notes),
         }
     known = {"density": row.density, "shapes": shapes, "reason": row.reason}
     return {"name": row.link, **_numbers(row.properties, row.moments, row.axes), **known}
@@ -183,8 +183,8 @@ def as_csv(found: MassTable) -> str:
     )
     for row in found.rows:
         shapes: list[float | str] = [""] * 5
-        if row.matter and row.of_shapes and row.density is not None:
-            shapes = [row.matter.properties.mass, row.density, *row.of_shapes[0]]
+        if row.shape_mass and row.of_shapes and row.density is not None:
+            shapes = [row.shape_mass.properties.mass, row.density, *row.of_shapes[0]]
         mass, center, tensor = row.properties
         writer.writerow([row.link, mass, *center, *tensor, *row.moments, *shapes])
     body, moments = found.whole.properties, found.moments

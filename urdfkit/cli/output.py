@@ -91,13 +91,13 @@ def beside(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
     """
     every = list(rows)
     most = max((columns(name) for name, _ in every), default=0)
-    fits = most + 1 + max((columns(told) for _, told in every), default=0) <= width()
-    for name, told in every:
+    fits = most + 1 + max((columns(reported) for _, reported in every), default=0) <= width()
+    for name, reported in every:
         if fits:
-            yield f"{name}{' ' * (most - columns(name))} {told}".rstrip()
+            yield f"{name}{' ' * (most - columns(name))} {reported}".rstrip()
         else:
             yield from [name] if name else []
-            yield f"  {told}".rstrip()
+            yield f"  {reported}".rstrip()
 
 
 def labelled(label: str, text: str) -> list[str]:

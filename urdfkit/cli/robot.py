@@ -172,8 +172,8 @@ def robot(asked: Mapping[str, Any], progress: Callable[[int, int], None] | None 
         )
     except UnreadableRobot as error:
         raise first_of(error, file) from error
-    for name, meant in unknown_arguments(subject, options.arguments(asked)).items():
-        hint = f"; did you mean '{meant}'?" if meant else ""
+    for name, suggested in unknown_arguments(subject, options.arguments(asked)).items():
+        hint = f"; did you mean '{suggested}'?" if suggested else ""
         print(printable(f"note: the robot has no argument '{name}'{hint}"), file=sys.stderr)
     return subject
 

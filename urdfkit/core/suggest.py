@@ -59,7 +59,7 @@ def _alike(word: str, others: Iterable[str], likeness: float) -> list[str]:
     return found
 
 
-def is_slip(word: str, other: str) -> bool:
+def is_typo(word: str, other: str) -> bool:
     """True if two words differ in one letter, or in two that changed places, or not at all.
 
     Digits are no letters: they tell siblings apart.
@@ -88,8 +88,8 @@ def nearest_file(path: str) -> str | None:
     folder, name = os.path.split(path)
     stem, suffix = os.path.splitext(name)
     beside = map(os.path.splitext, os.listdir(folder) if os.path.isdir(folder) else ())
-    meant = nearest(stem, [other for other, kind in beside if kind == suffix])
-    return meant and meant + suffix
+    suggested = nearest(stem, [other for other, kind in beside if kind == suffix])
+    return suggested and suggested + suffix
 
 
 class Suggester:
@@ -112,10 +112,10 @@ class Suggester:
 
     def hint(self, word: str) -> str:
         """``; did you mean 'arm'?``, or nothing if the name is no slip."""
-        found = self.meant(word)
+        found = self.suggested(word)
         return f"; did you mean '{found}'?" if found else ""
 
-    def meant(self, word: str) -> str:
+    def suggested(self, word: str) -> str:
         """The known name of which a name is a slip; empty if there is none."""
         if word not in self._found:
             if len(self._found) >= self.MAX_WORDS:

@@ -60,7 +60,7 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
     for problem in problems:
         name = missing_argument(problem)
         found = found_values(name, xacro, resolver) if name else None
-        yield problem._replace(help=f"{problem.help}; {told(found)}") if found else problem
+        yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
 
 
 def missing_argument(problem: Problem) -> str:
@@ -68,7 +68,7 @@ def missing_argument(problem: Problem) -> str:
     return problem.message.split("'")[1] if problem.code == "XAC010" else ""
 
 
-def told(found: Values) -> str:
+def reported(found: Values) -> str:
     """Values of an argument, and where they are from."""
     few = ", ".join(found.values[:_FEW])
     more = f" and {len(found.values) - _FEW} more" if len(found.values) > _FEW else ""

@@ -290,7 +290,7 @@ class Subject:
         return infer(self.model, manifest_of(self.resolver, self.source.path))
 
     @cached_property
-    def joint_twins(self) -> list[tuple[Joint, Joint]]:
+    def symmetric_joints(self) -> list[tuple[Joint, Joint]]:
         """The moving joints of the left and of the right that are made to be mirror images."""
         from urdfkit.robot.symmetry import joint_pairs
 
@@ -369,7 +369,7 @@ class Subject:
         return Masses(self.model, self.tree, self.lump)
 
     @cached_property
-    def likenesses(self) -> VisualCollisionPairs:
+    def visual_collision_pairs(self) -> VisualCollisionPairs:
         """The collisions of each link beside its visuals."""
         from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
 

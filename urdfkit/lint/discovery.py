@@ -18,7 +18,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import is_launch
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
 #: Files of one folder that are looked at.
@@ -106,7 +106,7 @@ def _lookalikes(folder: str, config: Config) -> Iterator[str]:
         suffix = os.path.splitext(path)[1].lower()
         if suffix in _NO_ROBOTS or suffix in _INCLUDED or is_launch(path):
             continue
-        head = _COMMENT.sub(b"", peek(path, _HEAD)).removeprefix(_MARK)
+        head = _COMMENT.sub(b"", read_head(path, _HEAD)).removeprefix(_MARK)
         if _ROOT.match(head) and not matches(config.relative(path), config.exclude):
             yield path
 

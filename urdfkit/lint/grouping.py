@@ -16,7 +16,7 @@ MAX_SINGLE = 2
 MAX_NOTES = 20
 
 
-def gathered(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Findings, with those of a file that are alike in the place of the first of them."""
     groups: dict[object, list[Diagnostic]] = {}
     for number, one in enumerate(diagnostics):

@@ -103,7 +103,7 @@ class Finding(Record):
     data: tuple[Related, ...] = ()
 
 
-def told(subject: Subject, code: str) -> Iterator[Finding]:
+def reported(subject: Subject, code: str) -> Iterator[Finding]:
     """The findings of a rule that only tells what reading met."""
     for problem in subject.problems(code):
         at = Location(problem.span, problem.frame)
@@ -147,7 +147,7 @@ class Rule(Record):
     module: str
     by_target: Mapping[str, Severity]
 
-    def weigh(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
+    def severity_for(self, targets: Iterable[str]) -> tuple[Severity, tuple[str, ...]]:
         """The severity for some targets, and those of them that suffer most.
 
         A rule without a severity of its own for any of them keeps its general one.

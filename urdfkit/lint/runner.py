@@ -216,10 +216,10 @@ class _Run:
     def _distinct_crashes(self) -> Iterator[Crashed]:
         """Without the failed looks at the robot that rules have failed with, too."""
         of_rules = {crashed.error for crashed in self.crashed if crashed.code}
-        told: set[str] = set()
+        reported: set[str] = set()
         for crashed in self.crashed:
-            if crashed.code or crashed.error not in of_rules | told:
-                told.add(crashed.error)
+            if crashed.code or crashed.error not in of_rules | reported:
+                reported.add(crashed.error)
                 yield crashed
 
     def _left_out(self, diagnostic: Diagnostic) -> bool:
@@ -264,7 +264,7 @@ def diagnose(
 
 
 def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnostic:
-    severity, suffering = rule.weigh(targets)
+    severity, suffering = rule.severity_for(targets)
     group.sort(key=lambda finding: ((finding.severity or severity).rank, -finding.weight))
     worst = group[0]
     if worst.severity is not None:

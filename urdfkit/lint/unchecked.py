@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.argument_values import found_values, missing_argument, told
+from urdfkit.lint.argument_values import found_values, missing_argument, reported
 from urdfkit.lint.rules import get
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source, shown
@@ -32,7 +32,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         why = f"it {what}" + (f": {first.message} ({first.code})" if first else "")
         return why, f"urdfkit check {shown(source.path)} --select XML,XAC tells what is wrong"
     found = {name: found_values(name, reading.xacro, resolver) for name in names}
-    known = "; ".join(f"{name}: {told(one)}" for name, one in found.items() if one)
+    known = "; ".join(f"{name}: {reported(one)}" for name, one in found.items() if one)
     quoted = ", ".join(f"'{name}'" for name in names)
     why = f"it needs the {'argument' if len(names) == 1 else 'arguments'} {quoted}"
     why += f" (found for {known}, with which it does not expand)" if known else ""

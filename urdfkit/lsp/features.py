@@ -41,7 +41,7 @@ def make() -> Server:
     _add_documents(server)
     _add_reading(server)
     _add_writing(server)
-    _add_mending(server)
+    _add_fixes(server)
     return server
 
 
@@ -151,14 +151,14 @@ def _add_writing(server: Server) -> None:
             try:
                 return server.edit(navigation.rename(*at, params.new_name))
             except navigation.CannotRename as error:
-                told = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
-                server.window_show_message(told)
+                reported = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
+                server.window_show_message(reported)
                 return None
 
         return await server.ask(answer, None)
 
 
-def _add_mending(server: Server) -> None:
+def _add_fixes(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
     async def _(params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit] | None:
         def answer() -> list[lsp.TextEdit]:

@@ -211,9 +211,9 @@ def _plugin(here: Cursor) -> Iterator[str]:
     if here.place == "value" and here.attribute and node.name == "plugin":
         if here.attribute.name == "filename":
             for known in plugins.find(here.attribute.value.strip()):
-                told = f"**plugin** of {known.package}, {known.generation}"
+                reported = f"**plugin** of {known.package}, {known.generation}"
                 after = f"; in the next generation `{known.successor}`" if known.successor else ""
-                yield told + after
+                yield reported + after
         return
     plugin = node.within("plugin")
     if here.place != "tag" or plugin is None:

@@ -328,10 +328,10 @@ class Workspace:
 
     def _of_file(self, file: str) -> Iterator[Diagnostic]:
         """The findings in a file; what several robots have is told in the words of the first."""
-        told: set[tuple[str, int, int]] = set()
+        reported: set[tuple[str, int, int]] = set()
         for by_file in self._found.values():
-            fresh = [one for one in by_file.get(file, ()) if _key(one) not in told]
-            told.update(map(_key, fresh))
+            fresh = [one for one in by_file.get(file, ()) if _key(one) not in reported]
+            reported.update(map(_key, fresh))
             yield from fresh
 
     def diagnostics(self, path: str) -> list[Diagnostic]:

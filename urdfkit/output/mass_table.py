@@ -10,7 +10,7 @@ from urdfkit.lint.context import Subject
 from urdfkit.robot.bounding_box import WITHOUT_MESHES
 from urdfkit.robot.composite_body import CompositeBody, whole
 from urdfkit.robot.inertia import MassProperties, principal_axes
-from urdfkit.robot.inertials.shape_mass import ShapeMass, matter
+from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import properties_of
@@ -24,7 +24,7 @@ class MassRow(Record):
         properties: as declared, in the frame of the link.
         moments: principal moments, smallest first, in kg m^2.
         axes: a rotation whose columns are their axes, in the frame of the link.
-        matter: what its shapes enclose; None where that is not known.
+        shape_mass: what its shapes enclose; None where that is not known.
         reason: why it is not known; empty if it is.
     """
 
@@ -32,21 +32,21 @@ class MassRow(Record):
     properties: MassProperties
     moments: Vector
     axes: Rotation
-    matter: ShapeMass | None
+    shape_mass: ShapeMass | None
     reason: str
 
     @property
     def density(self) -> float | None:
         """The declared mass by the volume of the shapes, in kg/m^3; None without them."""
-        volume = self.matter.properties.mass if self.matter else 0.0
+        volume = self.shape_mass.properties.mass if self.shape_mass else 0.0
         return self.properties.mass / volume if volume > 0 else None
 
     @property
     def of_shapes(self) -> tuple[Vector, Rotation] | None:
         """Principal moments and axes of the shapes with the declared mass, uniformly dense."""
-        if self.matter is None or not self.matter.properties.mass > 0:
+        if self.shape_mass is None or not self.shape_mass.properties.mass > 0:
             return None
-        return principal_axes(self.matter.weighing(self.properties.mass).tensor)
+        return principal_axes(self.shape_mass.weighing(self.properties.mass).tensor)
 
 
 class MassTable(Record):
@@ -87,7 +87,7 @@ def _row(subject: Subject, link: Link) -> MassRow:
     properties = properties_of(link, Transform())
     moments, axes = principal_axes(properties.tensor)
     try:
-        found = matter(link, "auto", subject.measures)
+        found = shape_mass(link, "auto", subject.measures)
     except ImportError:
         found = WITHOUT_MESHES
     if isinstance(found, str):

@@ -172,8 +172,8 @@ def _positions(tree: KinematicTree, given: Mapping[str, Any]) -> dict[str, float
     for name, value in given.items():
         joint = tree.model.joints_by_name.get(name)
         if joint is None:
-            meant = did_you_mean(name, tree.model.joints_by_name)
-            raise PoseError(f"there is no joint '{name}'{meant}")
+            suggested = did_you_mean(name, tree.model.joints_by_name)
+            raise PoseError(f"there is no joint '{name}'{suggested}")
         if joint.mimic and joint.mimic.joint:
             leader = joint.mimic.joint.value
             raise PoseError(f"joint '{name}' follows '{leader}'; give the position of that one")

@@ -36,8 +36,8 @@ def marked(scene: Scene, subject: Subject, diagnostics: Sequence[Diagnostic]) ->
         item if item.look.sign else _painted(item, found.get(item.link, ())) for item in scene.items
     )
     labels = tuple(
-        Label(_text(told), link, middle(scene, link))
-        for link, told in found.items()
+        Label(_text(reported), link, middle(scene, link))
+        for link, reported in found.items()
         if link in scene.frames
     )
     return scene._replace(items=items, labels=(*scene.labels, *labels))
@@ -55,18 +55,18 @@ def by_link(subject: Subject, diagnostics: Sequence[Diagnostic]) -> dict[str, li
     return found
 
 
-def _painted(item: SceneItem, told: Sequence[Diagnostic]) -> SceneItem:
+def _painted(item: SceneItem, reported: Sequence[Diagnostic]) -> SceneItem:
     """An item in the colour of its worst finding; the stripes of a missing mesh stay."""
     alpha = item.look.rgba[3]
-    if not told:
+    if not reported:
         return item._replace(look=SurfaceMaterial((*QUIET[:3], alpha)), colors=None)
     if item.look == PLACEHOLDER:
         return item
-    colour = COLOURS[told[0].severity]
+    colour = COLOURS[reported[0].severity]
     return item._replace(look=SurfaceMaterial((*colour[:3], alpha)), colors=None)
 
 
-def _text(told: Sequence[Diagnostic]) -> str:
-    codes = list(dict.fromkeys(diagnostic.code for diagnostic in told))
+def _text(reported: Sequence[Diagnostic]) -> str:
+    codes = list(dict.fromkeys(diagnostic.code for diagnostic in reported))
     rest = len(codes) - MAX_CODES
     return " ".join(codes[:MAX_CODES]) + (f" +{rest}" if rest > 0 else "")

@@ -71,8 +71,8 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
         boxes.append(box)
         end = (min(max(x, box.left), box.right), min(max(y, box.top), box.bottom))
         draw.line([(x, y), end], fill=LEADER, width=max(1, round(size / 12)))
-        spot = size / 7
-        draw.ellipse((x - spot, y - spot, x + spot, y + spot), fill=LEADER)
+        locate = size / 7
+        draw.ellipse((x - locate, y - locate, x + locate, y + locate), fill=LEADER)
         draw.rounded_rectangle(box, radius=size / 4, fill=PAPER)
         start = (box.left + 0.3 * size, (box.top + box.bottom) / 2)
         draw.text(start, text, fill=INK, font=font, anchor="lm")

@@ -276,7 +276,7 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     It is as large as a shape that the link has beside, or a mesh; else it reaches to the joints
     that hang on the link.
     """
-    size, frame = _room(subject, link, body, least)
+    size, frame = _target_bounds(subject, link, body, least)
     edges = np.array(size, dtype=np.float32)
     vertices, faces, _, uv = primitives.box(*size)
     assert uv is not None
@@ -287,7 +287,9 @@ def _placeholder(subject: Subject, link: Link, role: str, body: Body, least: flo
     return SceneItem(link.name, role, label, PLACEHOLDER, placed(vertices, frame), faces, None, uv)
 
 
-def _room(subject: Subject, link: Link, body: Body, least: float) -> tuple[Vector, Transform]:
+def _target_bounds(
+    subject: Subject, link: Link, body: Body, least: float
+) -> tuple[Vector, Transform]:
     """The edges of the box that stands for a mesh, in m, and where its middle is in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]

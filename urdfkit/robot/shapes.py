@@ -150,14 +150,14 @@ class MeshSolid(Record):
 
     Attributes:
         name: of the file.
-        matter: what it encloses at a density of 1 kg/m^3, or its convex hull.
+        shape_mass: what it encloses at a density of 1 kg/m^3, or its convex hull.
         hull: volume of the convex hull in m^3.
         is_closed: True if it encloses a solid; it is taken for its hull otherwise.
         points: extreme vertices; the mesh reaches hardly farther in any direction than they.
     """
 
     name: str
-    matter: MassProperties
+    shape_mass: MassProperties
     hull: float
     is_closed: bool
     points: tuple[Vector, ...]
@@ -165,12 +165,12 @@ class MeshSolid(Record):
     @property
     def volume(self) -> float:
         """In m^3."""
-        return self.matter.mass
+        return self.shape_mass.mass
 
     @property
     def origin(self) -> Transform:
         """The centre of its matter, with the axes of the link."""
-        return Transform(position=self.matter.center)
+        return Transform(position=self.shape_mass.center)
 
     @property
     def longest(self) -> float:
@@ -180,8 +180,8 @@ class MeshSolid(Record):
 
     def properties(self, mass: float) -> MassProperties:
         """Of the solid with uniform density, in the frame of the link."""
-        tensor = inertia.scaled(self.matter.tensor, mass / self.volume)
-        return self.matter._replace(mass=mass, tensor=tensor)
+        tensor = inertia.scaled(self.shape_mass.tensor, mass / self.volume)
+        return self.shape_mass._replace(mass=mass, tensor=tensor)
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the farthest point of the mesh."""

@@ -43,7 +43,7 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     taken: set[str] = set()
     found: list[tuple[str, str]] = []
     for name in known:
-        for twin in _right_twins(name):
+        for twin in _right_counterparts(name):
             if twin in known and name not in taken and twin not in taken:
                 taken.update((name, twin))
                 found.append((name, twin))
@@ -51,9 +51,9 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
 
 
 @lru_cache(maxsize=4096)
-def _right_twins(name: str) -> tuple[str, ...]:
+def _right_counterparts(name: str) -> tuple[str, ...]:
     """A name with one of its words for left turned into right, the last word first."""
-    twins: list[str] = []
+    symmetric_pairs: list[str] = []
     for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
         right = _RIGHT_OF.get(word.lower())
@@ -65,8 +65,8 @@ def _right_twins(name: str) -> tuple[str, ...]:
             right = right.upper()
         elif word[0].isupper():
             right = right.capitalize()
-        twins.append(name[: match.start()] + right + name[match.end() :])
-    return tuple(twins)
+        symmetric_pairs.append(name[: match.start()] + right + name[match.end() :])
+    return tuple(symmetric_pairs)
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:

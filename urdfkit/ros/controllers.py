@@ -19,7 +19,7 @@ from urdfkit.ros.catalog.ros_control import hardware as simulators
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, slip
+from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
 
 if TYPE_CHECKING:
@@ -228,7 +228,7 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
 def unparsed(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
     """The files of parameters that are no YAML, with the place and the reason."""
     for file, source in _sources(description):
-        if found := slip(source):
+        if found := mistake(source):
             yield file, *found
 
 
@@ -277,13 +277,13 @@ def _unread_sections(
         if name in declared and not any(map(_is_parameters, node)):
             message = f"what '{key}' holds is not read: it does not stand in {_PARAMETERS}"
             yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
-        elif name not in declared and (meant := _slip_of(name, without)):
+        elif name not in declared and (suggested := _mistake_of(name, without)):
             message = f"'{key}' is no controller of the controller manager, and not read"
-            yield key.span, message, f"did you mean '{meant}'?"
+            yield key.span, message, f"did you mean '{suggested}'?"
 
 
 def _is_parameters(key: str) -> bool:
-    return key == _PARAMETERS or _slip_of(key, [_PARAMETERS]) is not None
+    return key == _PARAMETERS or _mistake_of(key, [_PARAMETERS]) is not None
 
 
 def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
@@ -304,7 +304,7 @@ def _node_of(key: str) -> str:
     return key.strip("/").rpartition("/")[2]
 
 
-def _slip_of(word: str, known: Iterable[str]) -> str | None:
+def _mistake_of(word: str, known: Iterable[str]) -> str | None:
     return nearest(word, known, 0.8)
 
 

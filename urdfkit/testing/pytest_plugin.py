@@ -123,8 +123,8 @@ def _description(
     places = [request.path.parent / path, request.config.rootpath / path]
     found = next((place for place in places if place.is_file()), None)
     if found is None:
-        told = " nor ".join(dict.fromkeys(map(str, places)))
-        pytest.fail(f"there is no model {told}", pytrace=False)
+        reported = " nor ".join(dict.fromkeys(map(str, places)))
+        pytest.fail(f"there is no model {reported}", pytrace=False)
     return Description(str(found), arguments)
 
 

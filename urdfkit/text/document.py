@@ -263,9 +263,9 @@ class Element:
         if name:
             return f"{self.tag}/{name}"
         assert self.parent is not None
-        twins = self.parent.all(self.tag)
-        if len(twins) > 1 and twins[0] is not self:
-            return f"{self.tag}[{1 + next(i for i, twin in enumerate(twins) if twin is self)}]"
+        siblings = self.parent.all(self.tag)
+        if len(siblings) > 1 and siblings[0] is not self:
+            return f"{self.tag}[{1 + next(i for i, one in enumerate(siblings) if one is self)}]"
         return self.tag
 
     def __repr__(self) -> str:

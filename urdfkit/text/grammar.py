@@ -37,13 +37,13 @@ class Deviation(Record):
         element: the element that is wrong or lacks something.
         attribute: that is wrong.
         name: what is missing or expected.
-        meant: the name that was probably meant; empty if none is like it.
+        suggested: the name that was probably meant; empty if none is like it.
     """
 
     element: Element
     attribute: Attribute | None = None
     name: str = ""
-    meant: str = ""
+    suggested: str = ""
 
     @property
     def at(self) -> Element | Attribute:
@@ -154,9 +154,9 @@ class _Walk:
         element: Element,
         attribute: Attribute | None = None,
         name: str = "",
-        meant: str = "",
+        suggested: str = "",
     ) -> None:
-        deviation = Deviation(element, attribute, name, meant)
+        deviation = Deviation(element, attribute, name, suggested)
         self.found.setdefault(code, []).append(deviation)
 
     def attributes(self, element: Element, grammar: Grammar) -> None:
@@ -196,12 +196,14 @@ class _Walk:
             self._unknown += 1
             if self._unknown > MAX_UNKNOWN:
                 break
-            meant = nearest(name, (key for key in grammar.attributes if element.get(key) is None))
-            if meant in missing:
-                missing = [key for key in missing if key != meant]
-                self._add("URD003", element, attribute, meant, meant)
+            suggested = nearest(
+                name, (key for key in grammar.attributes if element.get(key) is None)
+            )
+            if suggested in missing:
+                missing = [key for key in missing if key != suggested]
+                self._add("URD003", element, attribute, suggested, suggested)
             else:
-                self._add("URD002", element, attribute, meant=meant or "")
+                self._add("URD002", element, attribute, suggested=suggested or "")
         return missing
 
     def _version_number(self, attribute: Attribute) -> None:
@@ -215,7 +217,7 @@ class _Walk:
         """A value that is no number, or too few or too many of them."""
         text = attribute.value
         if rule.since > self._version:
-            self._add("URD016", attribute.element, attribute, meant=rule.since)
+            self._add("URD016", attribute.element, attribute, suggested=rule.since)
         elif _reads(text, length) and not self._breaks:
             self._good[length].add(text)
         elif not is_expression(text):
@@ -249,8 +251,8 @@ class _Walk:
         if unknown:
             free = [tag for tag in grammar.children if tag not in seen or tag in grammar.many]
             needed = [*missing, *_NEEDED.get(element.tag, ())]
-            told = {self._unknown_element(child, free, needed) for child in unknown}
-            missing = [tag for tag in missing if tag not in told]
+            reported = {self._unknown_element(child, free, needed) for child in unknown}
+            missing = [tag for tag in missing if tag not in reported]
         for tag in missing:
             self._add("URD004", element, name=tag)
         return inner
@@ -260,7 +262,7 @@ class _Walk:
         first, *others = [child for child in element.children if ":" not in child.tag] or [element]
         if known := grammar.children.get(first.tag):
             if known.since > self._version:
-                self._add("URD016", first, meant=known.since)
+                self._add("URD016", first, suggested=known.since)
             for child in others:
                 if child.tag in grammar.children and child.tag != first.tag:
                     self._add("URD007", child)
@@ -268,8 +270,8 @@ class _Walk:
         self._unknown += 1
         if self._unknown > MAX_UNKNOWN or (first is element and element.children):
             return unknown  # shapes of another dialect have a prefix
-        if meant := nearest(first.tag, grammar.children, LIKENESS):
-            self._add("URD013", first, name=meant, meant=meant)
+        if suggested := nearest(first.tag, grammar.children, LIKENESS):
+            self._add("URD013", first, name=suggested, suggested=suggested)
         else:
             self._add("URD009", first)
         return [child for child in unknown if child is not first]
@@ -285,11 +287,11 @@ class _Walk:
         elif schema.places_of(tag):
             self._add("URD012", child)
         else:
-            meant = nearest(tag, free, LIKENESS) or ""
-            if not meant and calling_macro(child):
+            suggested = nearest(tag, free, LIKENESS) or ""
+            if not suggested and calling_macro(child):
                 # A macro tells its blocks apart by such names, and inserts them as they are called.
-                meant = next((word for word in tag.split("_") if word in free), "")
-            code = "URD013" if meant in needed else "URD001"
-            self._add(code, child, name=meant, meant=meant)
-            return meant if meant in needed else ""
+                suggested = next((word for word in tag.split("_") if word in free), "")
+            code = "URD013" if suggested in needed else "URD001"
+            self._add(code, child, name=suggested, suggested=suggested)
+            return suggested if suggested in needed else ""
         return ""

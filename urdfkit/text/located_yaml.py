@@ -117,7 +117,7 @@ def _key(node: Node) -> str:
     return key
 
 
-def slip(source: Source) -> tuple[Span, str] | None:
+def mistake(source: Source) -> tuple[Span, str] | None:
     """Where and why a file is no YAML; None if it is."""
     if len(source.data) > MAX_BYTES:
         return None

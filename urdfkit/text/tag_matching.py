@@ -51,11 +51,11 @@ class TagMatching:
     """Fits end tags to start tags."""
 
     def __init__(
-        self, data: bytes, tags: list[TagToken], slips: list[SyntaxMistake], *, cut_off: bool
+        self, data: bytes, tags: list[TagToken], mistakes: list[SyntaxMistake], *, cut_off: bool
     ) -> None:
         self._data = data
         self._tags = tags
-        self._slips = slips
+        self._mistakes = mistakes
         self._cut_off = cut_off
         self._open: list[TagToken] = []
         self._counts: dict[str, int] = {}
@@ -64,7 +64,7 @@ class TagMatching:
 
     def run(self) -> None:
         for number, tag in enumerate(self._tags):
-            if len(self._slips) >= MAX_ERRORS:
+            if len(self._mistakes) >= MAX_ERRORS:
                 return
             if not self._open and tag.kind != "close" and not self._outside(tag):
                 return
@@ -75,7 +75,7 @@ class TagMatching:
         self._end()
 
     def _add(self, at: tuple[int, int], message: str, *notes: tuple[int, int, str]) -> None:
-        self._slips.append(SyntaxMistake(*at, message, notes))
+        self._mistakes.append(SyntaxMistake(*at, message, notes))
 
     def _outside(self, tag: TagToken) -> bool:
         """Something outside of any element; False if what follows makes no sense any more."""
@@ -91,7 +91,7 @@ class TagMatching:
         what = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
         message = f"{what} behind the end of <{name}>"
-        self._slips.append(SyntaxMistake(start, end, message, (note,), trailing=True))
+        self._mistakes.append(SyntaxMistake(start, end, message, (note,), trailing=True))
         return False
 
     def _push(self, tag: TagToken) -> None:
@@ -191,7 +191,7 @@ class TagMatching:
             notes = [tag.note(f"{self._shown(tag)} is not closed") for tag in still[:5]]
             end = len(self._data.rstrip())
             self._add((end, end), f"the file ends before {names}", *notes)
-        elif self._root is None and not self._slips:
+        elif self._root is None and not self._mistakes:
             self._add((0, 0), "there is no element in the file")
 
     def _shown(self, tag: TagToken) -> str:

@@ -51,18 +51,18 @@ def wrap(text: str, width: int, *, indent: int = 0, used: int = 0) -> str:
         used: columns of the first line that are taken.
     """
     lines = [""]
-    room = width - used
-    if used and room < width // 4:
-        room = 0  # a lone word at the end of a long first line reads badly
-    if columns(text) <= room:
+    target_bounds = width - used
+    if used and target_bounds < width // 4:
+        target_bounds = 0  # a lone word at the end of a long first line reads badly
+    if columns(text) <= target_bounds:
         return text
     for word in text.split(" "):
         line = f"{lines[-1]} {word}" if lines[-1] else word
-        if columns(line) <= room or not (lines[-1] or used):
+        if columns(line) <= target_bounds or not (lines[-1] or used):
             lines[-1] = line
         else:
             lines.append(word)
-            room = width - indent
+            target_bounds = width - indent
             used = 0
     return f"\n{' ' * indent}".join(lines)
 

@@ -45,7 +45,7 @@ _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 _NAME_ANOTHER = "name the URDF or xacro of the robot"
 
 
-def syntax_slips(data: bytes) -> list[SyntaxMistake]:
+def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     """All errors of a text in the order of their places; none if it is not known what is wrong.
 
     Args:
@@ -62,8 +62,8 @@ def syntax_slips(data: bytes) -> list[SyntaxMistake]:
     scanner = _Scanner(data)
     scanner.run()
     first: dict[int, SyntaxMistake] = {}
-    for slip in scanner.slips:
-        first.setdefault(slip.start, slip)  # what else is wrong there follows from it
+    for mistake in scanner.mistakes:
+        first.setdefault(mistake.start, mistake)  # what else is wrong there follows from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
 
 
@@ -82,22 +82,22 @@ def _other_kind(data: bytes) -> tuple[str, str] | None:
 
 
 class _Scanner:
-    """Takes a text apart; ``slips`` collects what is wrong."""
+    """Takes a text apart; ``mistakes`` collects what is wrong."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
-        self.slips: list[SyntaxMistake] = []
+        self.mistakes: list[SyntaxMistake] = []
         self._tags: list[TagToken] = []
         self._has_doctype = False
         self._cut_off = False  # the rest of the file belongs to something that never ends
 
     def run(self) -> None:
         for start, end in _controls(self.data):
-            self.slips.append(_control(self.data, start, end))
+            self.mistakes.append(_control(self.data, start, end))
         position = 3 if self.data.startswith(b"\xef\xbb\xbf") else 0
         position = self._declaration(position)
         size = len(self.data)
-        while position < size and len(self.slips) < MAX_ERRORS and len(self._tags) < MAX_TAGS:
+        while position < size and len(self.mistakes) < MAX_ERRORS and len(self._tags) < MAX_TAGS:
             start = self.data.find(b"<", position)
             self._text(position, start if start >= 0 else size)
             if start < 0:
@@ -105,10 +105,10 @@ class _Scanner:
             position = self._markup(start)
         else:
             self._cut_off = self._cut_off or position < size
-        TagMatching(self.data, self._tags, self.slips, cut_off=self._cut_off).run()
+        TagMatching(self.data, self._tags, self.mistakes, cut_off=self._cut_off).run()
 
     def _add(self, start: int, end: int, message: str, *notes: tuple[int, int, str]) -> None:
-        self.slips.append(SyntaxMistake(start, end, message, notes))
+        self.mistakes.append(SyntaxMistake(start, end, message, notes))
 
     def _declaration(self, position: int) -> int:
         if not self.data.startswith(b"<?xml", position) or self.data[
@@ -140,7 +140,7 @@ class _Scanner:
 
     def _references(self, start: int, end: int) -> None:
         position = self.data.find(b"&", start, end)
-        while position >= 0 and len(self.slips) < MAX_ERRORS:
+        while position >= 0 and len(self.mistakes) < MAX_ERRORS:
             found = _REFERENCE.match(self.data, position, end)
             assert found is not None
             decimal, hexadecimal, name = found.groups()
@@ -198,8 +198,8 @@ class _Scanner:
 
     def _comment(self, start: int) -> int:
         end = self._until(start, 4, b"-->", "comment")
-        if not self._cut_off and (slip := _hyphens(self.data, start + 4, end - 3)):
-            self.slips.append(slip)
+        if not self._cut_off and (mistake := _hyphens(self.data, start + 4, end - 3)):
+            self.mistakes.append(mistake)
         return end
 
     def _doctype(self, start: int) -> int:
@@ -278,7 +278,7 @@ class _Scanner:
                 kind = "empty" if data[end - 2 : end] == b"/>" else "open"
                 self._tags.append(TagToken(kind, name, start, end))
                 return end
-            if len(self.slips) >= MAX_ERRORS:
+            if len(self.mistakes) >= MAX_ERRORS:
                 return position
 
     def _attribute(
@@ -311,13 +311,13 @@ class _Scanner:
             self._add(opening, opening + 1, "'<' inside a value must be written '&lt;'")
         elif end < 0:
             return self._unclosed(name, start, len(data))
-        elif swallowed := self._swallowed(start, end):
+        elif contained := self._contained(start, end):
             self._add(start, start + 1, f"the value of '{name}' has no closing quote")
-            return swallowed
+            return contained
         self._references(start + 1, end)
         return end + 1
 
-    def _swallowed(self, start: int, end: int) -> int:
+    def _contained(self, start: int, end: int) -> int:
         """Where the next attribute begins if the closing quote found is its opening one."""
         if self.data[end + 1 : end + 2] in (b" ", b"\t", b"\r", b"\n", b"/", b">", b"?", b""):
             return 0

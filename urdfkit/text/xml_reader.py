@@ -368,27 +368,27 @@ def syntax_problems(source: Source, data: bytes | None = None) -> list[Problem]:
         source: the file.
         data: its text if read otherwise than it stands, at the same offsets.
     """
-    from urdfkit.text.xml_errors import syntax_slips  # needed for broken files only
+    from urdfkit.text.xml_errors import syntax_mistakes  # needed for broken files only
 
     data = source.data if data is None else data
     problems = [
         Problem(
-            "XML006" if slip.trailing else "XML001",
-            Span(source, slip.start, slip.end),
-            slip.message,
-            slip.help,
-            related=tuple(Related(Span(source, *place), text) for *place, text in slip.notes),
-            fix=_remedy(source, slip),
+            "XML006" if mistake.trailing else "XML001",
+            Span(source, mistake.start, mistake.end),
+            mistake.message,
+            mistake.help,
+            related=tuple(Related(Span(source, *place), text) for *place, text in mistake.notes),
+            fix=_remedy(source, mistake),
         )
-        for slip in syntax_slips(data)
+        for mistake in syntax_mistakes(data)
     ]
     return problems or [_expat_problem(source, data)]
 
 
-def _remedy(source: Source, slip: SyntaxMistake) -> Fix | None:
+def _remedy(source: Source, mistake: SyntaxMistake) -> Fix | None:
     """What puts a slip right; it is known for comments, which no reader of robots heeds."""
-    edits = tuple(Edit(Span(source, *place), text) for *place, text in slip.remedy)
-    return Fix(slip.help, edits, safe=True) if edits else None
+    edits = tuple(Edit(Span(source, *place), text) for *place, text in mistake.remedy)
+    return Fix(mistake.help, edits, safe=True) if edits else None
 
 
 def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> Problem:

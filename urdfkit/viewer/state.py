@@ -55,7 +55,7 @@ class ViewerState(Record):
         scene: the robot in three dimensions; None if it cannot be had.
         declared: the arguments that the xacro declares, each with its value.
         stamps: of every file that it was made from.
-        told: what it was made of.
+        reported: what it was made of.
         is_whole: False while that which takes a while is not there yet.
     """
 
@@ -64,7 +64,7 @@ class ViewerState(Record):
     scene: PageScene | None
     declared: dict[str, str]
     stamps: dict[str, Stamp]
-    told: ReportInput
+    reported: ReportInput
     is_whole: bool = False
 
     def message(self, words: Translator, *, with_scene: bool = True) -> dict[str, Any]:
@@ -99,7 +99,7 @@ def read(wish: ViewRequest, known: Iterable[str] = ()) -> ViewerState:
         UrdfkitError: the file is missing, or the job cannot be done.
     """
     before = {path: stamp(path) for path in (wish.file, *known)}
-    told = describe(
+    reported = describe(
         wish.file,
         arguments=wish.arguments,
         packages=wish.packages,
@@ -109,22 +109,22 @@ def read(wish: ViewRequest, known: Iterable[str] = ()) -> ViewerState:
         variant=wish.variant,
         quick=True,
     )
-    subject = told.subject
-    document, drawings, scene = drawn(told, has_pictures=False)
-    files = files_of(subject, told.diagnostics) | {wish.file}
+    subject = reported.subject
+    document, drawings, scene = drawn(reported, has_pictures=False)
+    files = files_of(subject, reported.diagnostics) | {wish.file}
     if scene is not None:
         files |= _beside(subject)
     stamps = {path: before[path] if path in before else stamp(path) for path in files}
-    return ViewerState(document, drawings, scene, _declared(subject), stamps, told)
+    return ViewerState(document, drawings, scene, _declared(subject), stamps, reported)
 
 
 def completed(state: ViewerState) -> ViewerState:
     """The same with statics, collisions and pictures."""
     if state.document["robot"] is None:
         return state._replace(is_whole=True)
-    told = complete(state.told)
-    document, drawings, _ = drawn(told, has_pictures=True)
-    return state._replace(document=document, drawings=drawings, told=told, is_whole=True)
+    reported = complete(state.reported)
+    document, drawings, _ = drawn(reported, has_pictures=True)
+    return state._replace(document=document, drawings=drawings, reported=reported, is_whole=True)
 
 
 def files_of(subject: Subject, diagnostics: Iterable[Diagnostic]) -> set[str]:

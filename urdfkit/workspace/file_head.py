@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 
-def peek(path: str, most: int) -> bytes:
+def read_head(path: str, most: int) -> bytes:
     """The first bytes of a file; none of what cannot be read, or is a pipe, which may never end."""
     try:
         if not os.path.isfile(path):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 
 #: Longer files are none that people write.
 MAX_BYTES = 1024 * 1024
@@ -54,7 +54,7 @@ def _may_mean(words: set[str], path: str) -> bool:
 
 def _words(folder: str) -> set[str]:
     """The last words of the patterns in a folder's .gitignore, such as ``*.obj``."""
-    text = peek(os.path.join(folder, ".gitignore"), MAX_BYTES).decode("utf-8", "replace")
+    text = read_head(os.path.join(folder, ".gitignore"), MAX_BYTES).decode("utf-8", "replace")
     lines = map(str.strip, text.split("\n"))
     patterns = [line.rstrip("/") for line in lines if line and not line.startswith(("#", "!"))]
     return {pattern.rpartition("/")[2].lower() for pattern in patterns}

@@ -6,7 +6,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:
     from urdfkit.workspace.packages import Packages
@@ -53,7 +53,7 @@ def includer(path: str, packages: Packages) -> str | None:
         for file in sorted(files):
             if file.lower().endswith(_SUFFIXES) and (there := os.path.join(parent, file)) != path:
                 searched += 1
-                if pattern.search(peek(there, MAX_BYTES)):
+                if pattern.search(read_head(there, MAX_BYTES)):
                     found.append(there)
         if entries > MAX_ENTRIES or searched > MAX_FILES:
             return ""

@@ -11,7 +11,7 @@ import re
 from fnmatch import fnmatch
 from functools import cached_property
 
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_rules
 
 #: Commands that may install what is not told here: other files, and functions of the package.
@@ -102,7 +102,7 @@ class InstallRules:
     @cached_property
     def _text(self) -> str:
         """The build file; of CMake without its comments, which the templates of ROS are full of."""
-        text = peek(self.file, MAX_BYTES).decode("utf-8", "replace")
+        text = read_head(self.file, MAX_BYTES).decode("utf-8", "replace")
         return text if self.file.endswith(".py") else re.sub(r"#.*", "", text)
 
     @cached_property

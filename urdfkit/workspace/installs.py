@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 
 MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
@@ -67,7 +67,7 @@ def source_paths(rules: Iterable[Installed], package: str, relative: str) -> lis
 
 def read_rules(folder: str, package: str) -> list[Installed]:
     """What the CMakeLists.txt of a package installs; conditions are taken as true."""
-    text = peek(os.path.join(folder, "CMakeLists.txt"), MAX_BYTES).decode("utf-8", "replace")
+    text = read_head(os.path.join(folder, "CMakeLists.txt"), MAX_BYTES).decode("utf-8", "replace")
     reader = _Reader(known_variables(package))
     for command in _commands(text):
         reader.read(command)

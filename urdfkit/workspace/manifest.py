@@ -7,7 +7,7 @@ import re
 
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
 MAX_BYTES = 1024 * 1024
@@ -117,7 +117,7 @@ def _needs(name: str, near: str, resolver: Resolver) -> frozenset[str]:
     if manifest is None or not resolver.packages.searches(folder, near):
         return frozenset()
     files = resolver.folders.files_below(folder, MAX_FOLDERS)
-    texts = (peek(path, MAX_BYTES) for path in files if path.endswith((".urdf", ".xacro")))
+    texts = (read_head(path, MAX_BYTES) for path in files if path.endswith((".urdf", ".xacro")))
     plain = (re.sub(_COMMENT, b"", text) for text in texts)
     used = {found.decode() for text in plain for found in re.findall(_USE, text)}
     return manifest.dependencies.union(used) - {name}

@@ -24,7 +24,7 @@ from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
 from urdfkit.core.record import Record
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import Folders
 
 #: A scan stops here and says so. Real workspaces have some thousand folders.
@@ -157,13 +157,13 @@ class Packages:
         return self._searched[start]
 
     def _search_of(self, start: str, near: str) -> tuple[str, ...]:
-        told = [f"{start} and the folders above it"]
+        reported = [f"{start} and the folders above it"]
         for variable, paths in (
             ("AMENT_PREFIX_PATH", self.prefixes),
             ("ROS_PACKAGE_PATH", self.ros1_paths),
         ):
-            told.append(f"{variable} ({os.pathsep.join(paths) or 'not set'})")
-        return (*told, *(self._scan(level).words() for level in self.levels(near)))
+            reported.append(f"{variable} ({os.pathsep.join(paths) or 'not set'})")
+        return (*reported, *(self._scan(level).words() for level in self.levels(near)))
 
     def known(self, near: str) -> dict[str, str]:
         """The packages around a file: folders by name, the nearest of each name."""
@@ -295,7 +295,7 @@ class Packages:
     def _is_repository(self, folder: str) -> bool:
         """True of the top of a repository, unless it is a submodule of another one."""
         is_marked = ".git" in self._names_in(folder)
-        return is_marked and b"/modules/" not in peek(os.path.join(folder, ".git"), 4096)
+        return is_marked and b"/modules/" not in read_head(os.path.join(folder, ".git"), 4096)
 
     def _names_in(self, folder: str) -> Mapping[str, bool]:
         return self.folders.entries(folder) or {}
@@ -432,7 +432,7 @@ def _package_name(folder: str) -> str | None:
 
 def _read_marker(folder: str, name: str) -> bytes:
     """A package.xml or manifest.xml without its comments; empty if there is none."""
-    data = peek(os.path.join(folder, name), 65_536)
+    data = read_head(os.path.join(folder, name), 65_536)
     return re.sub(_COMMENT, b"", data) if b"<!--" in data else data
 
 

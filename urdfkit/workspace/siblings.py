@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:
     from urdfkit.workspace.resolve import Resolver
@@ -58,7 +58,9 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
 
 def _may_be_called(srdf: str, name: str) -> bool:
     """True unless an SRDF is plainly of a robot of another name, which a look at its head tells."""
-    head = peek(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
+    head = (
+        read_head(srdf, 20_000).decode("utf-8", "replace").partition("<robot")[2].partition(">")[0]
+    )
     called = head.replace("'", '"').partition('name="')[2]
     return called.startswith((f'{name}"', "$"))
 
@@ -109,7 +111,7 @@ class SetupAssistant(Record):
 
 
 def _setup(folder: str) -> SetupAssistant:
-    text = peek(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
+    text = read_head(os.path.join(folder, ".setup_assistant"), 100_000).decode("utf-8", "replace")
 
     def section(name: str) -> str:
         found = re.search(_SECTION.format(name), text)

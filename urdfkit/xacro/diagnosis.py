@@ -16,7 +16,7 @@ from urdfkit.text.xml_reader import DocumentTooLarge, Problem
 from urdfkit.xacro.annotations import notes_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
-from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, spot
+from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
 from urdfkit.xacro.messages import bare_property, macro_of, words
 from urdfkit.xacro.sandbox import TooLarge, UnsafeExpression
 from urdfkit.xacro.substitution import EnvironmentRefused
@@ -72,17 +72,17 @@ def problem(
         return wanting
     node, local = node_in(frame)
     if bare := bare_property(run, root_cause(error)):
-        return _without_prefix(run, *bare, node and spot(node, local, used).span)
+        return _without_prefix(run, *bare, node and locate(node, local, used).span)
     if node is None:
         return _made(run, error, located, ErrorLocation(Span(run.source, 0, 0), None))
     if located.resolving:
         table, key = located.resolving[-1]
         definer = notes_of(table).definers.get(key)
         if definer is not None:
-            notes = related(spot(node, local, used).span, f"needed here for '{key}'")
-            made = _made(run, error, located, spot(definer, {}, located))
+            notes = related(locate(node, local, used).span, f"needed here for '{key}'")
+            made = _made(run, error, located, locate(definer, {}, located))
             return made._replace(related=notes)
-    made = _made(run, error, located, spot(node, local, located))
+    made = _made(run, error, located, locate(node, local, located))
     notes = _in_yaml(root_cause(error)) or _definitions(local, located)
     return made._replace(related=notes)
 
@@ -184,8 +184,8 @@ def _how_to_pass(run: Run, missing: BaseException) -> str:
 def _pass(run: Run, name: str) -> str:
     """How to give an argument; with the slip in its place, if there is one."""
     known = run.known_arguments()
-    slip = nearest(name, [given for given in run.arguments if given not in known])
-    return f"pass it: {name}:=VALUE" + (f", not {slip}:=" if slip else "")
+    mistake = nearest(name, [given for given in run.arguments if given not in known])
+    return f"pass it: {name}:=VALUE" + (f", not {mistake}:=" if mistake else "")
 
 
 def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:

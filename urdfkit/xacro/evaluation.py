@@ -114,10 +114,10 @@ class Evaluation:
                 self.run.report(error, LocatedExpression(text, offset, token), sys._getframe(2))
         if any(value is POISON for value in values):
             raise DependsOnError
-        fence = self.run.fence
+        sandbox = self.run.sandbox
         if len(values) > 1:
-            return fence.keep("".join(fence.keep(str(value)) for value in values))
-        return values[0] if self._depth > 1 else fence.keep(values[0])
+            return sandbox.keep("".join(sandbox.keep(str(value)) for value in values))
+        return values[0] if self._depth > 1 else sandbox.keep(values[0])
 
     def _value_of(self, kind: str, token: str, symbols: Any) -> Any:
         if kind == "unclosed":
@@ -137,7 +137,7 @@ class Evaluation:
         """The value of an expression; fenced, unless the user trusts the model."""
         if self.run.trust:
             return self._stock_eval(expression, symbols, local)
-        return evaluate(expression.strip(), symbols, self.run.fence)
+        return evaluate(expression.strip(), symbols, self.run.sandbox)
 
     def set_item(self, table: Any, key: str, value: Any, unevaluated: bool) -> None:
         """xacro's ``Table._setitem``, which also notes who defines the name."""

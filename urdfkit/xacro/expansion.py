@@ -98,7 +98,7 @@ class Run:
         self.frame = frame
         self.without = without
         self.budget = Budget(deadline)
-        self.fence = Sandbox(self.budget)
+        self.sandbox = Sandbox(self.budget)
         self.ledger = ledger
         self.reader = reader
         self.tracer = _tracer(self) if traced else None
@@ -212,7 +212,7 @@ class Run:
             os.path.dirname(xacro.filestack[-1] or ""),
             self.root_dir,
             os.environ,
-            None if self.trust else self.fence,
+            None if self.trust else self.sandbox,
             {**xacro._global_symbols["math"], **xacro._global_symbols["python"]},
         )
         try:

@@ -63,7 +63,9 @@ def compile_expression(text: str) -> CodeType:
         if len(text) > MAX_EXPRESSION:
             raise TooLarge(f"an expression of more than {MAX_EXPRESSION} characters")
         try:
-            return compile(_fenced(ast.parse(text, "<expression>", "eval")), "<expression>", "eval")
+            return compile(
+                _sandboxed(ast.parse(text, "<expression>", "eval")), "<expression>", "eval"
+            )
         except (RecursionError, MemoryError) as error:
             raise TooLarge("an expression that is nested too deeply") from error
 
@@ -75,7 +77,7 @@ def _is_plain(text: str) -> bool:
     return "[" in text and re.fullmatch(_ITEM, text) is not None
 
 
-def _fenced(tree: ast.Expression) -> ast.Expression:
+def _sandboxed(tree: ast.Expression) -> ast.Expression:
     """Check an expression and rewrite what the Fence has to see; without recursion."""
     nodes = list(ast.walk(tree))
     for node in nodes:
@@ -164,16 +166,16 @@ class Scope(dict[str, Any]):
         return self._names[name] if guard is None else guard
 
 
-def evaluate(text: str, names: Any, fence: Sandbox) -> Any:
+def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
     """The value of an expression; of an iterator the list.
 
     Args:
         text: of it.
         names: what it may look up; raises KeyError.
-        fence: bounds it.
+        sandbox: bounds it.
 
     Raises:
         Exception: whatever goes wrong in it.
     """
-    value = eval(compile_expression(text), Scope(fence.guards, names))
-    return fence.keep(list(value)) if isinstance(value, Iterator) else value
+    value = eval(compile_expression(text), Scope(sandbox.guards, names))
+    return sandbox.keep(list(value)) if isinstance(value, Iterator) else value

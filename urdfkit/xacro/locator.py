@@ -47,7 +47,7 @@ class ErrorLocation(Record):
     frame: CallFrame | None
 
 
-def spot(node: Node, local: dict[str, Any], located: LocatedExpression) -> ErrorLocation:
+def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> ErrorLocation:
     """The place of an expression: in an attribute, a text, or the default of a parameter.
 
     Args:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from urdfkit.xacro.expansion import Run
 
 #: How like a tag of xacro the name of a macro must be to be taken for a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 #: How like another file's name a name must be for that file to be offered.
 _LIKE = 0.7
 #: Folders that a help lists.
@@ -141,7 +141,7 @@ def _of_call(text: str, macro: Any) -> MessageText | None:
 
 def _unknown_macro(run: Run, name: str) -> MessageText:
     known = [macro.name for macro in run.macros]
-    if tag := nearest(name, XACRO_TAGS, _SLIP):
+    if tag := nearest(name, XACRO_TAGS, _TYPO):
         known.append(tag)
     if defined := _defined_elsewhere(run, "macro", name):
         return MessageText(f"macro '{name}' is not defined", defined)
@@ -221,8 +221,8 @@ def _nearest_file(path: str) -> str:
         return ""
     stem, dot, suffix = name.partition(".")
     alike = [other.partition(".")[0] for other in beside if other.endswith(dot + suffix)]
-    meant = nearest(stem, alike, _LIKE)
-    hint = f"did you mean '{meant}{dot}{suffix}'?" if meant else ""
+    suggested = nearest(stem, alike, _LIKE)
+    hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
     if name == last:
         return hint or "correct the path; a relative one starts at the file that it stands in"
     there = sorted(one for one in beside if os.path.isdir(os.path.join(folder, one)))

@@ -42,7 +42,7 @@ class Context(Record):
         folder: that of the file being processed.
         working_directory: for ``$(cwd)``.
         environment: the variables.
-        fence: for expressions; None if every variable and expression is allowed.
+        sandbox: for expressions; None if every variable and expression is allowed.
         functions: what expressions may call.
     """
 
@@ -51,7 +51,7 @@ class Context(Record):
     folder: str
     working_directory: str
     environment: Mapping[str, str]
-    fence: Sandbox | None
+    sandbox: Sandbox | None
     functions: Mapping[str, Any]
 
 
@@ -91,7 +91,7 @@ def _only(command: str, arguments: list[str]) -> str:
 
 def may_read(name: str, context: Context) -> bool:
     """True if the model may see an environment variable."""
-    return context.fence is None or name.startswith(ENVIRONMENT_PREFIXES)
+    return context.sandbox is None or name.startswith(ENVIRONMENT_PREFIXES)
 
 
 def _variable(name: str, context: Context) -> str:
@@ -112,9 +112,9 @@ def _evaluate(expression: str, context: Context) -> Any:
     if "__" in expression:
         raise UnsafeExpression("$(eval ...) may not contain double underscores")
     names = _EvalNames(context)
-    if context.fence is None:
+    if context.sandbox is None:
         return eval(expression, {}, names)
-    return evaluate(expression.strip(), names, context.fence)
+    return evaluate(expression.strip(), names, context.sandbox)
 
 
 class _EvalNames(dict[str, Any]):
@@ -137,7 +137,7 @@ class _EvalNames(dict[str, Any]):
         try:
             return _convert(self.context.argument(name))
         except MissingArgument:
-            if self.context.fence is not None and hasattr(builtins, name):
+            if self.context.sandbox is not None and hasattr(builtins, name):
                 raise UnsafeExpression(f"{name} is not allowed in expressions") from None
             raise KeyError(name) from None
 

@@ -12,8 +12,8 @@ ROBOT = """<robot name="r">
 
 def findings(codes: str, select: tuple[str, ...] = ()) -> list[tuple[str, str]]:
     report = check(Source("r.urdf", ROBOT.format(codes=codes).encode()), select=select)
-    told = [(found.code, found.message) for found in report.diagnostics]
-    return [(code, message) for code, message in told if code.startswith("CFG")]
+    reported = [(found.code, found.message) for found in report.diagnostics]
+    return [(code, message) for code, message in reported if code.startswith("CFG")]
 
 
 def test_the_codes_that_hit_nothing_are_named():

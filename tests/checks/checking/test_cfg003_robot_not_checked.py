@@ -110,9 +110,9 @@ def test_a_robot_that_is_checked_otherwise(robot: Path) -> None:
 
 @pytest.mark.parametrize("name", formats.names())
 def test_every_format_tells_it(robot: Path, name: str) -> None:
-    told = formats.get(name)(check(robot.parent))
-    assert "CFG003" in told
-    assert "needs the argument" in " ".join(told.split()) or name == "statistics"
+    reported = formats.get(name)(check(robot.parent))
+    assert "CFG003" in reported
+    assert "needs the argument" in " ".join(reported.split()) or name == "statistics"
 
 
 def test_it_is_a_notification_and_a_skipped_test_case(robot: Path) -> None:

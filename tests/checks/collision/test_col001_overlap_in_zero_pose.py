@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.physics.collision.robots import box, joint, link, revolute, sphere
-from tests.told import messages, places
+from tests.reported import messages, places
 from urdfkit.core import libraries
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
@@ -104,6 +104,6 @@ def test_the_arm_of_moveit_is_folded_into_itself_at_zero(corpus: Path) -> None:
 
 
 @pytest.mark.parametrize(("limits", "told"), [(revolute(1, 2), 0), (revolute(-1, 2), 1)])
-def test_a_joint_above_both_that_cannot_be_at_zero(limits: str, told: int) -> None:
+def test_a_joint_above_both_that_cannot_be_at_zero(limits: str, reported: int) -> None:
     below = bent(0.004) + link("stand") + joint("stand", "base", "revolute", more=limits)
-    assert len(messages("COL001", below)) == told
+    assert len(messages("COL001", below)) == reported

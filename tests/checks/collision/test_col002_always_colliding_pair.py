@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cylinder, joint, link, revolute, sphere
-from tests.told import messages
+from tests.reported import messages
 
 NECK = '<axis xyz="0 0 1"/>'
 

@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, joint, link, revolute
-from tests.told import messages
+from tests.reported import messages
 
 CUBE = box(0.1, 0.1, 0.1)
 

@@ -9,7 +9,7 @@ import pytest
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
-from tests.told import messages
+from tests.reported import messages
 
 CHASSIS = link("chassis", box(0.6, 0.4, 0.3))
 
@@ -36,9 +36,9 @@ def test_a_part_that_reaches_out_saves_the_link() -> None:
 
 
 @pytest.mark.parametrize(("away", "told"), [("0.3 0 0", 0), ("0.05 0 0", 1)])
-def test_a_rotor_in_its_motor_turns_what_is_fixed_to_it(away: str, told: int) -> None:
+def test_a_rotor_in_its_motor_turns_what_is_fixed_to_it(away: str, reported: int) -> None:
     rotor = wheel(sphere(0.05), "0 0 0") + link("horn", sphere(0.02))
-    assert len(messages("COL004", rotor + joint("wheel", "horn", "fixed", away))) == told
+    assert len(messages("COL004", rotor + joint("wheel", "horn", "fixed", away))) == reported
 
 
 def test_meshes(tmp_path: Path) -> None:
@@ -62,9 +62,9 @@ def test_links_that_are_no_neighbours_count_too() -> None:
 
 
 @pytest.mark.parametrize(("reach", "told"), [(0.1, 1), (0.9, 0)])
-def test_a_part_that_comes_out_is_not_swallowed(reach: float, told: int) -> None:
+def test_a_part_that_comes_out_is_not_swallowed(reach: float, reported: int) -> None:
     slide = joint("chassis", "wheel", "prismatic", more=revolute(0, reach))
-    assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == told
+    assert len(messages("COL004", CHASSIS + link("wheel", sphere(0.05)) + slide)) == reported
 
 
 def test_what_holds_several_is_told_once() -> None:

@@ -9,7 +9,7 @@ import pytest
 pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cube, joint, link, mesh
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def wheel(inside: float, shape: str = box(0.2, 0.04, 0.2), kind: str = "continuous") -> str:

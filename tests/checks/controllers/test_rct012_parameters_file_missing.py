@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.controls import NEXT, ROBOT, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit import check
 
 
@@ -22,22 +22,22 @@ def test_a_path_that_leads_nowhere() -> None:
 
 @pytest.mark.parametrize("folder", ["/tmp", "/home/me/arm/config/temp", "/home/me/arm/generated"])
 def test_a_file_that_is_made_when_it_is_needed_is_calm(folder: str) -> None:
-    assert told("RCT012", robot(f"{folder}/controllers.yaml")) == []
-    assert len(told("RCT012", robot(f"{folder}/config/controllers.yaml"))) == 1
+    assert reported("RCT012", robot(f"{folder}/controllers.yaml")) == []
+    assert len(reported("RCT012", robot(f"{folder}/config/controllers.yaml"))) == 1
 
 
 def test_the_file_beside_it_is_offered(tmp_path: Path) -> None:
     (tmp_path / "controllers.yaml").write_text("")
     (message,) = messages("RCT012", robot(f"{tmp_path}/controler.yaml"))
     assert message.endswith("/controler.yaml' does not exist; did you mean 'controllers.yaml'?")
-    assert told("RCT012", robot(f"{tmp_path}/controllers.yaml")) == []
+    assert reported("RCT012", robot(f"{tmp_path}/controllers.yaml")) == []
 
 
 def test_paths_that_say_nothing_here() -> None:
     for path in ("c.yaml", "$(find p)/c.yaml", "", "package://p/c.yaml"):
-        assert told("RCT012", robot(path)) == []
+        assert reported("RCT012", robot(path)) == []
     other = plugin("libgazebo_ros_camera.so", "<parameters>/no/such.yaml</parameters>")
-    assert told("RCT012", ROBOT + other) == []
+    assert reported("RCT012", ROBOT + other) == []
 
 
 def test_a_path_of_a_package(tmp_path: Path) -> None:

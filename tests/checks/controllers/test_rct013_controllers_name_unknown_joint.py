@@ -15,7 +15,7 @@ def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
     return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
 
 
-def told(folder: Path, text: str, blocks: str = "") -> list[Diagnostic]:
+def reported(folder: Path, text: str, blocks: str = "") -> list[Diagnostic]:
     (folder / "c.yaml").write_text(text)
     names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
     (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
@@ -25,7 +25,7 @@ def told(folder: Path, text: str, blocks: str = "") -> list[Diagnostic]:
 
 
 def test_a_misspelt_joint(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, controller("arm", joints="[swing, slied]"))
+    (found,) = reported(tmp_path, controller("arm", joints="[swing, slied]"))
     assert found.message == (
         "controller 'arm' names joint 'slied', which is not in the model; did you mean 'slide'?"
     )
@@ -44,33 +44,33 @@ def test_every_parameter_that_names_joints(tmp_path: Path) -> None:
         ("ackermann_steering_controller/AckermannSteeringController", "steering_joints_names"),
         ("mecanum_drive_controller/MecanumDriveController", "front_left_wheel_command_joint_name"),
     ]:
-        (found,) = told(tmp_path, controller("c", kind, **{parameter: "swnig"}))
+        (found,) = reported(tmp_path, controller("c", kind, **{parameter: "swnig"}))
         assert found.message.startswith("controller 'c' names joint 'swnig'")
-        assert told(tmp_path, controller("c", kind, **{parameter: "swing"})) == []
+        assert reported(tmp_path, controller("c", kind, **{parameter: "swing"})) == []
 
 
 def test_names_of_something_else(tmp_path: Path) -> None:
     forward = "forward_command_controller/ForwardCommandController"
     gpio = control(driven("swing"), '<gpio name="lamp"/>', plugin=GZ)
-    assert told(tmp_path, controller("c", forward, joints="[swing, lamp]"), gpio) == []
-    assert told(tmp_path, controller("c", forward, joints="[swing, pid/swnig]")) == []
-    assert told(tmp_path, controller("c", forward, joints="[swing, '$(var p)arm']")) == []
-    assert told(tmp_path, controller("c", "acme/Own", joints="[swing, swnig]")) == []
+    assert reported(tmp_path, controller("c", forward, joints="[swing, lamp]"), gpio) == []
+    assert reported(tmp_path, controller("c", forward, joints="[swing, pid/swnig]")) == []
+    assert reported(tmp_path, controller("c", forward, joints="[swing, '$(var p)arm']")) == []
+    assert reported(tmp_path, controller("c", "acme/Own", joints="[swing, swnig]")) == []
     broadcaster = "joint_state_broadcaster/JointStateBroadcaster"
-    assert told(tmp_path, controller("c", broadcaster, extra_joints="[free]")) == []
+    assert reported(tmp_path, controller("c", broadcaster, extra_joints="[free]")) == []
 
 
 def test_a_controller_of_another_variant(tmp_path: Path) -> None:
     arm, lift = controller("a", joints="[swing]"), controller("l", joints="[mast, boom]")
-    assert told(tmp_path, arm + lift) == []
-    assert len(told(tmp_path, lift)) == 2, "none of them is for this robot"
-    assert len(told(tmp_path, arm + controller("l", joints="[mast, slide]"))) == 1
+    assert reported(tmp_path, arm + lift) == []
+    assert len(reported(tmp_path, lift)) == 2, "none of them is for this robot"
+    assert len(reported(tmp_path, arm + controller("l", joints="[mast, slide]"))) == 1
 
 
 def test_a_variant_with_prefixes(tmp_path: Path) -> None:
-    assert told(tmp_path, controller("a", joints="[left_swing, left_slide]")) == []
-    assert told(tmp_path, controller("a", joints="[wing, lide]")) == [], "without its prefix"
-    (found,) = told(tmp_path, controller("a", joints="[swing, left_slide]"))
+    assert reported(tmp_path, controller("a", joints="[left_swing, left_slide]")) == []
+    assert reported(tmp_path, controller("a", joints="[wing, lide]")) == [], "without its prefix"
+    (found,) = reported(tmp_path, controller("a", joints="[swing, left_slide]"))
     assert found.span.text == "left_slide", "the other one is of this robot"
 
 

@@ -32,7 +32,7 @@ def robot(radius: float = 0.1, shift: float = 0.0) -> str:
     )
 
 
-def told(folder: Path, text: str, model: str) -> list[Diagnostic]:
+def reported(folder: Path, text: str, model: str) -> list[Diagnostic]:
     (folder / "c.yaml").write_text(text)
     names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
     (folder / "r.urdf").write_text(whole_robot(model + names))
@@ -53,7 +53,7 @@ def drive(separation: float, radius: float) -> str:
 
 
 def test_separation(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, drive(0.3, 0.1), robot())
+    (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
     assert found.message == (
         "controller 'd': wheel_separation is 0.3 m, and in the model it is 0.4 m"
     )
@@ -63,29 +63,31 @@ def test_separation(tmp_path: Path) -> None:
 
 
 def test_radius(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, drive(0.4, 0.2), robot())
+    (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
     assert found.message == "controller 'd': wheel_radius is 0.2 m, and in the model it is 0.1 m"
 
 
 @pytest.mark.parametrize(("separation", "radius"), [(0.4, 0.1), (0.419, 0.1049), (0.381, 0.0951)])
 def test_within_calibration(tmp_path: Path, separation: float, radius: float) -> None:
-    assert told(tmp_path, drive(separation, radius), robot()) == []
+    assert reported(tmp_path, drive(separation, radius), robot()) == []
 
 
 def test_tyres_beside_their_joints(tmp_path: Path) -> None:
     model = robot(shift=0.05)
-    assert told(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
-    assert told(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
-    (found,) = told(tmp_path, drive(0.6, 0.1), model)
+    assert reported(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
+    assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
+    (found,) = reported(tmp_path, drive(0.6, 0.1), model)
     assert found.message.endswith("in the model it is 0.5 m")
 
 
 def test_what_the_model_does_not_tell(tmp_path: Path) -> None:
     mesh = robot().replace('<cylinder radius="0.1" length="0.05"/>', '<mesh filename="w.stl"/>')
-    assert told(tmp_path, drive(0.4, 7), mesh) == []
-    assert told(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], "two sizes"
-    assert told(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT013"
-    assert told(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
+    assert reported(tmp_path, drive(0.4, 7), mesh) == []
+    assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
+        "two sizes"
+    )
+    assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT013"
+    assert reported(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
 
 
 def test_a_steered_car(tmp_path: Path) -> None:
@@ -99,8 +101,8 @@ def test_a_steered_car(tmp_path: Path) -> None:
             rear_wheel_track=str(track),
         )
 
-    assert told(tmp_path, car(0.6, 0.4), robot()) == []
-    found = told(tmp_path, car(0.8, 0.5), robot())
+    assert reported(tmp_path, car(0.6, 0.4), robot()) == []
+    found = reported(tmp_path, car(0.8, 0.5), robot())
     assert [one.message for one in found] == [
         "controller 'car': wheelbase is 0.8 m, and in the model it is 0.6 m",
         "controller 'car': rear_wheel_track is 0.5 m, and in the model it is 0.4 m",
@@ -109,8 +111,8 @@ def test_a_steered_car(tmp_path: Path) -> None:
 
 def test_mecanum_wheels(tmp_path: Path) -> None:
     text = controller("m", MECANUM, front_left_wheel_command_joint_name="fl", kinematics="")
-    (found,) = told(tmp_path, text + "      wheels_radius: 0.3\n", robot())
+    (found,) = reported(tmp_path, text + "      wheels_radius: 0.3\n", robot())
     assert found.message == (
         "controller 'm': kinematics.wheels_radius is 0.3 m, and in the model it is 0.1 m"
     )
-    assert told(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []
+    assert reported(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []

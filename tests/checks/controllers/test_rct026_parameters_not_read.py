@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, told
+from tests.driving import DRIVE, place, reported
 
 
 @pytest.mark.parametrize(
@@ -19,7 +19,7 @@ from tests.driving import DRIVE, place, told
 def test_keys_under_which_nobody_looks(
     tmp_path: Path, old: str, new: str, line: int, text: str
 ) -> None:
-    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", line, text)
 
 
@@ -28,7 +28,7 @@ def test_keys_under_which_nobody_looks(
     [("    wheel_sep", "\twheel_sep", 9), ("[left_joint]", "[left_joint", 8)],
 )
 def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
-    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert found.message.startswith("the file is not YAML: ")
     assert found.span.line == line
 
@@ -42,12 +42,12 @@ def test_no_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
     ],
 )
 def test_what_may_be_read_is_calm(tmp_path: Path, old: str, new: str) -> None:
-    assert told(tmp_path, "RCT026", DRIVE.replace(old, new)) == []
+    assert reported(tmp_path, "RCT026", DRIVE.replace(old, new)) == []
 
 
 def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
     text = DRIVE.replace("drive:\n  ros__parameters:\n    left", "drive:\n    left")
-    (found,) = told(tmp_path, "RCT026", text)
+    (found,) = reported(tmp_path, "RCT026", text)
     assert place(found) == ("c.yaml", 5, "drive")
 
 
@@ -59,5 +59,5 @@ def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
     ],
 )
 def test_a_type_of_no_controller(tmp_path: Path, old: str, new: str, text: str) -> None:
-    (found,) = told(tmp_path, "RCT026", DRIVE.replace(old, new))
+    (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", 4, text)

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, told
+from tests.driving import DRIVE, place, reported
 
 
 def test_a_frame_that_is_no_link(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: base_link"))
+    (found,) = reported(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: base_link"))
     assert found.message == (
         "controller 'drive' sends the transform to 'base_link': the robot has no link 'base_link'"
         "; did you mean 'base'?"
@@ -17,7 +17,7 @@ def test_a_frame_that_is_no_link(tmp_path: Path) -> None:
 
 
 def test_a_frame_that_hangs_on_another(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: left"))
+    (found,) = reported(tmp_path, "RCT029", DRIVE.replace("_id: base", "_id: left"))
     assert found.message.endswith("'left' hangs on 'base' already, and a frame has one parent")
     assert found.help == "name the root link 'base'"
 
@@ -28,4 +28,4 @@ def test_a_frame_that_hangs_on_another(tmp_path: Path) -> None:
 )
 def test_the_root_or_no_transform_is_calm(tmp_path: Path, more: str) -> None:
     text = DRIVE.replace("_id: base", "_id: left") if more else DRIVE
-    assert told(tmp_path, "RCT029", text + more) == []
+    assert reported(tmp_path, "RCT029", text + more) == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, told
+from tests.driving import DRIVE, place, reported
 
 
 @pytest.mark.parametrize(
@@ -22,7 +22,7 @@ from tests.driving import DRIVE, place, told
 def test_other_types_than_the_node_declares(
     tmp_path: Path, old: str, new: str, line: int, text: str, help: str
 ) -> None:
-    (found,) = told(tmp_path, "RCT034", DRIVE.replace(old, new))
+    (found,) = reported(tmp_path, "RCT034", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", line, text)
     assert found.help == help
 
@@ -30,7 +30,7 @@ def test_other_types_than_the_node_declares(
 @pytest.mark.parametrize("rate", ["0", "-5"])
 def test_rates_of_nothing(tmp_path: Path, rate: str) -> None:
     text = DRIVE.replace("ers:\n    drive", f"ers:\n    update_rate: {rate}\n    drive")
-    (found,) = told(tmp_path, "RCT034", text)
+    (found,) = reported(tmp_path, "RCT034", text)
     assert found.message == f"the controller manager: update_rate is {rate}, and must be above 0"
 
 
@@ -45,4 +45,4 @@ def test_rates_of_nothing(tmp_path: Path, rate: str) -> None:
     ],
 )
 def test_what_ros_takes_is_calm(tmp_path: Path, old: str, new: str) -> None:
-    assert told(tmp_path, "RCT034", DRIVE.replace(old, new)) == []
+    assert reported(tmp_path, "RCT034", DRIVE.replace(old, new)) == []

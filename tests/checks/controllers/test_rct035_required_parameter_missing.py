@@ -4,20 +4,20 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, told
+from tests.driving import DRIVE, place, reported
 
 
 @pytest.mark.parametrize(
     "gone", ["left_wheel_names: [left_joint]", "wheel_separation: 0.3", "wheel_radius: 0.1"]
 )
 def test_a_parameter_that_is_not_there(tmp_path: Path, gone: str) -> None:
-    (found,) = told(tmp_path, "RCT035", DRIVE.replace(f"    {gone}\n", ""))
+    (found,) = reported(tmp_path, "RCT035", DRIVE.replace(f"    {gone}\n", ""))
     assert place(found) == ("c.yaml", 5, "drive")
     assert found.message.endswith(f" lacks {gone.partition(':')[0]}")
 
 
 def test_parameters_under_a_name_that_is_no_controller(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "RCT035", DRIVE.replace("\ndrive:", "\nbase_controller:"))
+    (found,) = reported(tmp_path, "RCT035", DRIVE.replace("\ndrive:", "\nbase_controller:"))
     assert place(found) == ("c.yaml", 5, "base_controller")
     assert found.message.endswith("'base_controller' has them, and is no controller")
     assert found.help == "rename it to drive, or the controller"
@@ -32,11 +32,11 @@ def test_parameters_under_a_name_that_is_no_controller(tmp_path: Path) -> None:
     ],
 )
 def test_what_may_be_elsewhere_is_calm(tmp_path: Path, old: str, new: str) -> None:
-    assert told(tmp_path, "RCT035", DRIVE.replace(old, new)) == []
+    assert reported(tmp_path, "RCT035", DRIVE.replace(old, new)) == []
 
 
 def test_ros_1_wants_the_names_of_its_wheels(tmp_path: Path) -> None:
     text = "drive:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left_joint\n"
-    (found,) = told(tmp_path, "RCT035", text)
+    (found,) = reported(tmp_path, "RCT035", text)
     assert place(found) == ("c.yaml", 1, "drive")
     assert found.message.endswith(" lacks right_wheel")

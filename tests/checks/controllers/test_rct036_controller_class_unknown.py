@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, told
+from tests.driving import DRIVE, place, reported
 
 CLASS = "diff_drive_controller/DiffDriveController"
 
@@ -20,14 +20,14 @@ CLASS = "diff_drive_controller/DiffDriveController"
     ],
 )
 def test_classes_that_ros_2_does_not_have(tmp_path: Path, kind: str, help: str) -> None:
-    (found,) = told(tmp_path, "RCT036", DRIVE.replace(CLASS, kind))
+    (found,) = reported(tmp_path, "RCT036", DRIVE.replace(CLASS, kind))
     assert place(found) == ("c.yaml", 4, kind)
     assert found.help == help
 
 
 def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
     text = "states:\n  type: joint_state_broadcaster/JointStateBroadcaster\n"
-    (found,) = told(tmp_path, "RCT036", text)
+    (found,) = reported(tmp_path, "RCT036", text)
     assert place(found) == ("c.yaml", 2, "joint_state_broadcaster/JointStateBroadcaster")
 
 
@@ -40,4 +40,4 @@ def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
     ],
 )
 def test_what_may_be_there_is_calm(tmp_path: Path, kind: str) -> None:
-    assert told(tmp_path, "RCT036", DRIVE.replace(CLASS, kind)) == []
+    assert reported(tmp_path, "RCT036", DRIVE.replace(CLASS, kind)) == []

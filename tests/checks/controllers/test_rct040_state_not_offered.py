@@ -15,7 +15,7 @@ OFFERED = control(driven("swing", "velocity", "velocity"), driven("slide"), plug
 DRIVE = "diff_drive_controller/DiffDriveController"
 
 
-def told(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
+def reported(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
     (folder / "c.yaml").write_text(text)
     names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
     (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
@@ -26,7 +26,7 @@ def told(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
 
 def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:
     text = controller("arm", joints="[swing, slide]", state_interfaces="[position, velocity]")
-    first, second = told(tmp_path, text)
+    first, second = reported(tmp_path, text)
     assert first.message == (
         "controller 'arm' needs the position of joint 'swing', whose state interfaces are: velocity"
     )
@@ -45,13 +45,13 @@ def test_a_trajectory_controller_says_which(tmp_path: Path) -> None:
     ],
 )
 def test_wheels(tmp_path: Path, feedback: dict[str, str], joint: str, needs: str) -> None:
-    (found,) = told(tmp_path, controller("d", DRIVE, left_wheel_names=f"[{joint}]", **feedback))
+    (found,) = reported(tmp_path, controller("d", DRIVE, left_wheel_names=f"[{joint}]", **feedback))
     assert f"needs the {needs} of joint '{joint}'" in found.message
 
 
 def test_a_gripper(tmp_path: Path) -> None:
     kind = "position_controllers/GripperActionController"
-    (found,) = told(tmp_path, controller("g", kind, joint="slide"))
+    (found,) = reported(tmp_path, controller("g", kind, joint="slide"))
     assert "needs the velocity of joint 'slide'" in found.message
 
 
@@ -67,4 +67,4 @@ def test_a_gripper(tmp_path: Path) -> None:
     ],
 )
 def test_offered_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, text) == []
+    assert reported(tmp_path, text) == []

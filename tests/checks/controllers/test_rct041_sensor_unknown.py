@@ -18,7 +18,7 @@ IMU = "imu_sensor_broadcaster/IMUSensorBroadcaster"
 FORCE = "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster"
 
 
-def told(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
+def reported(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
     (folder / "c.yaml").write_text(text)
     names = plugin("gz_ros2_control-system", f"<parameters>{folder}/c.yaml</parameters>")
     (folder / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
@@ -29,7 +29,7 @@ def told(folder: Path, text: str, blocks: str = OFFERED) -> list[Diagnostic]:
 
 @pytest.mark.parametrize("kind", [IMU, FORCE])
 def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
-    (found,) = told(tmp_path, controller("b", kind, sensor_name="imuu"))
+    (found,) = reported(tmp_path, controller("b", kind, sensor_name="imuu"))
     assert found.message == (
         "controller 'b' publishes the sensor 'imuu', which no <ros2_control> has; "
         "did you mean 'imu'?"
@@ -50,9 +50,9 @@ def test_a_sensor_that_is_not_there(tmp_path: Path, kind: str) -> None:
     ],
 )
 def test_there_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, text) == []
+    assert reported(tmp_path, text) == []
 
 
 @pytest.mark.parametrize("blocks", ["", control(driven("swing"))])
 def test_a_robot_without_sensors_is_calm(tmp_path: Path, blocks: str) -> None:
-    assert told(tmp_path, controller("b", IMU, sensor_name="x"), blocks) == []
+    assert reported(tmp_path, controller("b", IMU, sensor_name="x"), blocks) == []

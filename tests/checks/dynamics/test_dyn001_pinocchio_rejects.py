@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import told
+from tests.reported import reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.source import Source
@@ -18,7 +18,7 @@ NO_EFFORT = joint("j", "revolute", '<limit lower="0" upper="1" velocity="1"/>')
 
 
 def test_the_reason_and_its_place() -> None:
-    (found,) = told("DYN001", robot(NO_EFFORT), targets=FOR)
+    (found,) = reported("DYN001", robot(NO_EFFORT), targets=FOR)
     assert found.message == "Pinocchio makes no model: joint [j]: limit has no effort"
     assert found.span.line == 4
 
@@ -35,13 +35,13 @@ def test_the_reason_and_its_place() -> None:
     ],
 )
 def test_reasons(text: str, reason: str) -> None:
-    (found,) = told("DYN001", text, targets=FOR)
+    (found,) = reported("DYN001", text, targets=FOR)
     assert found.message == f"Pinocchio makes no model: {reason}"
 
 
 def test_nobody_asks_unless_the_robot_is_for_pinocchio() -> None:
-    assert told("DYN001", robot(NO_EFFORT)) == []
-    assert told("DYN001", robot(NO_EFFORT), targets=("ros2",)) == []
+    assert reported("DYN001", robot(NO_EFFORT)) == []
+    assert reported("DYN001", robot(NO_EFFORT), targets=("ros2",)) == []
 
 
 def test_without_pinocchio_it_is_skipped_and_the_command_to_install_it_told(

@@ -6,8 +6,8 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, link
+from tests.reported import messages, places
 from tests.robot.test_joint_loads import pendulum, swinging
-from tests.told import messages, places
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.source import Source

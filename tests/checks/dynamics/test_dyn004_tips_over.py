@@ -6,7 +6,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import MESH, inertial, joint, link, shape
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.source import Source
@@ -22,7 +22,7 @@ def on_wheels(center: str, casters: str = "-0.15 0 0", more: str = "") -> str:
 
 
 def test_it_falls_forwards() -> None:
-    (found,) = told("DYN004", on_wheels("0.02 0 0.1"))
+    (found,) = reported("DYN004", on_wheels("0.02 0 0.1"))
     assert found.message == (
         "the robot falls forwards (+x): its centre of mass is 0.02 m outside of what it stands "
         "on, left, right, caster"

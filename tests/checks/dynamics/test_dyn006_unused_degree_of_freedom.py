@@ -5,7 +5,7 @@ import pytest
 from tests.gazebos import BASE
 from tests.jointed import mimic
 from tests.massive import inertial, link, shape
-from tests.told import messages
+from tests.reported import messages
 
 BALL = shape("visual", '<sphere radius="0.1"/>')
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_the_lost_tags_are_named() -> None:
@@ -12,20 +12,20 @@ def test_the_lost_tags_are_named() -> None:
         "Gazebo drops <mu1>, <mu2>: there is no link or joint 'baase'"
     ]
     assert places("GAZ001", text) == [(3, "baase")]
-    assert [one.help for one in told("GAZ001", text)] == ["did you mean 'base'?"]
+    assert [one.help for one in reported("GAZ001", text)] == ["did you mean 'base'?"]
 
 
 @pytest.mark.parametrize("reference", ["base", "arm", "arm_joint", ""])
 def test_links_joints_and_the_model_are_known(reference: str) -> None:
-    assert told("GAZ001", BASE + child("arm") + block("<mu1>1</mu1>", reference)) == []
+    assert reported("GAZ001", BASE + child("arm") + block("<mu1>1</mu1>", reference)) == []
 
 
 def test_nothing_is_lost_of_an_empty_block() -> None:
-    assert told("GAZ001", BASE + '<gazebo reference="other"/>') == []
+    assert reported("GAZ001", BASE + '<gazebo reference="other"/>') == []
 
 
 def test_what_nothing_is_like_has_no_hint() -> None:
-    (found,) = told("GAZ001", BASE + block("<mu1>1</mu1>", "turret"))
+    (found,) = reported("GAZ001", BASE + block("<mu1>1</mu1>", "turret"))
     assert found.fix is None
     assert "did you mean" not in found.help
 
@@ -33,7 +33,7 @@ def test_what_nothing_is_like_has_no_hint() -> None:
 def test_a_frame_is_not_the_link_that_it_is_on() -> None:
     """PAL's TIAGo has a block for a 'base_imu_link' that this variant lacks."""
     block = '<gazebo reference="base_{}"><sensor name="s" type="imu"/></gazebo>'
-    (found,) = told("GAZ001", '<link name="base_link"/>' + block.format("imu_link"))
+    (found,) = reported("GAZ001", '<link name="base_link"/>' + block.format("imu_link"))
     assert found.help == "name a link or a joint of this robot"
-    (found,) = told("GAZ001", '<link name="base_link"/>' + block.format("lnk"))
+    (found,) = reported("GAZ001", '<link name="base_link"/>' + block.format("lnk"))
     assert found.help == "did you mean 'base_link'?"

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -26,17 +26,17 @@ def test_tags_of_links_and_joints(tag: str, owner: str) -> None:
 
 @pytest.mark.parametrize("tag", ["plugin", "static", "self_collide", "link", "pose", "xyz"])
 def test_what_a_model_has_or_nobody_knows(tag: str) -> None:
-    assert told("GAZ002", BASE + block(f"<{tag}>1</{tag}>", "")) == []
+    assert reported("GAZ002", BASE + block(f"<{tag}>1</{tag}>", "")) == []
 
 
 def test_with_a_reference_all_is_well() -> None:
-    assert told("GAZ002", BASE + block("<mu1>1</mu1>")) == []
+    assert reported("GAZ002", BASE + block("<mu1>1</mu1>")) == []
 
 
 @pytest.mark.parametrize("name", ["refernce", "link"])
 def test_a_reference_by_another_name_is_told_once(name: str) -> None:
     tags = "<mu1>1</mu1><mu2>1</mu2>"
-    (found,) = told("GAZ002", BASE + f'<gazebo {name}="base">{tags}</gazebo>')
+    (found,) = reported("GAZ002", BASE + f'<gazebo {name}="base">{tags}</gazebo>')
     assert found.message == (
         f'Gazebo does not read {name}="base" of <gazebo>, and takes the block for one without a '
         "reference"
@@ -60,5 +60,5 @@ def test_of_a_block_it_is_told_once() -> None:
 
 def test_a_joint_by_another_name_of_the_reference() -> None:
     flag = '<gazebo joint="arm_joint"><preserveFixedJoint>true</preserveFixedJoint></gazebo>'
-    (found,) = told("GAZ002", BASE + child("arm", "fixed") + flag)
+    (found,) = reported("GAZ002", BASE + child("arm", "fixed") + flag)
     assert found.help == 'write reference="arm_joint"'

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 
 @pytest.mark.parametrize(
@@ -60,7 +60,7 @@ def test_what_gazebo_makes_of_it(tag: str, message: str) -> None:
     ],
 )
 def test_good_values(tag: str) -> None:
-    assert told("GAZ004", BASE + block(tag)) == []
+    assert reported("GAZ004", BASE + block(tag)) == []
 
 
 def test_a_switch_on_the_wrong_kind_is_told_by_gaz005() -> None:

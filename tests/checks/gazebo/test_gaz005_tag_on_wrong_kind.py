@@ -1,13 +1,13 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, block, child
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 
 ROBOT = BASE + child("cam", "fixed") + child("arm")
 
 
 def heard(tag: str, reference: str) -> list[tuple[str, str]]:
-    found = told("GAZ005", ROBOT + block(f"<{tag}>1</{tag}>", reference))
+    found = reported("GAZ005", ROBOT + block(f"<{tag}>1</{tag}>", reference))
     return [(one.message, one.help) for one in found]
 
 
@@ -54,5 +54,7 @@ def test_what_stands_beside_other_tags_gets_a_block_of_its_own() -> None:
 
 
 def test_a_joint_that_moves_gets_no_tag_of_fixed_ones() -> None:
-    (found,) = told("GAZ005", ROBOT + block("<preserveFixedJoint>1</preserveFixedJoint>", "arm"))
+    (found,) = reported(
+        "GAZ005", ROBOT + block("<preserveFixedJoint>1</preserveFixedJoint>", "arm")
+    )
     assert found.fix is None

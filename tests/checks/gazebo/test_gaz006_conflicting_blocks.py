@@ -3,13 +3,13 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 
 def test_the_last_one_wins() -> None:
     text = BASE + block("<mu1>1</mu1>") + block("<mu1>2</mu1>")
     assert messages("GAZ006", text) == ["<mu1> is 1 and then 2 for 'base'; Gazebo takes the last"]
-    assert [note.span.line for one in told("GAZ006", text) for note in one.related] == [4]
+    assert [note.span.line for one in reported("GAZ006", text) for note in one.related] == [4]
 
 
 @pytest.mark.parametrize(
@@ -44,4 +44,4 @@ def test_a_merged_body_has_one_value(tag: str, one: str, other: str) -> None:
     ],
 )
 def test_no_conflict(blocks: str) -> None:
-    assert told("GAZ006", BASE + child("cam", "fixed") + blocks) == []
+    assert reported("GAZ006", BASE + child("cam", "fixed") + blocks) == []

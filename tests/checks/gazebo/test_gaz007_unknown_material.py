@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.ros.catalog.materials import materials
 
 
@@ -26,7 +26,7 @@ def test_the_nearest_is_written(wrong: str, right: str) -> None:
     "name", ["Gazebo/Aluminum", "Gazebo/Chrome", "steel_brushed_with_scratches", ""]
 )
 def test_nothing_is_near(name: str) -> None:
-    (found,) = told("GAZ007", BASE + block(f"<material>{name}</material>"))
+    (found,) = reported("GAZ007", BASE + block(f"<material>{name}</material>"))
     said = f"Gazebo has no material '{name}'" if name else "<material> names no material"
     assert (found.message, found.fix) == (said, None)
     assert "did you mean" not in found.help
@@ -34,5 +34,5 @@ def test_nothing_is_near(name: str) -> None:
 
 @pytest.mark.parametrize("name", [*materials(), "PR2/Red"])
 def test_materials_of_gazebo_and_of_vendors(name: str) -> None:
-    assert told("GAZ007", BASE + block(f"<material>{name}</material>")) == []
-    assert told("GAZ007", BASE + block(f'<material value="{name}"/>')) == []
+    assert reported("GAZ007", BASE + block(f"<material>{name}</material>")) == []
+    assert reported("GAZ007", BASE + block(f'<material value="{name}"/>')) == []

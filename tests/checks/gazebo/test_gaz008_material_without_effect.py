@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, block
-from tests.told import told
+from tests.reported import reported
 
 ROBOT = BASE + block("<material>Gazebo/Red</material>") + block("<material>Gazebo/Wood</material>")
 RED = "Gazebo Fortress has no material scripts: 'Gazebo/Red' does nothing"
@@ -9,7 +9,7 @@ WOOD = "Gazebo Fortress has no material scripts: 'Gazebo/Wood' does nothing"
 
 
 def heard(target: str) -> list[str]:
-    return [found.message for found in told("GAZ008", ROBOT, targets=(target,))]
+    return [found.message for found in reported("GAZ008", ROBOT, targets=(target,))]
 
 
 def test_fortress_has_no_materials() -> None:
@@ -22,10 +22,10 @@ def test_gz_sim_has_no_textures() -> None:
 
 def test_classic_has_both() -> None:
     assert heard("classic-ros1") == []
-    assert told("GAZ008", ROBOT) == [], "nothing tells which Gazebo is meant"
+    assert reported("GAZ008", ROBOT) == [], "nothing tells which Gazebo is meant"
 
 
 def test_a_value_may_stand_in_an_attribute() -> None:
     text = BASE + block('<material value="Gazebo/Wood"/>')
-    (found,) = told("GAZ008", text, targets=("gz-fortress",))
+    (found,) = reported("GAZ008", text, targets=("gz-fortress",))
     assert found.message == WOOD

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, plugin, sensor
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 
 LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frameName></plugin>'
 
@@ -17,14 +17,14 @@ LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frame
     ],
 )
 def test_frames_without_a_link(frame: str, message: str) -> None:
-    (told,) = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
-    assert f"names frame '{frame}'" in told
-    assert told.endswith(message)
+    (reported,) = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
+    assert f"names frame '{frame}'" in reported
+    assert reported.endswith(message)
 
 
 def test_the_frame_of_a_sensor_of_gz() -> None:
-    (told,) = messages("GAZ058", BASE + sensor("imu", "<gz_frame_id>imu</gz_frame_id>"))
-    assert told == "sensor 's' names frame 'imu', and the robot has no such link"
+    (reported,) = messages("GAZ058", BASE + sensor("imu", "<gz_frame_id>imu</gz_frame_id>"))
+    assert reported == "sensor 's' names frame 'imu', and the robot has no such link"
 
 
 def test_a_slip_is_mended() -> None:

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, WHEELS, plugin
-from tests.told import messages
+from tests.reported import messages
 
 CONTROL = plugin("libgazebo_ros_control.so")
 

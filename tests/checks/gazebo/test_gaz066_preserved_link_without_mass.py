@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
-from tests.told import messages
+from tests.reported import messages
 
 KEEP = block("<preserveFixedJoint>true</preserveFixedJoint>", "tip_joint")
 

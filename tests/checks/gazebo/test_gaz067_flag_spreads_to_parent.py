@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import messages
+from tests.reported import messages
 
 CAMERA = child("camera", "fixed")
 OFF = "<turnGravityOff>true</turnGravityOff>"

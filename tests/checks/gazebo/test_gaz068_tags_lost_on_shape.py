@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, BODY, block, child
-from tests.told import fixed, messages, places
+from tests.reported import fixed, messages, places
 
 SHAPE = "<{0}{1}><geometry><sphere radius='0.1'/></geometry></{0}>"
 MU = "<mu1>0.2</mu1>"

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, block, child
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 
 OLD = block("<disableFixedJointLumping>true</disableFixedJointLumping>", "tip_joint")
 TIP = child("tip", "fixed")

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_both_are_required(attributes: str, expected: list[str]) -> None:
 def test_the_hardware_plugin_of_ros2_control_has_neither() -> None:
     hardware = "<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>"
     text = f'{BASE}<ros2_control name="c" type="system">{hardware}</ros2_control>'
-    assert told("GAZ010", text) == []
+    assert reported("GAZ010", text) == []
 
 
 def test_a_plugin_is_named_after_its_library() -> None:
@@ -47,4 +47,4 @@ def test_a_plugin_is_named_after_its_library() -> None:
     ],
 )
 def test_no_fix(plugins: str) -> None:
-    assert [one.fix for one in told("GAZ010", f"{BASE}<gazebo>{plugins}</gazebo>")] == [None]
+    assert [one.fix for one in reported("GAZ010", f"{BASE}<gazebo>{plugins}</gazebo>")] == [None]

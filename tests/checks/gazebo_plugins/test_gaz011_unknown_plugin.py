@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, plugin
-from tests.told import places, told
+from tests.reported import places, reported
 from urdfkit.ros.catalog import plugins
 
 
@@ -11,12 +11,12 @@ def test_a_vendors_library_is_told_once() -> None:
 
 
 def test_a_slip_is_told_elsewhere() -> None:
-    assert told("GAZ011", BASE + plugin("libgazebo_ros_diffdrive.so")) == []
+    assert reported("GAZ011", BASE + plugin("libgazebo_ros_diffdrive.so")) == []
 
 
 def test_every_library_of_the_catalogue_is_known() -> None:
-    assert told("GAZ011", BASE + "".join(plugin(file) for file in plugins.files())) == []
+    assert reported("GAZ011", BASE + "".join(plugin(file) for file in plugins.files())) == []
 
 
 def test_no_name_is_told_elsewhere() -> None:
-    assert told("GAZ011", BASE + plugin("")) == []
+    assert reported("GAZ011", BASE + plugin("")) == []

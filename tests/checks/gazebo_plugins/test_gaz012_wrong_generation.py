@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin, sensor
-from tests.told import told
+from tests.reported import reported
 
 MESSAGE = (
     "plugin 'p' (libgazebo_ros_laser.so) is a plugin of Gazebo Classic with ROS 1, and the robot "
@@ -14,7 +14,7 @@ LASER = BASE + sensor("ray", '<plugin name="p" filename="libgazebo_ros_laser.so"
 
 
 def heard(text: str, *targets: str) -> list[tuple[str, str, str]]:
-    found = told("GAZ012", text, targets=targets)
+    found = reported("GAZ012", text, targets=targets)
     return [(one.severity.value, one.message, one.help) for one in found]
 
 
@@ -78,11 +78,11 @@ def test_an_unknown_plugin_is_of_no_generation() -> None:
 
 def test_the_names_of_fortress_are_a_pure_rename() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
-    (found,) = told("GAZ012", text, targets=("gz-fortress",))
+    (found,) = reported("GAZ012", text, targets=("gz-fortress",))
     assert found.fix is not None
     assert [edit.text for edit in found.fix.edits] == [
         "ignition-gazebo-diff-drive-system",
         "ignition::gazebo::systems::DiffDrive",
     ]
-    (found,) = told("GAZ012", LASER, targets=("classic-ros2",))
+    (found,) = reported("GAZ012", LASER, targets=("classic-ros2",))
     assert found.fix is None

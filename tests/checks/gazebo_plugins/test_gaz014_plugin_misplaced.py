@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, block, plugin, sensor
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 DRIVE = '<plugin name="p" filename="libgazebo_ros_planar_move.so"/>'
 LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"/>'
@@ -48,4 +48,4 @@ def test_the_wrong_place(text: str, file: str, message: str) -> None:
     ],
 )
 def test_the_right_place(text: str) -> None:
-    assert told("GAZ014", BASE + text) == []
+    assert reported("GAZ014", BASE + text) == []

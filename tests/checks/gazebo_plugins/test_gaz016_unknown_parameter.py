@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 MOVE = "libgazebo_ros_planar_move.so"
 
@@ -23,31 +23,31 @@ def test_a_block_is_told_once_with_its_path() -> None:
 
 
 def test_what_examples_give_without_need_is_left_alone() -> None:
-    assert told("GAZ016", BASE + plugin(MOVE, "<alwaysOn>true</alwaysOn>")) == []
+    assert reported("GAZ016", BASE + plugin(MOVE, "<alwaysOn>true</alwaysOn>")) == []
 
 
 def test_slips_and_other_generations_have_rules_of_their_own() -> None:
     tags = "<odometryFrme>odom</odometryFrme><odometryRate>1</odometryRate>"
-    assert told("GAZ016", BASE + plugin(MOVE, tags)) == []
-    assert told("GAZ016", BASE + plugin(MOVE, tags), targets=("classic-ros2",)) == []
-    (found,) = told("GAZ016", BASE + plugin(MOVE, tags + "<enableYAxis>1</enableYAxis>"))
+    assert reported("GAZ016", BASE + plugin(MOVE, tags)) == []
+    assert reported("GAZ016", BASE + plugin(MOVE, tags), targets=("classic-ros2",)) == []
+    (found,) = reported("GAZ016", BASE + plugin(MOVE, tags + "<enableYAxis>1</enableYAxis>"))
     assert found.message.endswith("does not read <enableYAxis>")
 
 
 def test_nothing_is_known_of_what_a_vendor_reads() -> None:
-    assert told("GAZ016", BASE + plugin("libvendor.so", "<anything/>")) == []
+    assert reported("GAZ016", BASE + plugin("libvendor.so", "<anything/>")) == []
 
 
 def test_free_form_blocks_and_patterns() -> None:
     harness = plugin("libgazebo_ros_harness.so", "<joint name='j'><parent>x</parent></joint>")
-    assert told("GAZ016", BASE + harness) == []
+    assert reported("GAZ016", BASE + harness) == []
     water = plugin("gz-sim-hydrodynamics-system", "<link_name>base</link_name><xDotU>1</xDotU>")
-    assert told("GAZ016", BASE + water) == []
+    assert reported("GAZ016", BASE + water) == []
     qos = "<ros><qos><topic name='a'><subscription><depth>1</depth></subscription></topic></qos>"
     ros = plugin(MOVE, f"{qos}</ros><odometry_frame>o</odometry_frame>")
-    assert told("GAZ016", BASE + ros) == []
+    assert reported("GAZ016", BASE + ros) == []
 
 
 def test_a_plugin_of_the_wrong_generation_has_one_defect() -> None:
     text = BASE + plugin(MOVE, "<enableYAxis>1</enableYAxis>")
-    assert told("GAZ016", text, targets=("gz-harmonic",)) == []
+    assert reported("GAZ016", text, targets=("gz-harmonic",)) == []

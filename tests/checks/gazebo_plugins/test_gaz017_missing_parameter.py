@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, WHEELS, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 SLIP = "libgazebo_ros_wheel_slip.so"
 DRIVE = "libgazebo_ros_diff_drive.so"
@@ -17,8 +17,8 @@ def test_a_tag_without_which_nothing_works() -> None:
 
 def test_an_empty_tag_is_none() -> None:
     text = BASE + plugin("libgazebo_ros_hand_of_god.so", "<linkName> </linkName>")
-    assert len(told("GAZ017", text)) == 1
-    assert told("GAZ017", text.replace("> <", ">base<")) == []
+    assert len(reported("GAZ017", text)) == 1
+    assert reported("GAZ017", text.replace("> <", ">base<")) == []
 
 
 def test_in_a_block_only_where_the_block_is() -> None:
@@ -33,7 +33,7 @@ def test_in_a_block_only_where_the_block_is() -> None:
 
 def test_a_default_that_names_no_joint() -> None:
     text = WHEELS + plugin(DRIVE, "<leftJoint>left_joint</leftJoint>")
-    assert told("GAZ017", text) == [], "right_joint is the default, and it exists"
+    assert reported("GAZ017", text) == [], "right_joint is the default, and it exists"
     other = text.replace('"right_joint"', '"right_wheel_joint"')
     (message,) = messages("GAZ017", other)
     assert message == (
@@ -46,14 +46,14 @@ def test_one_of_two() -> None:
     text = BASE + plugin("libgazebo_ros_ft_sensor.so", "<update_rate>1</update_rate>")
     name = "plugin 'p' (libgazebo_ros_ft_sensor.so)"
     assert messages("GAZ017", text) == [f"{name} needs <body_name> or <joint_name>"]
-    assert told("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
+    assert reported("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
 
 
 def test_tags_of_the_other_generation_are_told_elsewhere() -> None:
     tags = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
-    assert told("GAZ017", WHEELS + plugin(DRIVE, tags), targets=("classic-ros2",)) == []
+    assert reported("GAZ017", WHEELS + plugin(DRIVE, tags), targets=("classic-ros2",)) == []
 
 
 @pytest.mark.parametrize("file", ["libvendor.so", "libgazebo_ros_planar_move.so"])
 def test_plugins_that_need_nothing(file: str) -> None:
-    assert told("GAZ017", BASE + plugin(file)) == []
+    assert reported("GAZ017", BASE + plugin(file)) == []

@@ -3,14 +3,14 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import told
+from tests.reported import reported
 from urdfkit.text.editing.apply import apply_edits
 
 MOVE = "libgazebo_ros_planar_move.so"
 
 
 def heard(tags: str, target: str = "classic-ros2") -> list[tuple[str, str]]:
-    found = told("GAZ018", BASE + plugin(MOVE, tags), targets=(target,))
+    found = reported("GAZ018", BASE + plugin(MOVE, tags), targets=(target,))
     return [(one.message, one.help) for one in found]
 
 
@@ -40,7 +40,7 @@ def test_names_of_ros2() -> None:
 
 def test_only_a_pure_rename_is_mended() -> None:
     text = BASE + plugin(MOVE, "<odometryRate>9</odometryRate><commandTopic>c</commandTopic>")
-    rename, remap = told("GAZ018", text, targets=("classic-ros2",))
+    rename, remap = reported("GAZ018", text, targets=("classic-ros2",))
     assert rename.fix is not None
     assert remap.fix is None
     source = rename.span.source.data
@@ -49,10 +49,10 @@ def test_only_a_pure_rename_is_mended() -> None:
 
 def test_no_second_tag_of_one_name() -> None:
     both = "<odometryRate>9</odometryRate><publish_rate>9</publish_rate>"
-    (found,) = told("GAZ018", BASE + plugin(MOVE, both), targets=("classic-ros2",))
+    (found,) = reported("GAZ018", BASE + plugin(MOVE, both), targets=("classic-ros2",))
     assert found.fix is None
 
 
 def test_without_targets_the_tags_tell_the_generation() -> None:
-    assert told("GAZ018", BASE + plugin(MOVE, "<odometryRate>9</odometryRate>")) == []
-    assert told("GAZ018", BASE + plugin(MOVE, "<publish_rate>9</publish_rate>")) == []
+    assert reported("GAZ018", BASE + plugin(MOVE, "<odometryRate>9</odometryRate>")) == []
+    assert reported("GAZ018", BASE + plugin(MOVE, "<publish_rate>9</publish_rate>")) == []

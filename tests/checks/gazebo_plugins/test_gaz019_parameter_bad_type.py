@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 IMU = "libgazebo_ros_imu.so"
@@ -39,7 +39,7 @@ def test_what_is_read(file: str, tag: str, message: str) -> None:
 @pytest.mark.parametrize(("text", "count"), [("cmd_vel=robot/cmd_vel", 1), ("a:=b", 0)])
 def test_a_remapping_has_two_names(text: str, count: int) -> None:
     tags = f"<ros><remapping>{text}</remapping></ros><left_joint>a</left_joint>"
-    assert len(told("GAZ019", BASE + plugin(DRIVE, tags))) == count
+    assert len(reported("GAZ019", BASE + plugin(DRIVE, tags))) == count
 
 
 @pytest.mark.parametrize(
@@ -60,4 +60,4 @@ def test_a_remapping_has_two_names(text: str, count: int) -> None:
     ],
 )
 def test_good_values(file: str, tag: str) -> None:
-    assert told("GAZ019", BASE + plugin(file, tag)) == []
+    assert reported("GAZ019", BASE + plugin(file, tag)) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 P3D = "libgazebo_ros_p3d.so"
 
@@ -20,26 +20,26 @@ def test_a_link_that_is_not_there() -> None:
         "fatal message and stays idle"
     )
     assert places("GAZ020", pose("baase")) == [(4, "<bodyName>")]
-    assert [one.help for one in told("GAZ020", pose("baase"))] == ["did you mean 'base'?"]
+    assert [one.help for one in reported("GAZ020", pose("baase"))] == ["did you mean 'base'?"]
 
 
 @pytest.mark.parametrize("frame", ["world", "/world", "map", "/map", "base", "robot::base"])
 def test_frames_that_need_no_link(frame: str) -> None:
-    assert told("GAZ020", pose("base", frame)) == []
+    assert reported("GAZ020", pose("base", frame)) == []
 
 
 def test_a_frame_that_is_only_stamped_need_not_be_a_link() -> None:
     text = BASE + plugin("libgazebo_ros_planar_move.so", "<robotBaseFrame>any</robotBaseFrame>")
-    assert told("GAZ020", text) == []
+    assert reported("GAZ020", text) == []
 
 
 def test_an_attribute() -> None:
-    slip = '<wheel link_name="whel"><wheel_normal_force>1</wheel_normal_force></wheel>'
-    assert places("GAZ020", BASE + plugin("libWheelSlipPlugin.so", slip)) == [(4, "whel")]
+    mistake = '<wheel link_name="whel"><wheel_normal_force>1</wheel_normal_force></wheel>'
+    assert places("GAZ020", BASE + plugin("libWheelSlipPlugin.so", mistake)) == [(4, "whel")]
 
 
 def test_links_that_sdf_adds_and_plugins_that_nobody_knows() -> None:
     added = BASE + '<gazebo><link name="extra"/></gazebo>'
     tags = "<topicName>t</topicName><bodyName>extra</bodyName>"
-    assert told("GAZ020", added + plugin(P3D, tags)) == []
-    assert told("GAZ020", BASE + plugin("libvendor.so", tags)) == []
+    assert reported("GAZ020", added + plugin(P3D, tags)) == []
+    assert reported("GAZ020", BASE + plugin("libvendor.so", tags)) == []

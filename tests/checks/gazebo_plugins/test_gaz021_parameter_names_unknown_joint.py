@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import WHEELS, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 STATES = "libgazebo_ros_joint_state_publisher.so"
 
@@ -21,14 +21,14 @@ def test_every_name_of_a_list() -> None:
 
 
 def test_the_name_of_a_link_is_no_joint() -> None:
-    (found,) = told("GAZ021", states("left"))
+    (found,) = reported("GAZ021", states("left"))
     assert "looks for joint 'left'" in found.message
 
 
 def test_joints_that_exist() -> None:
-    assert told("GAZ021", states("left_joint, right_joint")) == []
+    assert reported("GAZ021", states("left_joint, right_joint")) == []
 
 
 def test_joints_that_sdf_adds() -> None:
     added = '<gazebo><joint name="spare" type="revolute"/></gazebo>'
-    assert told("GAZ021", states("spare") + added) == []
+    assert reported("GAZ021", states("spare") + added) == []

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, child, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 HAND = "libgazebo_ros_hand_of_god.so"
 STATES = "libgazebo_ros_joint_state_publisher.so"
@@ -9,7 +9,7 @@ STATES = "libgazebo_ros_joint_state_publisher.so"
 
 def test_a_link_without_mass() -> None:
     text = BASE + child("arm", inside="") + plugin(HAND, "<linkName>arm</linkName>")
-    (found,) = told("GAZ023", text)
+    (found,) = reported("GAZ023", text)
     assert found.message == (
         f"plugin 'p' ({HAND}) looks for link 'arm', which Gazebo leaves out (link 'arm': no "
         "inertial): it crashes"
@@ -26,6 +26,6 @@ def test_what_hangs_on_it_is_lost_with_it() -> None:
 
 def test_links_that_stay() -> None:
     states = plugin(STATES, "<jointName>arm_joint</jointName>")
-    assert told("GAZ023", BASE + child("arm") + states) == []
+    assert reported("GAZ023", BASE + child("arm") + states) == []
     merged = BASE + child("arm", "fixed", inside="") + plugin(HAND, "<linkName>arm</linkName>")
-    assert told("GAZ023", merged) == [], "it is merged, which another rule tells"
+    assert reported("GAZ023", merged) == [], "it is merged, which another rule tells"

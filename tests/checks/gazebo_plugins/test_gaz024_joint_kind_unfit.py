@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import WHEELS, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 TAGS = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
@@ -20,7 +20,7 @@ def test_no_wheel(kind: str) -> None:
 
 
 def test_wheels() -> None:
-    assert told("GAZ024", ROBOT) == []
+    assert reported("GAZ024", ROBOT) == []
 
 
 def test_a_steering_joint_has_limits() -> None:
@@ -39,7 +39,7 @@ def test_other_plugins_may_move_any_joint() -> None:
     tags = "<joint_name>left_joint</joint_name>"
     text = WHEELS.replace("continuous", "revolute")
     text += plugin("gz-sim-joint-position-controller-system", tags)
-    assert told("GAZ024", text) == []
-    assert told("GAZ024", text + plugin("gz-sim-diff-drive-system")) == []  # it names no joint
+    assert reported("GAZ024", text) == []
+    assert reported("GAZ024", text + plugin("gz-sim-diff-drive-system")) == []  # it names no joint
     turned = plugin("gz-sim-diff-drive-system", "<left_joint>left_joint</left_joint>")
-    assert len(told("GAZ024", text + turned)) == 1
+    assert len(reported("GAZ024", text + turned)) == 1

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, WHEELS, plugin, wheel
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 JOINTS = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"
@@ -19,7 +19,7 @@ def test_a_wrong_diameter() -> None:
         f"plugin 'p' ({DRIVE}): <wheelDiameter> is 0.1 m, and the wheels have diameter 0.2 m"
     ]
     assert [text for _, text in places("GAZ025", drive(diameter="0.1"))] == ["<wheelDiameter>"]
-    assert [found.help for found in told("GAZ025", drive(diameter="0.1"))] == ["write 0.2"]
+    assert [found.help for found in reported("GAZ025", drive(diameter="0.1"))] == ["write 0.2"]
 
 
 def test_a_wrong_separation() -> None:
@@ -35,7 +35,7 @@ def test_a_wrong_separation() -> None:
     [("0.314", "0.209", 0), ("0.316", "0.2", 1), ("0.3", "0.211", 1), ("0.286", "0.191", 0)],
 )
 def test_the_bound_is_five_percent(separation: str, diameter: str, count: int) -> None:
-    assert len(told("GAZ025", drive(separation, diameter))) == count
+    assert len(reported("GAZ025", drive(separation, diameter))) == count
 
 
 def test_the_defaults_count() -> None:
@@ -48,9 +48,9 @@ def test_the_defaults_count() -> None:
 
 def test_the_tyre_counts_where_it_is_not_on_the_joint() -> None:
     robot = BASE + wheel("left", 0.15, at=0.05) + wheel("right", -0.15, at=-0.05)
-    assert told("GAZ025", drive("0.4", robot=robot)) == []
-    assert told("GAZ025", drive("0.3", robot=robot)) == [], "nor is the distance of the joints"
-    assert len(told("GAZ025", drive("0.35", robot=robot))) == 1
+    assert reported("GAZ025", drive("0.4", robot=robot)) == []
+    assert reported("GAZ025", drive("0.3", robot=robot)) == [], "nor is the distance of the joints"
+    assert len(reported("GAZ025", drive("0.35", robot=robot))) == 1
 
 
 def test_a_radius() -> None:
@@ -66,19 +66,19 @@ def test_wheels_that_slip_may_have_a_larger_separation() -> None:
     joints = "".join(f"<{n}Joint>{n[: -4 if n[-1] == 'r' else -5]}_joint</{n}Joint>" for n in names)
     tags = "<wheelSeparation>{}</wheelSeparation><wheelDiameter>0.2</wheelDiameter>"
     file = "libgazebo_ros_skid_steer_drive.so"
-    assert told("GAZ025", WHEELS + plugin(file, joints + tags.format("0.5"))) == []
-    assert len(told("GAZ025", WHEELS + plugin(file, joints + tags.format("0.2")))) == 1
+    assert reported("GAZ025", WHEELS + plugin(file, joints + tags.format("0.5"))) == []
+    assert len(reported("GAZ025", WHEELS + plugin(file, joints + tags.format("0.2")))) == 1
 
 
 def test_a_mesh_tells_nothing() -> None:
     robot = WHEELS.replace('<cylinder radius="0.1" length="0.04"/>', '<mesh filename="w.stl"/>')
-    assert told("GAZ025", drive("5", "5", robot)) == []
+    assert reported("GAZ025", drive("5", "5", robot)) == []
 
 
 def test_a_wheel_that_stands_on_its_side_tells_nothing() -> None:
-    assert told("GAZ025", drive("5", "5", WHEELS.replace("1.57079632679", "0"))) == []
+    assert reported("GAZ025", drive("5", "5", WHEELS.replace("1.57079632679", "0"))) == []
 
 
 def test_wheels_of_different_size_tell_nothing_of_the_diameter() -> None:
     robot = BASE + wheel("left", 0.15) + wheel("right", -0.15, radius=0.2)
-    assert told("GAZ025", drive(diameter="1", robot=robot)) == []
+    assert reported("GAZ025", drive(diameter="1", robot=robot)) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, WHEELS, plugin, wheel
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 
@@ -26,9 +26,9 @@ def test_interchanged() -> None:
 
 
 def test_both_axes_turned_reverse_the_robot() -> None:
-    assert len(told("GAZ026", drive(wheels("0 -1 0", "0 -1 0")))) == 1
+    assert len(reported("GAZ026", drive(wheels("0 -1 0", "0 -1 0")))) == 1
     backwards = drive(wheels("0 -1 0", "0 -1 0"), "right", "left")
-    assert told("GAZ026", backwards) == [], "it drives along -x, and left is left of that"
+    assert reported("GAZ026", backwards) == [], "it drives along -x, and left is left of that"
 
 
 def test_axes_against_each_other() -> None:
@@ -50,4 +50,4 @@ def test_axes_against_each_other() -> None:
     ],
 )
 def test_no_finding(text: str) -> None:
-    assert told("GAZ026", text) == []
+    assert reported("GAZ026", text) == []

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.gazebos import BASE, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 MOVE, P3D = "libgazebo_ros_planar_move.so", "libgazebo_ros_p3d.so"
 POSE = "<body_name>base</body_name>"
@@ -20,11 +20,11 @@ def test_two_nodes_of_one_name() -> None:
 
 def test_namespaces_keep_them_apart() -> None:
     space = "<ros><namespace>{}</namespace></ros>"
-    assert told("GAZ027", pair(space.format("/a"), space.format("/b"))) == []
-    assert len(told("GAZ027", pair(space.format("/a"), space.format("a")))) == 1
+    assert reported("GAZ027", pair(space.format("/a"), space.format("/b"))) == []
+    assert len(reported("GAZ027", pair(space.format("/a"), space.format("a")))) == 1
 
 
 def test_other_names_and_other_generations() -> None:
-    assert told("GAZ027", BASE + plugin(MOVE, name="a") + plugin(P3D, POSE, name="b")) == []
-    assert told("GAZ027", pair(), targets=("classic-ros1",)) == []
-    assert told("GAZ027", BASE + 2 * plugin("libvendor.so")) == []
+    assert reported("GAZ027", BASE + plugin(MOVE, name="a") + plugin(P3D, POSE, name="b")) == []
+    assert reported("GAZ027", pair(), targets=("classic-ros1",)) == []
+    assert reported("GAZ027", BASE + 2 * plugin("libvendor.so")) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, child, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 JOINT = "<joint_name>arm_joint</joint_name>"
 ARM = BASE + child("arm")
@@ -26,7 +26,7 @@ def test_two_plugins() -> None:
 
 
 def test_beside_ros2_control() -> None:
-    (found,) = told("GAZ028", ARM + INTERFACE + CONTROL + MOTOR)
+    (found,) = reported("GAZ028", ARM + INTERFACE + CONTROL + MOTOR)
     assert found.message.endswith("and by <ros2_control>")
     assert [note.span.text for note in found.related] == ['<joint name="arm_joint">']
 
@@ -35,7 +35,7 @@ def test_beside_a_transmission() -> None:
     mimic = "<joint>base_joint</joint><mimicJoint>arm_joint</mimicJoint>"
     motor = plugin("libroboticsgroup_upatras_gazebo_mimic_joint_plugin.so", mimic)
     text = ARM + TRANSMISSION + plugin("libgazebo_ros_control.so") + motor
-    (found,) = told("GAZ028", text)
+    (found,) = reported("GAZ028", text)
     assert found.message.endswith("and by a <transmission>")
 
 
@@ -50,4 +50,4 @@ def test_beside_a_transmission() -> None:
     ],
 )
 def test_driven_once(text: str) -> None:
-    assert told("GAZ028", ARM + text) == []
+    assert reported("GAZ028", ARM + text) == []

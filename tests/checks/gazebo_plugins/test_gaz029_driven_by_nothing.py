@@ -3,13 +3,13 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, WHEELS, child, plugin
-from tests.told import places, told
+from tests.reported import places, reported
 
 MOVE = plugin("libgazebo_ros_planar_move.so")
 
 
 def test_one_finding_names_all() -> None:
-    (found,) = told("GAZ029", WHEELS + MOVE)
+    (found,) = reported("GAZ029", WHEELS + MOVE)
     assert found.message == (
         "nothing moves 'left_joint', 'right_joint' in Gazebo: no transmission, no ros2_control, "
         "and no plugin names them"
@@ -21,9 +21,9 @@ def test_one_finding_names_all() -> None:
 
 
 def test_many_are_counted() -> None:
-    (found,) = told("GAZ029", BASE + "".join(child(f"w{n}") for n in range(6)) + MOVE)
+    (found,) = reported("GAZ029", BASE + "".join(child(f"w{n}") for n in range(6)) + MOVE)
     assert "'w3_joint' and 2 more in Gazebo" in found.message
-    (found,) = told("GAZ029", BASE + "".join(child(f"w{n}") for n in range(4)) + MOVE)
+    (found,) = reported("GAZ029", BASE + "".join(child(f"w{n}") for n in range(4)) + MOVE)
     assert "'w2_joint', 'w3_joint' in Gazebo" in found.message
 
 
@@ -40,4 +40,4 @@ def test_many_are_counted() -> None:
     ],
 )
 def test_no_finding(text: str) -> None:
-    assert told("GAZ029", text) == []
+    assert reported("GAZ029", text) == []

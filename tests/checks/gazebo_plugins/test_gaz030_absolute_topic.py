@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import places, told
+from tests.reported import places, reported
 
 MOVE = "libgazebo_ros_planar_move.so"
 
@@ -11,7 +11,7 @@ MOVE = "libgazebo_ros_planar_move.so"
 def test_topics_that_begin_with_a_slash() -> None:
     tags = "<commandTopic>/cmd</commandTopic><odometryTopic>odom</odometryTopic>"
     text = BASE + plugin(MOVE, tags)
-    (found,) = told("GAZ030", text)
+    (found,) = reported("GAZ030", text)
     assert found.message == (
         f"plugin 'p' ({MOVE}): topic '/cmd' is absolute, so that a robot namespace is ignored"
     )
@@ -24,7 +24,7 @@ def test_topics_that_begin_with_a_slash() -> None:
 )
 def test_a_remapping_of_ros2(remapping: str, count: int) -> None:
     tags = f"<ros><remapping>{remapping}</remapping></ros>"
-    assert len(told("GAZ030", BASE + plugin(MOVE, tags))) == count
+    assert len(reported("GAZ030", BASE + plugin(MOVE, tags))) == count
 
 
 @pytest.mark.parametrize(
@@ -37,4 +37,4 @@ def test_a_remapping_of_ros2(remapping: str, count: int) -> None:
     ],
 )
 def test_no_finding(text: str) -> None:
-    assert told("GAZ030", BASE + text) == []
+    assert reported("GAZ030", BASE + text) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 
 @pytest.mark.parametrize("file", ["gz-sim-sensors-system", "libgz-sim8-physics-system.so"])
@@ -23,4 +23,4 @@ def test_a_system_of_the_world(file: str) -> None:
     ],
 )
 def test_no_finding(file: str) -> None:
-    assert told("GAZ033", BASE + plugin(file)) == []
+    assert reported("GAZ033", BASE + plugin(file)) == []

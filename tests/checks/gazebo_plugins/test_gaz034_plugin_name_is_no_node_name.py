@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 MOVE = "libgazebo_ros_planar_move.so"
 NEW = "<odometry_frame>odom</odometry_frame>"
@@ -26,11 +26,13 @@ def test_names_that_ros2_refuses(name: str, good: str) -> None:
 
 @pytest.mark.parametrize("name", ["a", "A_b2", "_2wd", ""])
 def test_names_that_ros2_takes(name: str) -> None:
-    assert told("GAZ034", BASE + plugin(MOVE, NEW, name)) == []
+    assert reported("GAZ034", BASE + plugin(MOVE, NEW, name)) == []
 
 
 def test_other_plugins_are_no_nodes_of_that_name() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame>", "a-b")
-    assert told("GAZ034", text) == []
-    assert told("GAZ034", BASE + plugin("gz-sim-imu-system", name="gz::sim::systems::Imu")) == []
-    assert told("GAZ034", BASE + plugin("libvendor.so", name="a-b")) == []
+    assert reported("GAZ034", text) == []
+    assert (
+        reported("GAZ034", BASE + plugin("gz-sim-imu-system", name="gz::sim::systems::Imu")) == []
+    )
+    assert reported("GAZ034", BASE + plugin("libvendor.so", name="a-b")) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import fixed, places, told
+from tests.reported import fixed, places, reported
 
 POSES = "gz-sim-pose-publisher-system"
 
@@ -19,7 +19,7 @@ POSES = "gz-sim-pose-publisher-system"
 @pytest.mark.parametrize("name", ["poses", "gz::sim::PosePublisher", "GZ::sim::systems::Poses"])
 def test_a_name_that_is_no_class(name: str, file: str, known: str) -> None:
     text = BASE + plugin(file, name=name)
-    (found,) = told("GAZ035", text)
+    (found,) = reported("GAZ035", text)
     assert found.message == (
         f"plugin '{name}' ({file}): the library has no class of that name, but {known}"
     )
@@ -43,4 +43,4 @@ def test_a_name_that_is_no_class(name: str, file: str, known: str) -> None:
     ],
 )
 def test_a_name_that_will_do(file: str, name: str) -> None:
-    assert told("GAZ035", BASE + plugin(file, name=name)) == []
+    assert reported("GAZ035", BASE + plugin(file, name=name)) == []

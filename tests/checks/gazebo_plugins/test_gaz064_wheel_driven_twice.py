@@ -1,7 +1,7 @@
 """GAZ064: see the rule."""
 
 from tests.gazebos import WHEELS, plugin
-from tests.told import messages, places
+from tests.reported import messages, places
 
 DRIVE = "libgazebo_ros_diff_drive.so"
 TAGS = "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>"

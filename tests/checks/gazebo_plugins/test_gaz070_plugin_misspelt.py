@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, plugin
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.catalog import plugins
 
@@ -22,11 +22,11 @@ DRIVE = "libgazebo_ros_diff_drive.so"
         ("gz-sim-imu-sytem", "gz-sim-imu-system"),
     ],
 )
-def test_a_slip_is_told_and_mended(file: str, meant: str) -> None:
+def test_a_slip_is_told_and_mended(file: str, suggested: str) -> None:
     text = BASE + plugin(file)
     (message,) = messages("GAZ070", text)
-    assert f"'{file}' is nearly '{meant}'" in message
-    assert fixed("GAZ070", text) == whole_robot(BASE + plugin(meant))
+    assert f"'{file}' is nearly '{suggested}'" in message
+    assert fixed("GAZ070", text) == whole_robot(BASE + plugin(suggested))
 
 
 @pytest.mark.parametrize(
@@ -40,8 +40,8 @@ def test_a_slip_is_told_and_mended(file: str, meant: str) -> None:
     ],
 )
 def test_a_library_of_a_vendor_is_none(file: str) -> None:
-    assert told("GAZ070", BASE + plugin(file)) == []
+    assert reported("GAZ070", BASE + plugin(file)) == []
 
 
 def test_no_library_of_the_catalogue_is_one() -> None:
-    assert told("GAZ070", BASE + "".join(plugin(file) for file in plugins.files())) == []
+    assert reported("GAZ070", BASE + "".join(plugin(file) for file in plugins.files())) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.gazebos import BASE, sensor
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -38,10 +38,10 @@ def test_the_wrong_sensor(kind: str, file: str, wanted: str) -> None:
     ],
 )
 def test_the_right_sensor(kind: str, file: str) -> None:
-    assert told("GAZ015", BASE + sensor(kind, f'<plugin name="p" filename="{file}"/>')) == []
+    assert reported("GAZ015", BASE + sensor(kind, f'<plugin name="p" filename="{file}"/>')) == []
 
 
 def test_a_sensor_without_a_type_is_told_elsewhere() -> None:
     plugin = '<plugin name="p" filename="libgazebo_ros_laser.so"/>'
     text = f'{BASE}<gazebo reference="base"><sensor name="s">{plugin}</sensor></gazebo>'
-    assert told("GAZ015", text) == []
+    assert reported("GAZ015", text) == []

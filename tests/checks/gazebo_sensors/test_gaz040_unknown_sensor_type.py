@@ -43,6 +43,8 @@ def test_a_sensor_without_a_type():
 
 
 @pytest.mark.parametrize(("target", "meant"), [("classic-ros1", "sonar"), ("gz-harmonic", None)])
-def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, meant):
+def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, suggested):
     (finding,) = findings("GAZ040", "sonarr", targets=(target,))
-    assert (finding.fix.title if finding.fix else None) == (f"write {meant}" if meant else None)
+    assert (finding.fix.title if finding.fix else None) == (
+        f"write {suggested}" if suggested else None
+    )

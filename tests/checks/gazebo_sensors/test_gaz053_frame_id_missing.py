@@ -31,8 +31,8 @@ def test_it_matters_in_gz_sim_only(targets, severities):
 @pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])
 def test_each_gazebo_reads_its_own_tags(tag, target, read):
     found = findings("GAZ053", "imu", f"<{tag}>base</{tag}>", targets=(target,))
-    told = [] if tag in read else [f"sensor 's' names its frame by <{tag}> only"]
-    assert [one.message for one in found] == told
+    reported = [] if tag in read else [f"sensor 's' names its frame by <{tag}> only"]
+    assert [one.message for one in found] == reported
 
 
 @pytest.mark.parametrize("tag", ["gz_frame_id", "frame_id", "ignition_frame_id"])

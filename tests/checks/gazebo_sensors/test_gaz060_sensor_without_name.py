@@ -1,7 +1,7 @@
 """GAZ060: see the rule."""
 
 from tests.gazebos import BASE, sensor
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def test_a_sensor_without_a_name() -> None:

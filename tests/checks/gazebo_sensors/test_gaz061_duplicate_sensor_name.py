@@ -1,7 +1,7 @@
 """GAZ061: see the rule."""
 
 from tests.gazebos import BASE, BODY, child, sensor
-from tests.told import messages
+from tests.reported import messages
 
 FIXED = BASE + child("tip", "fixed", inside=BODY)
 

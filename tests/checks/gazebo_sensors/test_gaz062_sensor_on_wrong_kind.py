@@ -1,13 +1,13 @@
 """GAZ062: see the rule."""
 
 from tests.gazebos import BASE, BODY, child, sensor
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 ROBOT = BASE + child("tip", inside=BODY)
 
 
 def test_forces_are_measured_in_a_joint() -> None:
-    (found,) = told("GAZ062", ROBOT + sensor("force_torque", "", "tip"))
+    (found,) = reported("GAZ062", ROBOT + sensor("force_torque", "", "tip"))
     assert found.message == (
         "sensor 's' of type 'force_torque' is given to link 'tip': it measures in a joint"
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.physics.collision.robots import box, joint, link
-from tests.told import messages
+from tests.reported import messages
 
 MASS = '<inertial><mass value="{}"/></inertial>'
 BASE = link("base", box(1, 1, 1))

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 @pytest.mark.parametrize(

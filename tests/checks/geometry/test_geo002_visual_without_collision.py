@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, joint, link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.massive import BALL, link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def test_a_link_that_is_not_seen() -> None:

@@ -8,7 +8,7 @@ import pytest
 from tests import meshed
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, link, shape
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
 
@@ -68,7 +68,7 @@ class TestMeshes:
         for library in ("numpy", "lxml", "manifold3d"):
             pytest.importorskip(library)
 
-    def told(self, folder: Path, seen: str, touched: str) -> list[str]:
+    def reported(self, folder: Path, seen: str, touched: str) -> list[str]:
         robot = meshed.link(seen, touched)
         return meshed.messages(folder, "GEO004", robot, {"a.stl": meshed.SOUND})
 
@@ -83,7 +83,7 @@ class TestMeshes:
     )
     def test_the_same_mesh_elsewhere(self, tmp_path: Path, origin: str, why: str | None) -> None:
         touched = meshed.mesh("a.stl", origin=origin)
-        found = self.told(tmp_path, meshed.mesh("a.stl", "visual"), touched)
+        found = self.reported(tmp_path, meshed.mesh("a.stl", "visual"), touched)
         if why is None:
             assert found == []
         else:
@@ -95,11 +95,11 @@ class TestMeshes:
 
     @pytest.mark.parametrize(("x", "is_told"), [(0.44, False), (0.46, True)])
     def test_a_primitive_may_stand_for_a_part_of_a_mesh(
-        self, tmp_path: Path, x: float, is_told: bool
+        self, tmp_path: Path, x: float, is_reported: bool
     ) -> None:
         """The mesh is 0.3 m long and reaches to 0.1 m, the cube begins 0.05 m before its middle."""
         touched = shape("collision", '<box size="0.1 0.1 0.1"/>', f"{x} 0 0.1")
-        assert bool(self.told(tmp_path, meshed.mesh("a.stl", "visual"), touched)) is is_told
+        assert bool(self.reported(tmp_path, meshed.mesh("a.stl", "visual"), touched)) is is_reported
 
 
 def test_a_mesh_that_is_missing_is_not_measured() -> None:
@@ -108,7 +108,7 @@ def test_a_mesh_that_is_missing_is_not_measured() -> None:
 
 
 def test_two_different_shapes() -> None:
-    (found,) = told("GEO004", pair(BOX, BALL, "1 0 0"))
+    (found,) = reported("GEO004", pair(BOX, BALL, "1 0 0"))
     assert found.message.endswith(TAIL)
     assert [note.message for note in found.related] == ["the visual"]
 
@@ -132,8 +132,8 @@ def test_what_has_the_origin_of_the_inertia_is_right() -> None:
         '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
     )
     bodies = (shape("visual", rod), shape("collision", rod, "0 0 0", turned))
-    (found,) = told("GEO004", link("a", *bodies, inertial))
+    (found,) = reported("GEO004", link("a", *bodies, inertial))
     assert found.span.text == "<visual>"
     assert found.help == "give the visual the <origin> of the collision"
-    (found,) = told("GEO004", link("a", *bodies))
+    (found,) = reported("GEO004", link("a", *bodies))
     assert found.span.text == "<collision>"

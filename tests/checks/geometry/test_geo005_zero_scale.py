@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BOX, link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def mesh(scale: str) -> str:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import link, shape
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def mesh(name: str, scale: str, tag: str = "visual") -> str:
@@ -27,7 +27,7 @@ def test_a_whole_side_is_one_finding() -> None:
     robot = "".join(
         mesh(f"{name}", "1 -1 1", tag) for name in "abc" for tag in ("visual", "collision")
     )
-    (found,) = told("GEO006", robot)
+    (found,) = reported("GEO006", robot)
     assert found.message.endswith("mirrored by scale 1 -1 1 (5 more meshes likewise)")
     assert [(note.span.line, note.message) for note in found.related] == [
         (3, "link 'a': its collision"),
@@ -39,6 +39,6 @@ def test_a_whole_side_is_one_finding() -> None:
 
 
 def test_twenty_places_are_enough() -> None:
-    (found,) = told("GEO006", "".join(mesh(f"a{number}", "1 -1 1") for number in range(30)))
+    (found,) = reported("GEO006", "".join(mesh(f"a{number}", "1 -1 1") for number in range(30)))
     assert found.message.endswith("(29 more meshes likewise)")
     assert len(found.related) == 20

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.massive import link
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom
 
 
@@ -26,7 +26,7 @@ def paint(rgba: str) -> str:
 )
 def test_what_was_meant(rgba: str, wrong: str, mended: str | None) -> None:
     robot = paint(rgba) + link("a")
-    (found,) = told("GEO007", robot)
+    (found,) = reported("GEO007", robot)
     assert found.message == f"material 'paint': {wrong} not between 0 and 1"
     assert places("GEO007", robot) == [(2, rgba)]
     if mended is None:

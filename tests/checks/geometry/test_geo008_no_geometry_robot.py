@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.massive import BALL, joint, link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 
 ARM = link("base") + link("arm") + joint("base", "arm", "revolute")
 

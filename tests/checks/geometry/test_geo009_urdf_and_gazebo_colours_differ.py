@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, link
-from tests.told import messages, places
+from tests.reported import messages, places
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
@@ -18,7 +18,7 @@ def robot(rgba: str, material: str, name: str = "paint") -> str:
     return link("arm", visual) + block
 
 
-def told(text: str, *targets: str) -> list[str]:
+def reported(text: str, *targets: str) -> list[str]:
     source = Source("robot.urdf", whole_robot(text).encode())
     report = engine.check(source, select=["GEO009"], targets=targets)
     return [diagnostic.message for diagnostic in report.diagnostics]
@@ -65,13 +65,13 @@ def test_a_link_without_a_colour_has_nothing_to_compare() -> None:
     [("classic-ros1", 1), ("gz-fortress", 0), ("gz-harmonic", 1), ("ros2", 1)],
 )
 def test_fortress_has_no_such_materials(target: str, found: int) -> None:
-    assert len(told(robot("0 1 0 1", "Gazebo/Red"), target)) == found
+    assert len(reported(robot("0 1 0 1", "Gazebo/Red"), target)) == found
 
 
 def test_gz_draws_another_grey() -> None:
     text = robot("0.25 0.25 0.25 1", "Gazebo/Grey")
-    assert len(told(text, "classic-ros2")) == 1
-    assert told(text, "gz-harmonic") == []
+    assert len(reported(text, "classic-ros2")) == 1
+    assert reported(text, "gz-harmonic") == []
 
 
 def test_the_mission_s_model() -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, link
-from tests.told import messages, places
+from tests.reported import messages, places
 
 GREY = '<material name="grey"><color rgba="0.2 0.2 0.2 0"/></material>\n'
 

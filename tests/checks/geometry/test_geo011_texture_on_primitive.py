@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, BOX, MESH, WHEEL, link
-from tests.told import messages, places
+from tests.reported import messages, places
 
 LOGO = '<material name="logo"><texture filename="logo.png"/></material>\n'
 

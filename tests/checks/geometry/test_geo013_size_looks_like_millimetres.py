@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 LINK = '<link name="{}"><visual><geometry><box size="{}"/></geometry></visual></link>\n'
 SMALL = LINK.format("arm", "0.1 0.1 0.3")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 LINK = (
     '<link name="a"><visual><geometry>{}</geometry></visual>\n'

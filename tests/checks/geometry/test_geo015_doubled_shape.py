@@ -1,6 +1,6 @@
 """GEO015: see the rule."""
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 BODY = '<collision><origin xyz="{} 0 0"/><geometry><sphere radius="0.1"/></geometry></collision>\n'
 

@@ -8,7 +8,7 @@ import pytest
 
 from tests import meshed
 from tests.massive import joint, link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 
 HAND = '<box size="0.1 0.2 0.3"/>'
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests import meshed
 from tests.massive import link, shape
-from tests.told import messages, places
+from tests.reported import messages, places
 from urdfkit.mesh import samples
 
 ROD = '<cylinder radius="0.04" length="0.5"/>'
@@ -49,7 +49,7 @@ class TestMeshes:
         for library in ("numpy", "lxml", "manifold3d"):
             pytest.importorskip(library)
 
-    def told(self, folder: Path, seen: str, data: bytes, rpy: str) -> list[str]:
+    def reported(self, folder: Path, seen: str, data: bytes, rpy: str) -> list[str]:
         files = {seen: data, "touched.stl": samples.stl(samples.box((0, 0, 0), (0.2, 0.2, 0.25)))}
         visual = meshed.mesh(seen, "visual", origin=f'<origin rpy="{rpy}"/>')
         robot = meshed.link(visual, meshed.mesh("touched.stl"))
@@ -57,9 +57,9 @@ class TestMeshes:
 
     def test_one_part_twice_tells_the_slightest_turn(self, tmp_path: Path) -> None:
         part = samples.stl(samples.box((0, 0, 0), (0.2, 0.2, 0.249)))
-        assert self.told(tmp_path, "seen.stl", part, "0 0 0") == []
-        (message,) = self.told(tmp_path, "seen.stl", part, f"{QUARTER!r} 0 0")
+        assert self.reported(tmp_path, "seen.stl", part, "0 0 0") == []
+        (message,) = self.reported(tmp_path, "seen.stl", part, f"{QUARTER!r} 0 0")
         assert 'with rpy="0 0 0" for the visual it would be 100%' in message
 
     def test_programs_do_not_agree_on_the_axes_of_gltf(self, tmp_path: Path) -> None:
-        assert self.told(tmp_path, "seen.gltf", samples.gltf(), f"{QUARTER!r} 0 0") == []
+        assert self.reported(tmp_path, "seen.gltf", samples.gltf(), f"{QUARTER!r} 0 0") == []

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import messages, places
+from tests.reported import messages, places
 from urdfkit import check
 from urdfkit.mesh.samples import box, stl
 

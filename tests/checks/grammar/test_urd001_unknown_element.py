@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 JOINT = """\
 <link name="a"/>
@@ -30,15 +30,15 @@ def test_an_unknown_element_is_named_with_its_owner() -> None:
         ('<dynamic damping="1" >\n </dynamic >', '<dynamics damping="1" >\n </dynamics >'),
     ],
 )
-def test_a_slip_is_corrected_at_both_ends(written: str, meant: str) -> None:
+def test_a_slip_is_corrected_at_both_ends(written: str, suggested: str) -> None:
     assert fixed("URD001", JOINT.format(written)) == (
-        f'<robot name="example">\n{JOINT.format(meant)}\n</robot>\n'
+        f'<robot name="example">\n{JOINT.format(suggested)}\n</robot>\n'
     )
 
 
 @pytest.mark.parametrize("inside", ["<text/>", "12", "<!-- 12 -->"])
 def test_only_what_holds_nothing_is_removed(inside: str) -> None:
-    (found,) = told("URD001", JOINT.format(f"<anchor>{inside}</anchor>"))
+    (found,) = reported("URD001", JOINT.format(f"<anchor>{inside}</anchor>"))
     assert (found.fix is None) == (inside != "<!-- 12 -->")
 
 
@@ -56,7 +56,7 @@ def test_what_is_there_already_is_not_meant_again() -> None:
     ],
 )
 def test_extensions_with_a_prefix_and_rare_elements_are_known(known: str) -> None:
-    assert told("URD001", JOINT.format(known)) == []
+    assert reported("URD001", JOINT.format(known)) == []
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_extensions_with_a_prefix_and_rare_elements_are_known(known: str) -> Non
     ],
 )
 def test_dialects_of_other_readers_are_known(robot: str) -> None:
-    assert told("URD001", robot) == []
+    assert reported("URD001", robot) == []
 
 
 def test_a_macro_body_is_one_finding_with_its_calls_and_can_be_mended() -> None:
@@ -83,7 +83,7 @@ def test_a_macro_body_is_one_finding_with_its_calls_and_can_be_mended() -> None:
   <xacro:part name="b"/>
 </robot>
 """
-    (found,) = told("URD001", robot, "robot.xacro")
+    (found,) = reported("URD001", robot, "robot.xacro")
     assert [call.message.partition(":")[0] for call in found.calls] == ["link 'a'", "link 'b'"]
     assert fixed("URD001", robot, "robot.xacro") == robot.replace("visua>", "visual>")
 
@@ -96,5 +96,5 @@ def test_a_macro_without_its_prefix_is_another_finding() -> None:
   <part/>
 </robot>
 """
-    assert told("URD001", robot, "robot.xacro") == []
-    assert len(told("XAC002", robot, "robot.xacro")) == 1
+    assert reported("URD001", robot, "robot.xacro") == []
+    assert len(reported("XAC002", robot, "robot.xacro")) == 1

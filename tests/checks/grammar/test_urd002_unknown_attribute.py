@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 LIMIT = """\
 <link name="a"/>
@@ -27,9 +27,9 @@ def test_the_nearest_attribute_is_offered() -> None:
     ("written", "meant"),
     [("velocty = '2'", "velocity = '2'"), ('velocty\n="2"', 'velocity\n="2"')],
 )
-def test_the_name_alone_is_changed(written: str, meant: str) -> None:
+def test_the_name_alone_is_changed(written: str, suggested: str) -> None:
     assert fixed("URD002", LIMIT.format(written)) == (
-        f'<robot name="example">\n{LIMIT.format(meant)}\n</robot>\n'
+        f'<robot name="example">\n{LIMIT.format(suggested)}\n</robot>\n'
     )
 
 
@@ -38,7 +38,7 @@ def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
     assert messages("URD002", robot) == [
         "joint 'j': unknown attribute 'colour' in <limit> (ignored)"
     ]
-    assert told("URD002", robot)[0].fix is None
+    assert reported("URD002", robot)[0].fix is None
 
 
 @pytest.mark.parametrize(
@@ -57,13 +57,13 @@ def test_an_attribute_that_is_like_none_is_told_without_a_guess() -> None:
     ],
 )
 def test_namespaces_and_other_readers_attributes_are_known(robot: str) -> None:
-    assert told("URD002", robot) == []
+    assert reported("URD002", robot) == []
 
 
 def test_the_attribute_that_was_needed_is_not_told_twice() -> None:
     robot = '<link name="a"><visual><geometry><sphere radiu="1"/></geometry></visual></link>'
-    assert told("URD002", robot) == []
-    assert len(told("URD003", robot)) == 1
+    assert reported("URD002", robot) == []
+    assert len(reported("URD003", robot)) == 1
 
 
 def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> None:
@@ -72,7 +72,7 @@ def test_an_attribute_of_another_program_is_told_once_for_all_that_have_it() -> 
         f'<dynamics stiff="1"/></joint>\n<link name="b{i}"/>\n'
         for i in range(8)
     )
-    (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
+    (finding,) = reported("URD002", f'<link name="a"/>\n{robot}')
     assert finding.message == (
         "joint 'j0': unknown attribute 'stiff' in <dynamics> (ignored) (and 7 more like this)"
     )
@@ -87,7 +87,7 @@ def test_all_foreign_attributes_of_a_tag_are_one_finding() -> None:
         f'<dynamics K="1" D="2" mu="3"/></joint>\n<link name="b{i}"/>\n'
         for i in range(2)
     )
-    (finding,) = told("URD002", f'<link name="a"/>\n{robot}')
+    (finding,) = reported("URD002", f'<link name="a"/>\n{robot}')
     assert finding.message == (
         "joint 'j0': unknown attributes 'K', 'D' and 'mu' in <dynamics> (ignored) "
         "(and 1 more like this)"
@@ -96,7 +96,7 @@ def test_all_foreign_attributes_of_a_tag_are_one_finding() -> None:
 
 def test_a_long_list_of_attributes_is_cut() -> None:
     foreign = " ".join(f'{letter}="1"' for letter in "ABCDEFGH")
-    (finding,) = told("URD002", f'<link name="a" {foreign}/>')
+    (finding,) = reported("URD002", f'<link name="a" {foreign}/>')
     assert finding.message == (
         "link 'a': unknown attributes 'A', 'B', 'C', 'D', 'E' and 3 more in <link> (ignored)"
     )

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, places
+from tests.reported import fixed, messages, places
 
 JOINT = '<link name="a"/><link name="b"/>\n<joint {}>{}</joint>'
 ENDS = '<parent link="a"/><child link="b"/>'

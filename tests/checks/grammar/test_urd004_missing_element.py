@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -39,4 +39,4 @@ def test_the_place_is_the_element_that_lacks_it() -> None:
     ],
 )
 def test_what_is_not_missing_or_told_by_another_rule(robot: str) -> None:
-    assert told("URD004", robot) == []
+    assert reported("URD004", robot) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 BALL = (
     '<link name="a"><visual><origin xyz="{}"/><geometry><sphere radius="{}"/></geometry></visual>'
@@ -34,7 +34,7 @@ def test_why_a_number_is_none(text: str, why: str) -> None:
 
 @pytest.mark.parametrize("text", ["1", "-1.5e-3", "+.5", "2.", "1E+05", " 1", "1e-400", "0"])
 def test_what_urdfdom_reads_is_a_number(text: str) -> None:
-    assert told("URD005", BALL.format("0 0 0", text)) == []
+    assert reported("URD005", BALL.format("0 0 0", text)) == []
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def test_commas_and_white_space_are_mended_where_that_is_enough(
     text: str, better: str | None
 ) -> None:
     robot = BALL.format(text, "1")
-    (found,) = told("URD005", robot)
+    (found,) = reported("URD005", robot)
     assert bool(found.fix) == (better is not None)
     if better:
         assert fixed("URD005", robot) == (
@@ -76,14 +76,14 @@ def test_a_tab_between_numbers_is_told_where_it_stands() -> None:
 
 def test_xacro_writes_spaces_for_tabs() -> None:
     robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
-    assert told("URD005", robot.format(BALL.format("1\t2 3", "${1}")), "robot.xacro") == []
+    assert reported("URD005", robot.format(BALL.format("1\t2 3", "${1}")), "robot.xacro") == []
 
 
 @pytest.mark.parametrize("text", ["${radius}", "$(arg radius)"])
 def test_expressions_are_another_finding(text: str) -> None:
-    assert told("URD005", BALL.format(text, text)) == []
+    assert reported("URD005", BALL.format(text, text)) == []
 
 
 def test_numbers_of_other_families_are_theirs() -> None:
     robot = '<link name="a"/><gazebo reference="a"><mu1 value="x"/></gazebo>'
-    assert told("URD005", robot) == []
+    assert reported("URD005", robot) == []

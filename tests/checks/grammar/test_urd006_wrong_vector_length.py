@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 VISUAL = (
     '<link name="a"><visual><origin {}/><geometry><mesh filename="a.stl" {}/></geometry>'
@@ -32,7 +32,7 @@ def test_count_and_bound_are_told(place: int, written: str, message: str) -> Non
 
 
 def test_any_number_of_spaces_separates() -> None:
-    assert told("URD006", VISUAL.format('xyz="  0  0   0 "', *RIGHT[1:])) == []
+    assert reported("URD006", VISUAL.format('xyz="  0  0   0 "', *RIGHT[1:])) == []
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 SPHERE = '<geometry><sphere radius="1"/></geometry>'
 
@@ -12,7 +12,7 @@ def test_the_second_is_told_and_the_first_is_shown() -> None:
         '<link name="a">\n<visual><origin xyz="0 0 1"/>'
         f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
     )
-    (found,) = told("URD007", robot)
+    (found,) = reported("URD007", robot)
     assert found.message == "link 'a': a second <origin> in <visual>; readers take the first"
     assert found.span.text == '<origin xyz="0 0 2"/>'
     assert [(one.span.text, one.message) for one in found.related] == [
@@ -50,4 +50,4 @@ def test_a_geometry_holds_one_shape(shapes: str, surplus: list[str]) -> None:
     ],
 )
 def test_what_may_stand_often(robot: str) -> None:
-    assert told("URD007", robot) == []
+    assert reported("URD007", robot) == []

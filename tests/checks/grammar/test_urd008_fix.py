@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
@@ -73,7 +73,7 @@ def test_a_block_that_there_is_is_used(block: str, filled: str) -> None:
     ],
 )
 def test_what_cannot_surely_be_moved_stays(robot: str) -> None:
-    assert [one.fix for one in told("URD008", robot)] == [None]
+    assert [one.fix for one in reported("URD008", robot)] == [None]
 
 
 def test_a_macro_moves_it_for_all_of_its_calls() -> None:

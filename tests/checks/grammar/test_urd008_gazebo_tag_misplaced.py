@@ -5,7 +5,7 @@ import json
 import pytest
 
 from tests.conftest import MODELS, SHARED
-from tests.told import places, told
+from tests.reported import places, reported
 from urdfkit.lint import engine
 from urdfkit.text.schema import GAZEBO_TAGS
 
@@ -35,7 +35,7 @@ from urdfkit.text.schema import GAZEBO_TAGS
     ],
 )
 def test_the_block_it_belongs_in_is_named(robot: str, block: str) -> None:
-    (found,) = told("URD008", robot)
+    (found,) = reported("URD008", robot)
     assert found.help == block
 
 
@@ -63,6 +63,6 @@ def test_every_tag_that_the_converter_handles_is_known() -> None:
 
 
 def test_the_pose_of_sdf_has_its_words_in_urdf() -> None:
-    (found,) = told("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
+    (found,) = reported("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
     assert "the <origin> of the joint" in found.help
     assert found.fix is None

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 VISUAL = '<link name="a"><visual>\n<geometry>{}</geometry></visual></link>'
 
@@ -28,7 +28,7 @@ def test_no_shape_where_readers_look(content: str, message: str, place: str) -> 
     robot = VISUAL.format(content)
     assert messages("URD009", robot) == [message]
     assert places("URD009", robot) == [(3, place)]
-    assert [told(code, robot) for code in ("URD001", "URD004", "URD012", "URD013")] == [[]] * 4
+    assert [reported(code, robot) for code in ("URD001", "URD004", "URD012", "URD013")] == [[]] * 4
 
 
 @pytest.mark.parametrize(
@@ -41,4 +41,4 @@ def test_no_shape_where_readers_look(content: str, message: str, place: str) -> 
     ],
 )
 def test_a_shape_or_another_finding(content: str) -> None:
-    assert told("URD009", VISUAL.format(content)) == []
+    assert reported("URD009", VISUAL.format(content)) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import places, told
+from tests.reported import places, reported
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -23,5 +23,7 @@ def test_the_place_is_the_robot() -> None:
     ],
 )
 def test_only_a_library_of_macros_needs_none(robot: str, count: int) -> None:
-    assert len(told("URD010", robot, "robot.xacro" if XACRO in robot else "robot.urdf")) == count
-    assert told("URD003", robot) == []
+    assert (
+        len(reported("URD010", robot, "robot.xacro" if XACRO in robot else "robot.urdf")) == count
+    )
+    assert reported("URD003", robot) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 ROBOT = '<robot name="r" version="{}"><link name="a"><visual>{}</visual></link></robot>'
 SPHERE = '<origin xyz="0 0 0"/><geometry><sphere radius="1"/></geometry>'
@@ -15,9 +15,9 @@ def test_versions_that_urdfdom_refuses(version: str) -> None:
         f"version '{version}' of URDF does not exist; 1.0, 1.1, 1.2 do"
     ]
     assert places("URD011", robot) == [(1, version)]
-    assert told("URD016", robot) == [], "an unknown version is one finding"
+    assert reported("URD016", robot) == [], "an unknown version is one finding"
 
 
 @pytest.mark.parametrize("version", ["1.0", "01.00", "1.1", "1.2"])
 def test_versions_that_exist(version: str) -> None:
-    assert told("URD011", ROBOT.format(version, SPHERE)) == []
+    assert reported("URD011", ROBOT.format(version, SPHERE)) == []

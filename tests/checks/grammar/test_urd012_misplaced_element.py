@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 
 @pytest.mark.parametrize(
@@ -31,7 +31,7 @@ from tests.told import fixed, messages, told
 )
 def test_where_it_belongs_is_told(robot: str, message: str) -> None:
     assert messages("URD012", robot) == [message]
-    assert told("URD001", robot) == []
+    assert reported("URD001", robot) == []
 
 
 INLINE = '<link name="a"><visual><geometry><box size="1 1 1"/>{}</geometry>{}</visual></link>'
@@ -67,7 +67,7 @@ def test_lines_and_their_ends_move_along() -> None:
     ],
 )
 def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:
-    found = told("URD012", robot)
+    found = reported("URD012", robot)
     assert found
     assert [one.fix for one in found] == [None] * len(found)
 
@@ -75,7 +75,7 @@ def test_what_is_not_sure_is_left_to_a_person(robot: str) -> None:
 def test_elements_of_one_tag_in_the_same_wrong_place_are_one_finding() -> None:
     body = f"<collision><geometry><sphere radius='1'/></geometry>{MATERIAL}</collision>"
     robot = "".join(f'<link name="{name}">{body}</link>' for name in "abcdefg")
-    (found,) = told("URD012", robot)
+    (found,) = reported("URD012", robot)
     assert found.message == (
         "link 'a': URDF parsers ignore <material> inside <collision>; it belongs in <robot> or "
         "<visual> (and 6 more like this)"

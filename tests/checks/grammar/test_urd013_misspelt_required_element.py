@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 
 @pytest.mark.parametrize(
@@ -37,12 +37,12 @@ from tests.told import fixed, messages, told
     ],
 )
 def test_needed_elements_get_their_name_back(robot: str, wrong: str, right: str) -> None:
-    assert len(told("URD013", robot)) == 1
+    assert len(reported("URD013", robot)) == 1
     assert fixed("URD013", robot) == (
         f'<robot name="example">\n{robot.replace(wrong, right)}\n</robot>\n'
     )
-    assert told("URD001", robot) == []
-    assert told("URD004", robot) == [], "what is misspelt is not missing as well"
+    assert reported("URD001", robot) == []
+    assert reported("URD004", robot) == [], "what is misspelt is not missing as well"
 
 
 def test_who_and_what() -> None:
@@ -63,5 +63,5 @@ def test_who_and_what() -> None:
     ],
 )
 def test_no_error_where_nothing_is_missing(robot: str) -> None:
-    assert told("URD013", robot) == []
-    assert len(told("URD001", robot)) == 1
+    assert reported("URD013", robot) == []
+    assert len(reported("URD001", robot)) == 1

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 @pytest.mark.parametrize("version", ["1.1", "1.2"])

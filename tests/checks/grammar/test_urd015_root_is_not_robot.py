@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
 
@@ -23,4 +23,4 @@ def test_a_misspelt_robot_gets_its_name_back() -> None:
 def test_a_file_of_macros_may_have_any_root() -> None:
     library = '<macros {}><xacro:macro name="m" params=""/></macros>'
     namespace = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
-    assert told("URD015", library.format(namespace), "macros.xacro") == []
+    assert reported("URD015", library.format(namespace), "macros.xacro") == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 CAPSULE = '<geometry><capsule radius="1" length="1"/></geometry>'
 TURNED = '<origin quat_xyzw="0 0 0 1"/><geometry><sphere radius="1"/></geometry>'
@@ -24,7 +24,7 @@ def test_features_of_1_1_in_1_0(version: str) -> None:
 @pytest.mark.parametrize("content", [CAPSULE, TURNED])
 def test_with_the_version_they_are_read(version: str, content: str) -> None:
     robot = ROBOT.format(f' version="{version}"', content)
-    assert [told(code, robot) for code in ("URD016", "URD005", "URD006", "URD009")] == [[]] * 4
+    assert [reported(code, robot) for code in ("URD016", "URD005", "URD006", "URD009")] == [[]] * 4
 
 
 def test_a_quaternion_that_is_read_has_four_numbers() -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit import check
 
 LINK = '<link name="arm">{}</link>'
@@ -42,7 +42,7 @@ def test_a_value_that_is_needed_is_missing_already() -> None:
     ],
 )
 def test_text_of_others_is_calm(text: str) -> None:
-    assert told("URD017", text) == []
+    assert reported("URD017", text) == []
 
 
 def test_text_of_an_included_file_is_told_there(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import inertial, joint, link
-from tests.told import messages, places
+from tests.reported import messages, places
 
 TENSOR = (0.1, 0.1, 0.1)
 BASE = link("base", inertial(2, TENSOR))

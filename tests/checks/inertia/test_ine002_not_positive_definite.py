@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, inertial, joint, link, part
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_the_message_has_all_three_moments() -> None:
@@ -41,7 +41,7 @@ def test_only_this_rule_tells_it() -> None:
 def test_copies_are_one_finding_and_the_order_of_sdf_is_known() -> None:
     wrong = (0.03, 0.02, 0.01, 0.001, 0, 0)
     robot = "".join(link(name, inertial(2, wrong)) for name in ("a", "b")) + joint("a", "b")
-    (found,) = told("INE002", robot)
+    (found,) = reported("INE002", robot)
     assert found.message.endswith("all must be positive (and likewise 'b')")
     assert [note.span.line for note in found.related] == [5]
     assert found.help == (

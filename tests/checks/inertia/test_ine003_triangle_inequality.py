@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BOX, inertial, joint, link, part
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 
 def test_moments_of_a_diagonal_tensor() -> None:
@@ -34,7 +34,7 @@ def test_rounding_is_no_defect(high: float, found: int) -> None:
 
 
 def test_a_moment_that_stands_alone() -> None:
-    (found,) = told("INE003", part("base", 12, (0, 0, 0.9), BOX))
+    (found,) = reported("INE003", part("base", 12, (0, 0, 0.9), BOX))
     assert found.message.endswith("0.9 > 0 + 0 kg m^2")
     assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
 
@@ -47,7 +47,7 @@ def test_a_twin_tells_the_value() -> None:
         + joint("hip", "l_ankle")
         + joint("hip", "r_ankle")
     )
-    (found,) = told("INE003", robot)
+    (found,) = reported("INE003", robot)
     assert found.element == "link/r_ankle/inertial/inertia"
     assert found.help == (
         "the tensor of its twin 'l_ankle' is possible: write "
@@ -56,5 +56,5 @@ def test_a_twin_tells_the_value() -> None:
 
 
 def test_without_a_diagnosis_the_help_is_the_rule_s() -> None:
-    (found,) = told("INE003", link("arm", inertial(2, (1, 1, 50))))
+    (found,) = reported("INE003", link("arm", inertial(2, (1, 1, 50))))
     assert found.help.startswith("take the tensor about the centre of mass anew")

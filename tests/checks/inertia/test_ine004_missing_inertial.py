@@ -14,7 +14,7 @@ SEEN = shape("visual", BALL)
 BASE = link("base", HEAVY)
 
 
-def told(text: str, *targets: str) -> list[Diagnostic]:
+def reported(text: str, *targets: str) -> list[Diagnostic]:
     source = Source("robot.urdf", whole_robot(text).encode())
     return list(engine.check(source, select=["INE004"], targets=targets).diagnostics)
 
@@ -31,7 +31,7 @@ def told(text: str, *targets: str) -> list[Diagnostic]:
 )
 def test_who_suffers(targets: tuple[str, ...], severity: Severity) -> None:
     robot = BASE + link("arm", SEEN) + joint("base", "arm", "continuous")
-    (found,) = told(robot, *targets)
+    (found,) = reported(robot, *targets)
     assert found.severity is severity
     assert found.message == (
         "link 'arm' is moved by the continuous joint 'arm_joint' and has no mass: Gazebo leaves "
@@ -46,7 +46,7 @@ def test_what_goes_with_it_is_named() -> None:
     for number in range(6):
         above = f"l{number - 1}" if number else "arm"
         robot += link(f"l{number}", HEAVY) + joint(above, f"l{number}", "prismatic")
-    (found,) = told(robot, "gz-jetty")
+    (found,) = reported(robot, "gz-jetty")
     assert found.message.endswith("leaves it out and with it 'l0', 'l1', 'l2' and 3 more")
 
 
@@ -67,13 +67,13 @@ def test_what_goes_with_it_is_named() -> None:
     ],
 )
 def test_what_is_all_right_or_another_rule_s(robot: str) -> None:
-    assert told(robot, "classic-ros1") == []
+    assert reported(robot, "classic-ros1") == []
 
 
 def test_a_root_without_mass_loses_the_robot_in_gazebo() -> None:
     robot = link("base", SEEN) + link("arm", HEAVY) + joint("base", "arm", "continuous")
-    assert told(robot) == told(robot, "mujoco") == []
-    (found,) = told(robot, "gz-fortress")
+    assert reported(robot) == reported(robot, "mujoco") == []
+    (found,) = reported(robot, "gz-fortress")
     assert found.message == (
         "link 'base' is the root and has no mass: Gazebo leaves it out and with it 'arm'"
     )
@@ -82,8 +82,8 @@ def test_a_root_without_mass_loses_the_robot_in_gazebo() -> None:
 def test_a_fixed_joint_that_gazebo_keeps_needs_a_mass() -> None:
     robot = BASE + link("arm", SEEN) + joint("base", "arm")
     kept = "<gazebo reference='arm_joint'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
-    assert told(robot) == []
-    assert len(told(robot + kept)) == 1
+    assert reported(robot) == []
+    assert len(reported(robot + kept)) == 1
 
 
 def test_the_mission_s_model_has_a_massless_root_and_nothing_is_said() -> None:

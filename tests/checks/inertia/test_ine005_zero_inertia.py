@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 ZERO = (0, 0, 0)
 BASE = link("base", inertial(2, (1, 1, 1)))
@@ -9,7 +9,7 @@ BASE = link("base", inertial(2, (1, 1, 1)))
 
 def test_a_moving_link() -> None:
     robot = BASE + part("arm", 0.5, ZERO, BALL) + joint("base", "arm", "revolute")
-    (found,) = told("INE005", robot)
+    (found,) = reported("INE005", robot)
     assert found.message == (
         "link 'arm' of 0.5 kg has no moment of inertia and is moved by the revolute joint "
         "'arm_joint'"
@@ -22,7 +22,7 @@ def test_a_moving_link() -> None:
 
 def test_without_a_shape_the_help_is_the_rule_s() -> None:
     robot = BASE + link("arm", shape("visual", MESH), inertial(0.5, ZERO))
-    (found,) = told("INE005", robot + joint("base", "arm", "revolute"))
+    (found,) = reported("INE005", robot + joint("base", "arm", "revolute"))
     assert found.help.startswith("compute the tensor from mass and size")
 
 
@@ -50,6 +50,6 @@ def test_all_links_of_an_export_are_one_finding() -> None:
     robot = BASE
     for above, name, mass in (("base", "a", 1), ("a", "b", 3), ("b", "c", 2)):
         robot += link(name, inertial(mass, ZERO)) + joint(above, name, "revolute")
-    (found,) = told("INE005", robot)
+    (found,) = reported("INE005", robot)
     assert found.message.startswith("link 'b' of 3 kg")
     assert found.message.endswith("(and likewise 'c' and 'a')")

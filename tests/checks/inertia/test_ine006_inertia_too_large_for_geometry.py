@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, MESH, WHEEL, inertial, joint, link, part, shape
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Confidence, Severity
 
@@ -13,7 +13,7 @@ MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 def test_a_wheel() -> None:
     robot = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
-    (found,) = told("INE006", robot)
+    (found,) = reported("INE006", robot)
     assert found.message == (
         "link 'wheel': 0.1 kg m^2 is 47.3 times the most that 0.5 kg can have within 0.065 m of "
         "the centre of mass; a solid cylinder of radius 0.06 m and length 0.05 m has "
@@ -62,7 +62,7 @@ def test_no_share_of_a_body_whose_other_links_are_frames() -> None:
 
 def test_copies_are_one_finding_and_one_fix() -> None:
     robot = part("a", 1, (7, 7, 7), BALL) + part("b", 0.1, (7, 7, 7), BALL)
-    (found,) = told("INE006", robot)
+    (found,) = reported("INE006", robot)
     assert found.message.startswith("link 'b': 7 kg m^2 is 7e+03 times")
     assert found.message.endswith("(and likewise 'a')")
     mended = fixed("INE006", robot)
@@ -110,6 +110,6 @@ def test_a_speck_that_stands_for_another_part_gives_no_tensor(
 ) -> None:
     """A box of 6 mm is the shape of a gramme, not of ten; one of 5 mm marks a place."""
     box = f'<box size="{edge} {edge} {edge}"/>'
-    (found,) = told("INE006", part("dot", mass, (1e-2,) * 3, box))
+    (found,) = reported("INE006", part("dot", mass, (1e-2,) * 3, box))
     assert (found.fix is not None) is proposed
     assert found.help.startswith("write ixx=") is proposed

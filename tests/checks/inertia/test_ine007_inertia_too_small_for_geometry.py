@@ -3,12 +3,12 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, BOX, joint, link, part
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 
 def test_a_unit_is_recognized() -> None:
     robot = part("base", 12, (1.1e-7, 5.5e-8, 1.3e-7), BOX)
-    (found,) = told("INE007", robot)
+    (found,) = reported("INE007", robot)
     assert found.message == (
         "link 'base' of 12 kg has at most 1.3e-07 kg m^2, 1/1000000 of its shape; a solid box of "
         "0.2 x 0.3 x 0.1 m has 0.1, 0.05, 0.13 kg m^2"
@@ -37,5 +37,5 @@ def test_a_copy_is_traced() -> None:
     robot = part("small", 1, (0.0004,) * 3, BALL.replace("0.1", "0.0316227766")) + part(
         "large", 9, (0.0004,) * 3, '<sphere radius="0.2"/>'
     )
-    (found,) = told("INE007", robot)
+    (found,) = reported("INE007", robot)
     assert found.help.startswith("the tensor is that of link 'small', which it fits: write")

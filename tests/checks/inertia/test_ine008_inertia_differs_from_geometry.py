@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
 
@@ -13,7 +13,7 @@ MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 def test_a_guessed_tensor() -> None:
     robot = part("imu", 0.5, (1e-4, 1e-4, 1e-4), BALL)
-    (found,) = told("INE008", robot)
+    (found,) = reported("INE008", robot)
     assert found.severity is Severity.INFO
     assert found.message == (
         "link 'imu' of 0.5 kg has moments of inertia of 0.0001 kg m^2 each; a solid sphere of "
@@ -40,7 +40,7 @@ def test_what_can_be_meant(robot: str) -> None:
 
 
 def test_a_diameter_for_a_radius_is_told() -> None:
-    (found,) = told("INE008", part("ball", 1, (0.016, 0.016, 0.016), BALL))
+    (found,) = reported("INE008", part("ball", 1, (0.016, 0.016, 0.016), BALL))
     assert found.help == (
         "the tensor was computed with twice the size, as of a diameter for a radius: write "
         'ixx="0.004" iyy="0.004" izz="0.004"'

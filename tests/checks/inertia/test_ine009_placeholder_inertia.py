@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import MESH, WHEEL, inertial, joint, link, part, shape
-from tests.told import messages, told
-from tests.xacros import told as told_of_xacro
+from tests.reported import messages, reported
+from tests.xacros import reported as told_of_xacro
 
 SEEN = shape("visual", MESH)
 
@@ -35,7 +35,7 @@ def test_what_can_be_true(mass: float, moment: float) -> None:
 
 def test_all_links_with_it_are_one_finding_the_worst_first() -> None:
     robot = "".join(stand_in(f"l{i}", 1 + i % 3, 1.0) for i in range(6))
-    (found,) = told("INE009", robot)
+    (found,) = reported("INE009", robot)
     assert found.message.startswith("link 'l0' of 1 kg")
     assert found.message.endswith("(and likewise 'l3', 'l1' and 3 more)")
     assert len(found.related) == 5

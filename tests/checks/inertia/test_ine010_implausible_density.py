@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
 
 
@@ -13,7 +13,7 @@ def box(mass: float) -> str:
 
 
 def test_a_mass_in_grams() -> None:
-    (found,) = told("INE010", box(6000))
+    (found,) = reported("INE010", box(6000))
     assert found.message == (
         "link 'box': 6000 kg in a box of 0.2 x 0.3 x 0.1 m make 1e+06 kg/m^3; parts of robots have "
         "20 to 12000"
@@ -23,7 +23,7 @@ def test_a_mass_in_grams() -> None:
 
 
 def test_a_size_in_millimetres() -> None:
-    (found,) = told("INE010", part("box", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>'))
+    (found,) = reported("INE010", part("box", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>'))
     assert found.help == "the size is probably in mm: write it in m"
 
 
@@ -76,7 +76,7 @@ def chain(*masses: float) -> str:
 
 
 def test_a_slip_of_the_whole_robot_is_told_once() -> None:
-    (found,) = told("INE010", chain(6000, 5000, 4000, 3))
+    (found,) = reported("INE010", chain(6000, 5000, 4000, 3))
     assert found.message.endswith(
         "have 20 to 12000 (and likewise 'p1' and 'p2': most links of the robot)"
     )

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 MOMENTS = (0.004, 0.004, 0.004)
 
@@ -53,7 +53,7 @@ def test_of_the_calls_of_a_macro_the_one_farthest_out_for_its_size_comes_first()
         '</xacro:macro><xacro:part name="large" r="1" x="3.5"/>'
         '<xacro:part name="small" r="0.1" x="0.5"/></robot>'
     )
-    (found,) = told("INE011", text, "robot.xacro")
+    (found,) = reported("INE011", text, "robot.xacro")
     assert [call.message.split("'")[1] for call in found.calls] == ["small", "large"]
 
 
@@ -72,16 +72,16 @@ BEAM = '<box size="0.04 0.5 0.06"/>'
         ("0 0.4 0", ""),
     ],
 )
-def test_closer_ones_where_a_slip_explains_them(xyz: str, slip: str) -> None:
+def test_closer_ones_where_a_slip_explains_them(xyz: str, mistake: str) -> None:
     beam = link("a", shape("collision", BEAM, "0 0.25 0"), inertial(1, MOMENTS, xyz))
     found = messages("INE011", beam)
-    assert len(found) == bool(slip)
-    assert all(message.endswith(f"; {slip}") for message in found)
+    assert len(found) == bool(mistake)
+    assert all(message.endswith(f"; {mistake}") for message in found)
 
 
 @pytest.mark.parametrize(("y", "told"), [(0.4, 0), (0.49, 0), (0.55, 1)])
-def test_left_at_the_origin(y: float, told: int) -> None:
+def test_left_at_the_origin(y: float, reported: int) -> None:
     beam = link("a", shape("collision", BEAM, f"0 {y} 0"), inertial(1, MOMENTS))
     found = messages("INE011", beam)
-    assert len(found) == told
+    assert len(found) == reported
     assert all(message.endswith("; it was left at the origin of the link") for message in found)

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import inertial, joint, link
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 MOMENTS = (2e-6, 2e-6, 1e-6)
 
@@ -20,7 +20,7 @@ def hand(left: str, right: str) -> str:
 
 def test_a_slip_of_a_digit() -> None:
     robot = hand(inertial(0.015, MOMENTS), inertial(0.15, MOMENTS))
-    (found,) = told("INE012", robot)
+    (found,) = reported("INE012", robot)
     assert found.message == (
         "link 'right_finger' has 0.15 kg, its twin 'left_finger' 0.015 kg: 10 times as much"
     )

@@ -3,14 +3,14 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 TENSOR = (0.002, 1e-6, 0, 0.002, 0, 0.001)
 
 
 def test_links_of_different_mass() -> None:
     robot = "".join(link(f"l{i}", inertial(mass, TENSOR)) for i, mass in enumerate((3, 1, 2)))
-    (found,) = told("INE013", robot)
+    (found,) = reported("INE013", robot)
     assert found.message == (
         "3 links, from 'l1' of 1 kg to 'l0' of 3 kg, have the same inertia tensor (0.002, 0.002, "
         "0.001 kg m^2)"

@@ -5,7 +5,7 @@ from math import cos, pi, radians, sin
 import pytest
 
 from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.lint.rule_examples import whole_robot
 
 ACROSS, ALONG = 0.5 * (3 * 0.06**2 + 0.05**2) / 12, 0.5 * 0.06**2 / 2
@@ -14,7 +14,7 @@ LYING = shape("collision", WHEEL, rpy=f"{pi / 2!r} 0 0")
 
 def test_a_wheel_that_lies_along_y() -> None:
     robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
-    (found,) = told("INE015", robot)
+    (found,) = reported("INE015", robot)
     assert found.message == (
         "link 'wheel' has moments of inertia of 0.000554, 0.000554, 0.0009 kg m^2 about x, y and "
         "z; a solid cylinder of radius 0.06 m and length 0.05 m has 0.000554, 0.0009, 0.000554 "
@@ -27,7 +27,7 @@ def test_a_wheel_that_lies_along_y() -> None:
 def test_the_sign_of_one_product_is_all_that_is_edited() -> None:
     turned = shape("collision", BOX, rpy="0 0 0.4")
     robot = link("wrist", turned, inertial(12, (0.0923, -0.0178, 0, 0.0576, 0, 0.1303)))
-    (found,) = told("INE015", robot)
+    (found,) = reported("INE015", robot)
     assert found.message == (
         "link 'wrist' has ixy -0.0178 kg m^2, with the sign opposite to that of the solid box of "
         "0.2 x 0.3 x 0.1 m, which has 0.0179"

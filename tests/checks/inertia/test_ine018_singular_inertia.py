@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.massive import inertial, joint, link
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
@@ -50,7 +50,7 @@ def test_a_whole_export_is_one_finding() -> None:
     robot = rod(THIN)
     for above, name, mass in (("rod", "a", 3), ("a", "b", 1)):
         robot += link(name, inertial(mass, (0.03, 0.03, 0))) + joint(above, name, "revolute")
-    (found,) = told("INE018", robot)
+    (found,) = reported("INE018", robot)
     assert found.message.startswith("link 'a'")
     assert found.message.endswith("(2 more links likewise)")
     assert len(found.related) == 2

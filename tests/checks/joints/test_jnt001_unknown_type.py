@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit.text.schema import JOINT_TYPES
 
@@ -25,31 +25,33 @@ LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
         ("", None),
     ],
 )
-def test_an_unknown_type_is_told_and_mended_if_it_is_a_slip(kind: str, meant: str | None) -> None:
+def test_an_unknown_type_is_told_and_mended_if_it_is_a_slip(
+    kind: str, suggested: str | None
+) -> None:
     text = robot(joint("j", kind, LIMIT))
-    hint = f"; did you mean '{meant}'?" if meant else ""
+    hint = f"; did you mean '{suggested}'?" if suggested else ""
     assert messages("JNT001", text) == [
         f"joint 'j' has type '{kind}', which URDF does not know{hint}"
     ]
     assert places("JNT001", text) == [(4, kind)]
-    if meant:
-        assert f'type="{meant}"' in fixed("JNT001", text)
+    if suggested:
+        assert f'type="{suggested}"' in fixed("JNT001", text)
     else:
-        assert told("JNT001", text)[0].fix is None
+        assert reported("JNT001", text)[0].fix is None
 
 
 @pytest.mark.parametrize("kind", JOINT_TYPES)
 def test_the_types_of_urdf_are_known(kind: str) -> None:
-    assert told("JNT001", robot(joint("j", kind, LIMIT))) == []
+    assert reported("JNT001", robot(joint("j", kind, LIMIT))) == []
 
 
 def test_other_rules_tell_a_missing_type_and_an_expression() -> None:
-    assert told("JNT001", robot(joint("j", "fixed")).replace(' type="fixed"', "")) == []
-    assert told("JNT001", robot(joint("j", "${kind}"))) == []
+    assert reported("JNT001", robot(joint("j", "fixed")).replace(' type="fixed"', "")) == []
+    assert reported("JNT001", robot(joint("j", "${kind}"))) == []
 
 
 @needs_check_urdf
 @pytest.mark.parametrize("kind", ["Revolute", " fixed", "spherical", "", *JOINT_TYPES])
 def test_urdfdom_agrees(kind: str, tmp_path: Path) -> None:
     text = robot(joint("j", kind, LIMIT))
-    assert urdfdom_reads(text, tmp_path) == (told("JNT001", text) == [])
+    assert urdfdom_reads(text, tmp_path) == (reported("JNT001", text) == [])

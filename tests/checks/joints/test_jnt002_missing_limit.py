@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 
 CASES = {
@@ -56,7 +56,7 @@ def test_the_place_is_the_limit_or_else_the_joint() -> None:
     ],
 )
 def test_the_help_has_the_units(kind: str, help: str) -> None:
-    assert [found.help for found in told("JNT002", robot(joint("j", kind)))] == [help]
+    assert [found.help for found in reported("JNT002", robot(joint("j", kind)))] == [help]
     short = robot(joint("j", kind, "<limit/>"))
     effort, velocity = ("N m", "rad/s") if kind == "revolute" else ("N", "m/s")
-    assert told("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"
+    assert reported("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(("kind", "unit"), [("revolute", "rad"), ("prismatic", "m")])
@@ -22,7 +22,7 @@ def test_a_lower_limit_above_the_upper_one(kind: str, unit: str) -> None:
 )
 def test_what_is_not_written_is_0(written: str, ends: tuple[str, str], missing: str) -> None:
     content = f'<limit {written} effort="1" velocity="1"/>'
-    (found,) = told("JNT003", robot(joint("j", "revolute", content)))
+    (found,) = reported("JNT003", robot(joint("j", "revolute", content)))
     assert found.message == (
         f"joint 'j': lower limit {ends[0]} rad is above upper limit {ends[1]} rad "
         f"({missing} is not written, so it is 0)"
@@ -35,7 +35,7 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
     lower: str, upper: str
 ) -> None:
     for kind, remedy in (("revolute", "make it continuous"), ("prismatic", "set them far apart")):
-        (found,) = told("JNT003", robot(joint("j", kind, limit(lower, upper))))
+        (found,) = reported("JNT003", robot(joint("j", kind, limit(lower, upper))))
         assert found.fix is None
         assert found.help == f"swap them; if it is to be free, {remedy}"
 
@@ -53,4 +53,4 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT003", robot(joint("j", kind, content))) == []
+    assert reported("JNT003", robot(joint("j", kind, content))) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_a_joint_that_cannot_move(content: str, why: str) -> None:
 
 def test_what_to_do_depends_on_the_type() -> None:
     helps = {
-        kind: told("JNT004", robot(joint("j", kind, limit("1", "1"))))[0].help
+        kind: reported("JNT004", robot(joint("j", kind, limit("1", "1"))))[0].help
         for kind in ("revolute", "prismatic")
     }
     assert helps == {
@@ -52,4 +52,4 @@ def test_what_to_do_depends_on_the_type() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT004", robot(joint("j", kind, content))) == []
+    assert reported("JNT004", robot(joint("j", kind, content))) == []

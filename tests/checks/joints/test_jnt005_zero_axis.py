@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "planar"])
@@ -33,4 +33,4 @@ def test_an_axis_without_xyz() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT005", robot(joint("j", kind, content))) == []
+    assert reported("JNT005", robot(joint("j", kind, content))) == []

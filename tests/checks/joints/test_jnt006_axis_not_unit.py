@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, of_xacro, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ def test_an_axis_of_another_length(axis: str, norm: str, unit: str) -> None:
     assert places("JNT006", text) == [(4, axis)]
     mended = fixed("JNT006", text)
     assert f'<axis xyz="{unit}"/>' in mended
-    assert told("JNT006", mended) == []
+    assert reported("JNT006", mended) == []
 
 
 @pytest.mark.parametrize(
@@ -40,12 +40,12 @@ def test_an_axis_of_another_length(axis: str, norm: str, unit: str) -> None:
     ],
 )
 def test_no_finding(kind: str, axis: str) -> None:
-    assert told("JNT006", robot(joint("j", kind, f'<axis xyz="{axis}"/>'))) == []
+    assert reported("JNT006", robot(joint("j", kind, f'<axis xyz="{axis}"/>'))) == []
 
 
 def test_what_an_expression_gave_is_not_edited() -> None:
     content = joint("j", "continuous", '<axis xyz="${2} 0 0"/>')
-    (found,) = told("JNT006", of_xacro(robot(content)), "robot.xacro")
+    (found,) = reported("JNT006", of_xacro(robot(content)), "robot.xacro")
     assert found.fix is None
 
 
@@ -55,7 +55,7 @@ def test_a_macro_is_mended_once_for_all_of_its_calls() -> None:
         f'<xacro:macro name="wheel" params="name">{macro}</xacro:macro><link name="base"/>'
         '<xacro:wheel name="a"/><xacro:wheel name="b"/>'
     )
-    (found,) = told("JNT006", text, "robot.xacro")
+    (found,) = reported("JNT006", text, "robot.xacro")
     assert len(found.calls) == 2
     mended = fixed("JNT006", text, "robot.xacro")
-    assert told("JNT006", mended, "robot.xacro") == []
+    assert reported("JNT006", mended, "robot.xacro") == []

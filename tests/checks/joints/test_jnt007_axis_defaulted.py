@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -31,4 +31,4 @@ def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT007", robot(joint("j", kind, content))) == []
+    assert reported("JNT007", robot(joint("j", kind, content))) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 ZERO = limit("-1", "1", effort="0")
 GOOD = limit("-1", "1", effort="5")
@@ -20,7 +20,7 @@ def test_one_joint(kind: str, unit: str) -> None:
 
 def test_all_joints_of_a_robot_are_one_finding() -> None:
     text = robot(*(joint(name, "revolute", ZERO) for name in "abcd"))
-    (found,) = told("JNT008", text)
+    (found,) = reported("JNT008", text)
     assert found.message == "joints 'a', 'b' and 2 more: the effort limit is 0 N m"
     assert [(other.span.line, other.message) for other in found.related] == [
         (6, "joint 'b'"),
@@ -31,7 +31,7 @@ def test_all_joints_of_a_robot_are_one_finding() -> None:
 
 def test_the_joints_of_a_large_robot_are_not_all_listed() -> None:
     text = robot(*(joint(f"j{number}", "revolute", ZERO) for number in range(60)))
-    (found,) = told("JNT008", text)
+    (found,) = reported("JNT008", text)
     assert found.message == "joints 'j0', 'j1' and 58 more: the effort limit is 0 N m"
     assert len(found.related) == 20
 
@@ -43,7 +43,7 @@ def test_a_macro_is_one_place() -> None:
         f'<xacro:macro name="arm" params="name">{macro}</xacro:macro>'
         '<xacro:arm name="a"/><xacro:arm name="b"/></robot>'
     )
-    (found,) = told("JNT008", text, "robot.xacro")
+    (found,) = reported("JNT008", text, "robot.xacro")
     assert found.message == "joints 'a' and 'b': the effort limit is 0 N m"
     assert found.related == ()
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 ZERO = limit("-1", "1", velocity="0")
 GOOD = limit("-1", "1", velocity="5")
@@ -19,7 +19,7 @@ def test_one_joint(kind: str, unit: str) -> None:
 
 
 def test_several_joints_are_one_finding() -> None:
-    (found,) = told("JNT009", robot(*(joint(name, "revolute", ZERO) for name in "abc")))
+    (found,) = reported("JNT009", robot(*(joint(name, "revolute", ZERO) for name in "abc")))
     assert found.message == "joints 'a', 'b' and 1 more: the velocity limit is 0 rad/s"
     assert [other.message for other in found.related] == ["joint 'b'", "joint 'c'"]
 

@@ -5,7 +5,7 @@ from math import radians
 import pytest
 
 from tests.jointed import joint, limit, of_xacro, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
 
@@ -21,7 +21,7 @@ from urdfkit.text.diagnostic import Confidence
 )
 def test_an_angle_that_has_a_name(lower: str, upper: str, turns: str) -> None:
     text = robot(joint("j", "revolute", limit(lower, upper)))
-    (found,) = told("JNT010", text)
+    (found,) = reported("JNT010", text)
     assert found.message == (
         f"joint 'j' may turn from {float(lower):g} to {float(upper):g} rad, {turns} times round; "
         "that looks like degrees"
@@ -31,7 +31,7 @@ def test_an_angle_that_has_a_name(lower: str, upper: str, turns: str) -> None:
     mended = fixed("JNT010", text)
     ends = [f"{radians(float(end)):.10g}" for end in (lower, upper)]
     assert limit(*(end if end != "0" else "0" for end in ends)) in mended
-    assert told("JNT010", mended) == []
+    assert reported("JNT010", mended) == []
 
 
 def test_ranges_that_differ_from_joint_to_joint() -> None:
@@ -75,26 +75,26 @@ def test_one_end_in_degrees() -> None:
     ],
 )
 def test_limits_of_real_robots_in_radians(lower: str, upper: str) -> None:
-    assert told("JNT010", robot(joint("j", "revolute", limit(lower, upper)))) == []
+    assert reported("JNT010", robot(joint("j", "revolute", limit(lower, upper)))) == []
 
 
 def test_round_numbers_alone_are_no_evidence() -> None:
     free = [joint(f"j{size}", "revolute", limit(f"-{size}", f"{size}")) for size in (50, 100, 300)]
-    assert told("JNT010", robot(*free)) == []
-    assert told("JNT010", robot(*free, joint("a", "revolute", limit("-33", "33")))) == []
-    assert len(told("JNT010", robot(*free, joint("a", "revolute", limit("-65", "20"))))) == 4
+    assert reported("JNT010", robot(*free)) == []
+    assert reported("JNT010", robot(*free, joint("a", "revolute", limit("-33", "33")))) == []
+    assert len(reported("JNT010", robot(*free, joint("a", "revolute", limit("-65", "20"))))) == 4
 
 
 @pytest.mark.parametrize("kind", ["prismatic", "continuous", "fixed"])
 def test_only_revolute_joints_have_angles_for_limits(kind: str) -> None:
-    assert told("JNT010", robot(joint("j", kind, limit("-90", "90")))) == []
+    assert reported("JNT010", robot(joint("j", kind, limit("-90", "90")))) == []
 
 
 def test_what_an_expression_gave_is_not_edited() -> None:
     text = of_xacro(robot(joint("j", "revolute", limit("${-90}", "90"))))
-    assert [found.fix for found in told("JNT010", text, "robot.xacro")] == [None]
+    assert [found.fix for found in reported("JNT010", text, "robot.xacro")] == [None]
     right = of_xacro(robot(joint("j", "revolute", limit("${radians(-90)}", "${pi/2}"))))
-    assert told("JNT010", right, "robot.xacro") == []
+    assert reported("JNT010", right, "robot.xacro") == []
 
 
 def test_one_joint_in_degrees_among_others_in_radians() -> None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, of_xacro, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
 
@@ -24,7 +24,7 @@ def turned(rpy: str) -> str:
     ],
 )
 def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: str, better: str) -> None:
-    (found,) = told("JNT011", turned(rpy))
+    (found,) = reported("JNT011", turned(rpy))
     assert found.message == (f"joint 'j' is turned by {worst} times round; that looks like degrees")
     assert found.confidence is Confidence.INFERRED
     assert places("JNT011", turned(rpy)) == [(4, rpy)]
@@ -47,7 +47,7 @@ def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: str, better: str) ->
     ],
 )
 def test_angles_in_radians(rpy: str) -> None:
-    assert told("JNT011", turned(rpy)) == []
+    assert reported("JNT011", turned(rpy)) == []
 
 
 @pytest.mark.parametrize("part", ["visual", "collision", "inertial"])
@@ -62,13 +62,13 @@ def test_the_origins_in_links(part: str) -> None:
 
 def test_an_origin_elsewhere_is_not_urdf() -> None:
     text = robot(joint("j", "fixed")) + '<gazebo><origin rpy="0 90 0"/></gazebo>'
-    assert told("JNT011", text) == []
+    assert reported("JNT011", text) == []
 
 
 def test_what_an_expression_gave_is_not_edited() -> None:
     text = of_xacro(turned("${90} 0 0"))
-    assert [found.fix for found in told("JNT011", text, "robot.xacro")] == [None]
-    assert told("JNT011", of_xacro(turned("${radians(90)} 0 0")), "robot.xacro") == []
+    assert [found.fix for found in reported("JNT011", text, "robot.xacro")] == [None]
+    assert reported("JNT011", of_xacro(turned("${radians(90)} 0 0")), "robot.xacro") == []
 
 
 def test_a_robot_of_one_link() -> None:

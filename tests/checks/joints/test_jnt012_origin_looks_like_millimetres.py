@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
 
@@ -21,7 +21,7 @@ MESH = '<mesh filename="arm.stl" scale="{0} {0} {0}"/>'
 
 def test_one_origin_far_from_all_others() -> None:
     text = robot(*NEAR, at("j", "0 0 -150"))
-    (found,) = told("JNT012", text)
+    (found,) = reported("JNT012", text)
     assert found.message == (
         "joint 'j': the origin is 150 m away, but half of the other 3 joints lie less than 0.2 m "
         "apart; that looks like millimetres"
@@ -37,7 +37,7 @@ def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
         "joints 'a' and 'b': the origin is 120 m away, but meshes are scaled by 0.001; that looks "
         "like millimetres"
     )
-    assert told("JNT012", shown(MESH.format("1")) + far) == []
+    assert reported("JNT012", shown(MESH.format("1")) + far) == []
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
 )
 def test_shapes_tell_the_size_of_the_robot(size: str, count: int) -> None:
     text = shown(f'<box size="{size}"/>') + robot(at("a", "0 0 120"), at("b", "0 250 0"))
-    assert len(told("JNT012", text)) == count
+    assert len(reported("JNT012", text)) == count
 
 
 @pytest.mark.parametrize(
@@ -60,4 +60,4 @@ def test_shapes_tell_the_size_of_the_robot(size: str, count: int) -> None:
     ],
 )
 def test_no_evidence(joints: list[str]) -> None:
-    assert told("JNT012", robot(*joints)) == []
+    assert reported("JNT012", robot(*joints)) == []

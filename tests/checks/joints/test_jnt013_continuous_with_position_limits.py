@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, of_xacro, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_limits_without_effect(content: str, shown: str, mended: str | None) -> 
         f"joint 'j' is continuous and has {shown}, which only Drake obeys"
     ]
     after = fixed("JNT013", text)
-    assert told("JNT013", after) == []
+    assert reported("JNT013", after) == []
     if mended:
         assert mended in after
 
@@ -48,7 +48,7 @@ def test_the_place_is_the_first_of_the_two() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT013", robot(joint("j", kind, content))) == []
+    assert reported("JNT013", robot(joint("j", kind, content))) == []
 
 
 def test_another_call_of_a_macro_may_need_the_limits() -> None:
@@ -57,7 +57,7 @@ def test_another_call_of_a_macro_may_need_the_limits() -> None:
         f'<xacro:macro name="arm" params="kind">{macro}</xacro:macro><link name="base"/>'
         '<xacro:arm kind="revolute"/><xacro:arm kind="continuous"/>'
     )
-    assert [found.fix for found in told("JNT013", text, "robot.xacro")] == [None]
+    assert [found.fix for found in reported("JNT013", text, "robot.xacro")] == [None]
 
 
 def test_outside_of_macros_a_xacro_is_mended() -> None:

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.jointed import joint, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_a_joint_that_mimics_itself() -> None:
@@ -17,4 +17,4 @@ def test_no_finding() -> None:
         joint("", "continuous", mimic("")),
     ]
     for other in others:
-        assert told("JNT014", robot(other, joint("k", "continuous"))) == []
+        assert reported("JNT014", robot(other, joint("k", "continuous"))) == []

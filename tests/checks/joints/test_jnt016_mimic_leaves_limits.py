@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def pair(leading: tuple[str, str], own: tuple[str, str], rest: str, kind: str = "revolute") -> str:
@@ -44,9 +44,9 @@ def test_the_unit_of_a_prismatic_joint() -> None:
 
 
 def test_a_sign_that_would_do_is_told() -> None:
-    (found,) = told("JNT016", pair(("0", "0.8"), ("-0.8", "0"), ""))
+    (found,) = reported("JNT016", pair(("0", "0.8"), ("-0.8", "0"), ""))
     assert found.help == "with multiplier -1 it stays within them"
-    (found,) = told("JNT016", pair(("0", "0.8"), ("0", "0.5"), ""))
+    (found,) = reported("JNT016", pair(("0", "0.8"), ("0", "0.5"), ""))
     assert found.help == "correct multiplier and offset, or the limits of one of the two"
 
 
@@ -62,17 +62,17 @@ def test_a_sign_that_would_do_is_told() -> None:
     ],
 )
 def test_no_finding(leading: tuple[str, str], own: tuple[str, str], rest: str) -> None:
-    assert told("JNT016", pair(leading, own, rest)) == []
+    assert reported("JNT016", pair(leading, own, rest)) == []
 
 
 def test_joints_without_end() -> None:
     tight = limit("-0.1", "0.1") + mimic("a")
     for leader in (joint("a", "continuous"), joint("a", "fixed"), ""):
-        assert told("JNT016", robot(leader, joint("b", "revolute", tight))) == []
+        assert reported("JNT016", robot(leader, joint("b", "revolute", tight))) == []
     free = joint("b", "continuous", mimic("a"))
-    assert told("JNT016", robot(joint("a", "revolute", limit("-9", "9")), free)) == []
+    assert reported("JNT016", robot(joint("a", "revolute", limit("-9", "9")), free)) == []
 
 
 def test_a_joint_that_mimics_itself_is_left_to_its_own_rule() -> None:
     own = limit("0", "1") + mimic("a", 'multiplier="5"')
-    assert told("JNT016", robot(joint("a", "revolute", own))) == []
+    assert reported("JNT016", robot(joint("a", "revolute", own))) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
@@ -27,17 +27,17 @@ def test_all_followers_of_a_leader_are_one_finding() -> None:
 
 @pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "screw"])
 def test_no_finding(kind: str) -> None:
-    assert told("JNT017", robot(joint("a", kind), joint("b", "continuous", mimic("a")))) == []
+    assert reported("JNT017", robot(joint("a", kind), joint("b", "continuous", mimic("a")))) == []
 
 
 def test_other_rules_tell_unknown_leaders_and_joints_that_mimic_themselves() -> None:
-    assert told("JNT017", robot(joint("a", "fixed", mimic("a")))) == []
-    assert told("JNT017", robot(joint("a", "continuous", mimic("z")))) == []
+    assert reported("JNT017", robot(joint("a", "fixed", mimic("a")))) == []
+    assert reported("JNT017", robot(joint("a", "continuous", mimic("z")))) == []
 
 
 def test_drake_refuses_a_fixed_joint_that_follows() -> None:
     text = robot(joint("a", "continuous"), joint("b", "fixed", mimic("a")))
-    assert told("JNT017", text) == []
+    assert reported("JNT017", text) == []
     source = Source("robot.urdf", whole_robot(text).encode())
     report = engine.check(source, select=["JNT017"], targets=["drake"])
     assert [(found.severity, found.message) for found in report.diagnostics] == [

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -28,4 +28,4 @@ def test_a_negative_amount(kind: str, damping: str, friction: str) -> None:
     ["", '<dynamics damping="0" friction="-0"/>', '<dynamics damping="-x"/>', "<dynamics/>"],
 )
 def test_no_finding(content: str) -> None:
-    assert told("JNT018", robot(joint("j", "continuous", content))) == []
+    assert reported("JNT018", robot(joint("j", "continuous", content))) == []

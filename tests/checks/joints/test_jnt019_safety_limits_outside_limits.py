@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def safe(name: str, lower: str, upper: str, kind: str = "revolute") -> str:
@@ -25,7 +25,7 @@ def test_soft_limits_beyond_the_limits(lower: str, upper: str) -> None:
 
 def test_all_joints_are_one_finding() -> None:
     text = robot(*(safe(name, "-11", "12", "prismatic") for name in "abc"))
-    (found,) = told("JNT019", text)
+    (found,) = reported("JNT019", text)
     assert found.message == (
         "joints 'a', 'b' and 1 more: the soft limits -11 to 12 m reach beyond the limits -1 to 2 m"
     )
@@ -45,4 +45,4 @@ def test_all_joints_are_one_finding() -> None:
     ],
 )
 def test_no_finding(joints: str) -> None:
-    assert told("JNT019", robot(joints)) == []
+    assert reported("JNT019", robot(joints)) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.conftest import MODELS
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
 
 JOINT = (
@@ -21,7 +21,7 @@ def test_the_axis_is_the_place() -> None:
 
 @pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "planar", "screw"])
 def test_joints_that_move_need_it(kind: str) -> None:
-    assert told("JNT020", JOINT.format(kind, AXIS)) == []
+    assert reported("JNT020", JOINT.format(kind, AXIS)) == []
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def test_it_goes_with_its_line_and_takes_nothing_else(written: str, left: str) -
 
 
 def test_the_fix_is_safe() -> None:
-    (found,) = told("JNT020", JOINT.format("fixed", AXIS))
+    (found,) = reported("JNT020", JOINT.format("fixed", AXIS))
     assert found.fix is not None
     assert found.fix.safe
 
@@ -59,7 +59,7 @@ def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:
   <xacro:j type="continuous" n="2"/>
 </robot>
 """
-    (found,) = told("JNT020", robot, "robot.xacro")
+    (found,) = reported("JNT020", robot, "robot.xacro")
     assert (found.span.line, found.span.text) == (4, AXIS)
     assert found.fix is None
 

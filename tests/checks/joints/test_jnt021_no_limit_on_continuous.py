@@ -4,7 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.jointed import joint, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 
 LIMIT = '<limit effort="100" velocity="20"/>'
@@ -16,7 +16,7 @@ def test_a_wheel_beside_one_with_limits() -> None:
         "joint 'a' has no effort and velocity limit; 'b' beside it has 100 N m and 20 rad/s"
     ]
     assert places("JNT021", text) == [(4, '<joint name="a" type="continuous">')]
-    assert [other.message for other in told("JNT021", text)[0].related] == ["the limit of 'b'"]
+    assert [other.message for other in reported("JNT021", text)[0].related] == ["the limit of 'b'"]
 
 
 @pytest.mark.parametrize(
@@ -32,7 +32,7 @@ def test_a_wheel_beside_one_with_limits() -> None:
     ],
 )
 def test_no_finding(joints: list[str]) -> None:
-    assert told("JNT021", robot(*joints)) == []
+    assert reported("JNT021", robot(*joints)) == []
 
 
 def test_the_wheels_of_the_mission() -> None:

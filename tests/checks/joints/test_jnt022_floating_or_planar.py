@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.targets import TARGETS
@@ -22,7 +22,7 @@ def test_a_joint_that_few_readers_know(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", ["revolute", "continuous", "prismatic", "fixed", "Floating"])
 def test_no_finding(kind: str) -> None:
-    assert told("JNT022", robot(joint("j", kind))) == []
+    assert reported("JNT022", robot(joint("j", kind))) == []
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
 
 def test_all_joints_are_one_finding() -> None:
     legs = [joint(name, "revolute", limit("-2", "-1")) for name in "abcd"]
-    (found,) = told("JNT023", robot(*legs))
+    (found,) = reported("JNT023", robot(*legs))
     assert found.message == "joints 'a', 'b' and 2 more: 0 is not within the limits -2 to -1 rad"
     assert [other.span.line for other in found.related] == [6, 8, 10]
 
@@ -43,4 +43,4 @@ def test_all_joints_are_one_finding() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT023", robot(joint("a", kind, content), joint("b", "continuous"))) == []
+    assert reported("JNT023", robot(joint("a", kind, content), joint("b", "continuous"))) == []

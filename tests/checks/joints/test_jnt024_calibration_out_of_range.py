@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(("kind", "unit"), [("revolute", "rad"), ("prismatic", "m")])
@@ -30,4 +30,4 @@ def test_marks_beyond_the_limits(kind: str, unit: str) -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT024", robot(joint("j", kind, content))) == []
+    assert reported("JNT024", robot(joint("j", kind, content))) == []

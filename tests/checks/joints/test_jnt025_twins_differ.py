@@ -3,13 +3,13 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
 REVOLUTE = limit("-1", "2", "80", "11")
 
 
-def twins(left: str, right: str, kind: str = "revolute", other: str = "revolute") -> str:
+def symmetric_pairs(left: str, right: str, kind: str = "revolute", other: str = "revolute") -> str:
     return robot(joint("left_arm", kind, left), joint("right_arm", other, right))
 
 
@@ -28,8 +28,8 @@ def twins(left: str, right: str, kind: str = "revolute", other: str = "revolute"
     ],
 )
 def test_what_differs(right: str, difference: str) -> None:
-    text = twins(REVOLUTE, right)
-    (found,) = told("JNT025", text)
+    text = symmetric_pairs(REVOLUTE, right)
+    (found,) = reported("JNT025", text)
     assert found.message == f"joint 'right_arm' differs from its twin 'left_arm': {difference}"
     assert found.confidence is Confidence.INFERRED
     assert places("JNT025", text) == [(6, right)]
@@ -37,7 +37,7 @@ def test_what_differs(right: str, difference: str) -> None:
 
 
 def test_another_type() -> None:
-    text = twins(REVOLUTE, limit("-1", "2"), other="continuous")
+    text = symmetric_pairs(REVOLUTE, limit("-1", "2"), other="continuous")
     assert messages("JNT025", text) == [
         "joint 'right_arm' differs from its twin 'left_arm': continuous, not revolute"
     ]
@@ -63,18 +63,18 @@ def test_another_type() -> None:
     ],
 )
 def test_no_finding(left: str, right: str) -> None:
-    assert told("JNT025", twins(left, right)) == []
+    assert reported("JNT025", symmetric_pairs(left, right)) == []
 
 
 def test_wheels_of_which_one_has_no_limit_are_left_to_another_rule() -> None:
     wheel = '<limit effort="100" velocity="100"/>'
-    assert told("JNT025", twins("", wheel, "continuous", "continuous")) == []
+    assert reported("JNT025", symmetric_pairs("", wheel, "continuous", "continuous")) == []
 
 
 def test_axes_of_one_arm_are_no_twins() -> None:
     first = joint("joint_l", "revolute", limit("-1", "2", "6000", "2"))
     second = joint("joint_r", "revolute", limit("-3", "3", "700", "3"), parent="joint_l_link")
-    assert told("JNT025", robot(first, second)) == []
+    assert reported("JNT025", robot(first, second)) == []
 
 
 def numbered(*origins: str) -> str:
@@ -94,16 +94,16 @@ def test_numbered_joints_are_twins_if_they_lie_mirrored() -> None:
     assert messages("JNT025", numbered("0.1 0.2 0", "0.1 -0.2 0")) == [
         "joint 'wheel_2' differs from its twin 'wheel_1': effort 2, not 1 N m"
     ]
-    assert told("JNT025", numbered("0.1 0.2 0", "0.1 -0.25 0")) == []
-    assert told("JNT025", numbered("0 0 0.1", "0 0 0.2")) == []
+    assert reported("JNT025", numbered("0.1 0.2 0", "0.1 -0.25 0")) == []
+    assert reported("JNT025", numbered("0 0 0.1", "0 0 0.2")) == []
 
 
 def test_no_tree() -> None:
-    text = twins(REVOLUTE, limit("-1", "2", "1", "11"))
-    assert told("JNT025", text.replace('<parent link="base"/>', '<parent link="z"/>')) == []
-    assert told("JNT025", text.replace('<parent link="base"/>', "")) == []
+    text = symmetric_pairs(REVOLUTE, limit("-1", "2", "1", "11"))
+    assert reported("JNT025", text.replace('<parent link="base"/>', '<parent link="z"/>')) == []
+    assert reported("JNT025", text.replace('<parent link="base"/>', "")) == []
     loop = text.replace('<parent link="base"/>', '<parent link="left_arm_link"/>')
-    assert told("JNT025", loop) == []
+    assert reported("JNT025", loop) == []
 
 
 LOSSES = '<dynamics damping="{}" friction="{}"/>'
@@ -119,6 +119,6 @@ LOSSES = '<dynamics damping="{}" friction="{}"/>'
     ],
 )
 def test_damping_and_friction(losses: tuple[float, float], difference: str) -> None:
-    robot = twins(REVOLUTE + LOSSES.format(0.5, 0.2), REVOLUTE + LOSSES.format(*losses))
+    robot = symmetric_pairs(REVOLUTE + LOSSES.format(0.5, 0.2), REVOLUTE + LOSSES.format(*losses))
     expected = f"joint 'right_arm' differs from its twin 'left_arm': {difference}"
     assert messages("JNT025", robot) == ([expected] if difference else [])

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, mimic, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.targets import GAZEBO, TARGETS
@@ -36,7 +36,7 @@ def test_gazebo_is_inferred_from_a_plugin() -> None:
         "joints 'b' and 'c': Gazebo does not couple a joint that mimics another one"
     ]
     assert places("JNT026", HAND + plugin) == [(6, mimic("a"))]
-    assert told("JNT026", HAND) == []
+    assert reported("JNT026", HAND) == []
 
 
 PLUGIN = '<plugin name="{0}" filename="libmimic_joint.so"><mimicJoint> {0} </mimicJoint></plugin>'

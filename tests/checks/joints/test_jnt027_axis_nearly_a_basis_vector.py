@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, of_xacro, robot
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -15,13 +15,13 @@ from tests.told import fixed, messages, places, told
         ("-1 2e-09 0", "2e-09", "-x", "-1 0 0"),
     ],
 )
-def test_nearly_a_basis_vector(axis: str, off: str, which: str, meant: str) -> None:
+def test_nearly_a_basis_vector(axis: str, off: str, which: str, suggested: str) -> None:
     text = robot(joint("j", "continuous", f'<axis xyz="{axis}"/>'))
     assert messages("JNT027", text) == [f"joint 'j': the axis is {off} rad off {which}"]
     assert places("JNT027", text) == [(4, axis)]
     mended = fixed("JNT027", text)
-    assert f'<axis xyz="{meant}"/>' in mended
-    assert told("JNT027", mended) == []
+    assert f'<axis xyz="{suggested}"/>' in mended
+    assert reported("JNT027", mended) == []
 
 
 @pytest.mark.parametrize(
@@ -38,9 +38,9 @@ def test_nearly_a_basis_vector(axis: str, off: str, which: str, meant: str) -> N
     ],
 )
 def test_no_finding(kind: str, axis: str) -> None:
-    assert told("JNT027", robot(joint("j", kind, f'<axis xyz="{axis}"/>'))) == []
+    assert reported("JNT027", robot(joint("j", kind, f'<axis xyz="{axis}"/>'))) == []
 
 
 def test_what_an_expression_gave_is_not_edited() -> None:
     text = of_xacro(robot(joint("j", "continuous", '<axis xyz="0 ${0.001} 1"/>')))
-    assert [found.fix for found in told("JNT027", text, "robot.xacro")] == [None]
+    assert [found.fix for found in reported("JNT027", text, "robot.xacro")] == [None]

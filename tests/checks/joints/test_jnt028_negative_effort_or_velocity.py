@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def test_a_negative_limit(kind: str, effort: str, velocity: str) -> None:
 
 def test_all_joints_are_one_finding() -> None:
     text = robot(*(joint(name, "revolute", limit("-1", "1", "-1")) for name in "abc"))
-    (found,) = told("JNT028", text)
+    (found,) = reported("JNT028", text)
     assert found.message == "joints 'a', 'b' and 1 more: the effort limit is -1 N m, below 0"
     assert [other.span.line for other in found.related] == [6, 8]
 
@@ -41,4 +41,4 @@ def test_all_joints_are_one_finding() -> None:
     ],
 )
 def test_no_finding(kind: str, content: str) -> None:
-    assert told("JNT028", robot(joint("j", kind, content))) == []
+    assert reported("JNT028", robot(joint("j", kind, content))) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 BOTH = 'soft_lower_limit="{}" soft_upper_limit="{}"'
 
@@ -33,7 +33,7 @@ def test_no_room(soft: str, shown: str) -> None:
 
 def test_all_joints_are_one_finding() -> None:
     text = robot(*(safe(name, "", "prismatic") for name in "abc"))
-    (found,) = told("JNT029", text)
+    (found,) = reported("JNT029", text)
     assert found.message == (
         "joints 'a', 'b' and 1 more: the soft limits 0 to 0 m (not written: soft_lower_limit, "
         "soft_upper_limit) leave no room within the limits"
@@ -54,4 +54,4 @@ def test_all_joints_are_one_finding() -> None:
     ],
 )
 def test_no_finding(joints: str) -> None:
-    assert told("JNT029", robot(joints)) == []
+    assert reported("JNT029", robot(joints)) == []

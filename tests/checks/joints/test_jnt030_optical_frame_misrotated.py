@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 ROBOT = """\
 <link name="{camera}"/><link name="{optical}"/>
@@ -16,7 +16,7 @@ def robot(rpy: str, camera: str = "camera_link", optical: str = "camera_optical_
 
 def test_a_camera_of_gazebo_is_not_turned_away() -> None:
     camera = '<gazebo reference="camera_optical_frame"><sensor name="s" type="camera"/></gazebo>'
-    (found,) = told("JNT030", robot("0 0 0") + camera)
+    (found,) = reported("JNT030", robot("0 0 0") + camera)
     assert found.fix is None
 
 
@@ -66,7 +66,7 @@ def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
         f'<joint name="t" type="fixed"><parent link="{name}_link"/>'
         '<child link="thruster_1"/></joint>'
     )
-    assert len(told("JNT030", text)) == count
+    assert len(reported("JNT030", text)) == count
 
 
 def test_the_commonest_mistake_of_signs_turns_the_image_over() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 PART = """\
 <link name="{side}"/><joint name="{side}_joint" type="continuous"><parent link="base"/>
@@ -93,5 +93,5 @@ HIP, KNEE, ARM = "0.3 -0.1 0", "0 -0.05 -0.2", "0 -0.2 0.4"
     ],
 )
 def test_one_pair_of_several(rights: tuple[str, ...], found: list[str]) -> None:
-    told = [message.partition(" of where")[0] for message in messages("JNT031", legs(*rights))]
-    assert told == [f"joint 'right_{one}" for one in found]
+    reported = [message.partition(" of where")[0] for message in messages("JNT031", legs(*rights))]
+    assert reported == [f"joint 'right_{one}" for one in found]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 FINGER = """\
 <link name="{side}"/><joint name="{side}_joint" type="{kind}"><parent link="palm"/>

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests import meshed
-from tests.told import messages
+from tests.reported import messages
 from urdfkit.mesh import samples
 
 WHEEL = """\
@@ -60,7 +60,7 @@ def test_what_rolls_or_is_steered_is_calm(sound: str) -> None:
     ],
 )
 def test_the_short_edge_of_a_mesh_is_its_axle(
-    edges: tuple[float, float, float], axis: str, told: bool, tmp_path: Path
+    edges: tuple[float, float, float], axis: str, reported: bool, tmp_path: Path
 ) -> None:
     for library in ("numpy", "lxml", "manifold3d"):
         pytest.importorskip(library)
@@ -73,4 +73,4 @@ def test_the_short_edge_of_a_mesh_is_its_axle(
     files = {"wheel.stl": samples.stl(samples.box(low, high))}
     said = meshed.messages(tmp_path, "JNT033", wheel + joint, files)
     about = "turns wheel 'wheel' about 1 0 0, and the axis of its mesh is 0 1 0"
-    assert said == ([f"joint 'j' {about}"] if told else [])
+    assert said == ([f"joint 'j' {about}"] if reported else [])

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.checks.joints.test_jnt033_wheel_axis_across import robot
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def test_a_wheel_that_stops() -> None:

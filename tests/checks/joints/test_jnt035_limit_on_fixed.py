@@ -1,7 +1,7 @@
 """JNT035: see the rule."""
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages
+from tests.reported import messages
 
 
 def test_a_range_that_nothing_uses() -> None:

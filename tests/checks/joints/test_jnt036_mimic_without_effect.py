@@ -3,7 +3,7 @@
 import pytest
 
 from tests.jointed import joint, mimic, robot
-from tests.told import messages
+from tests.reported import messages
 
 
 def followed(how: str) -> str:

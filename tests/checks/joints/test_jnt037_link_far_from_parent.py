@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import messages
+from tests.reported import messages
 
 LINK = (
     '<link name="{}"><visual><origin xyz="0 0 0.1"/><geometry><box size="0.1 0.1 0.2"/></geometry>'

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 
 ROBOT = """\
 <link name="a"><visual><geometry><box size="{size} 0.1 0.1"/></geometry></visual></link>

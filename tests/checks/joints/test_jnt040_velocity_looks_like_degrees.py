@@ -7,7 +7,7 @@ from math import radians
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 
 def arm(*velocities: str, kind: str = "revolute") -> str:
@@ -37,17 +37,17 @@ def test_degrees(velocities: tuple[str, ...], suspects: list[str]) -> None:
 def test_a_wheel_whose_ends_are_none_may_be_fast() -> None:
     wheels = [joint(f"j{i}", "revolute", limit("-1e9", "1e9", velocity=v)) for i, v in
               enumerate(("73", "92"))]  # fmt: skip
-    assert told("JNT040", robot(*wheels)) == []
+    assert reported("JNT040", robot(*wheels)) == []
 
 
 def test_the_fix_is_the_same_speed_in_radians() -> None:
-    (found,) = told("JNT040", arm("225"))
+    (found,) = reported("JNT040", arm("225"))
     assert found.message == (
         "joint 'j0' may turn at 225 rad/s; that looks like degrees per second, 3.93 rad/s"
     )
     mended = fixed("JNT040", arm("225"))
     assert f'velocity="{radians(225):.10g}"' in mended
-    assert told("JNT040", mended) == []
+    assert reported("JNT040", mended) == []
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def arm(dynamics: str, kind: str = "revolute", effort: str = "10", more: str = "") -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, limit, robot
-from tests.told import messages, places
+from tests.reported import messages, places
 
 PLACES = ("0.1 0.2 0", "0.1 -0.2 0")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.jointed import joint, robot
-from tests.told import messages, places
+from tests.reported import messages, places
 
 NAMES = ("fl_wheel", "fr_wheel", "rl_wheel", "rr_wheel")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 LEFT = '<origin xyz="0 0.2 0"/><axis xyz="0 1 0"/>'
 RIGHT = '<origin xyz="0 -0.2 0"/><axis xyz="0 {} 0"/>'

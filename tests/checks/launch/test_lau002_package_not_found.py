@@ -1,7 +1,7 @@
 """LAU002: see the rule."""
 
 from urdfkit import check
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.text.source import Source
 
 
@@ -22,7 +22,7 @@ def test_what_a_launch_file_lacks_is_one_finding_for_people(tmp_path):
     text = text.replace(b"</launch><launch>", b"")
     found = check(Source(str(tmp_path / "a.launch"), text)).diagnostics
     assert len(found) == 3
-    (seen,) = gathered(found)
+    (seen,) = grouped(found)
     assert [note.message for note in seen.related] == [
         "package 'no_node' is not found",
         "package 'no_drivers' is not found",

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 from urdfkit import check
 from urdfkit.text.source import Source
 
@@ -39,10 +39,10 @@ def test_a_file_that_is_there_is_calm(tmp_path):
 def test_what_the_build_may_make_is_calm(tmp_path: Path, cmake: str) -> None:
     files = {"CMakeLists.txt": cmake}
     text = '<rosparam file="$(find arm)/config/made.yaml"/>'
-    assert told(tmp_path, "LAU003", "a.launch", text, files) == []
-    assert len(told(tmp_path, "LAU003", "a.launch", text, {"CMakeLists.txt": ""})) == 1
+    assert reported(tmp_path, "LAU003", "a.launch", text, files) == []
+    assert len(reported(tmp_path, "LAU003", "a.launch", text, {"CMakeLists.txt": ""})) == 1
 
 
 def test_a_path_that_waits_for_an_argument_is_calm(tmp_path: Path) -> None:
     text = '<arg name="arm" default=""/><rosparam file="$(find arm)/$(arg arm).yaml"/>'
-    assert told(tmp_path, "LAU003", "a.launch", text) == []
+    assert reported(tmp_path, "LAU003", "a.launch", text) == []

@@ -19,7 +19,7 @@ XML = """<launch>
 </launch>"""
 
 
-def told(folder: Path, name: str, launch: str) -> list[Diagnostic]:
+def reported(folder: Path, name: str, launch: str) -> list[Diagnostic]:
     (folder / "r.xacro").write_text(ROBOT)
     (folder / "more.xacro").write_text(MORE)
     (folder / name).write_text(launch)
@@ -30,7 +30,7 @@ def told(folder: Path, name: str, launch: str) -> list[Diagnostic]:
 
 @pytest.mark.parametrize(("name", "text", "line"), [("a.launch", XML, 2)])
 def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, line: int) -> None:
-    (found,) = told(tmp_path, name, text.format("camra"))
+    (found,) = reported(tmp_path, name, text.format("camra"))
     assert found.message.endswith("has no argument 'camra'; did you mean 'camera'?")
     assert found.help == "pass one of: arm, camera"
     assert found.span.line == line
@@ -38,4 +38,4 @@ def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, 
 
 @pytest.mark.parametrize("argument", ["camera", "arm"])
 def test_its_own_and_those_of_included_files_are_calm(tmp_path: Path, argument: str) -> None:
-    assert told(tmp_path, "a.launch", XML.format(argument)) == []
+    assert reported(tmp_path, "a.launch", XML.format(argument)) == []

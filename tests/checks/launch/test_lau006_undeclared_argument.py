@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import launch, told
+from tests.launched import launch, reported
 
 NODE = '<node pkg="a" type="b" name="c" args="$(arg {})"/>'
 PYTHON = """from launch.actions import DeclareLaunchArgument
@@ -16,14 +16,14 @@ LaunchConfiguration({used!r}{more})
 
 def test_a_slip_in_xml(tmp_path: Path) -> None:
     text = '<arg name="speed" default="1"/>\n' + NODE.format("sped")
-    (found,) = told(tmp_path, "LAU006", "a.launch", text)
+    (found,) = reported(tmp_path, "LAU006", "a.launch", text)
     assert found.message == "no argument 'sped' is declared; did you mean 'speed'?"
     assert (found.span.line, found.span.text) == (3, "$(arg sped)")
 
 
 def test_a_declaration_that_comes_too_late(tmp_path: Path) -> None:
     text = NODE.format("speed") + '\n<arg name="speed" default="1"/>'
-    (found,) = told(tmp_path, "LAU006", "a.launch", text)
+    (found,) = reported(tmp_path, "LAU006", "a.launch", text)
     assert found.message == "argument 'speed' is used before it is declared"
 
 
@@ -38,26 +38,26 @@ def test_a_declaration_that_comes_too_late(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_declared_or_off_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, "LAU006", "a.launch", text) == []
+    assert reported(tmp_path, "LAU006", "a.launch", text) == []
 
 
 def test_an_included_file_has_what_it_is_given(tmp_path: Path) -> None:
     inner = {"launch/b.launch": launch(NODE.format("x"))}
     text = '<include file="$(dirname)/b.launch">{}</include>'
-    (found,) = told(tmp_path, "LAU006", "a.launch", text.format(""), inner)
+    (found,) = reported(tmp_path, "LAU006", "a.launch", text.format(""), inner)
     assert Path(found.span.source.path).name == "b.launch"
     given = text.format('<arg name="x" value="1"/>')
-    assert told(tmp_path, "LAU006", "a.launch", given, inner) == []
+    assert reported(tmp_path, "LAU006", "a.launch", given, inner) == []
 
 
 def test_a_file_that_others_include_may_get_it_there(tmp_path: Path) -> None:
     outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch"/>')}
-    assert told(tmp_path, "LAU006", "a.launch", NODE.format("x"), outer) == []
+    assert reported(tmp_path, "LAU006", "a.launch", NODE.format("x"), outer) == []
 
 
 def test_a_slip_in_python(tmp_path: Path) -> None:
     text = PYTHON.format(declared="use_sim_time", used="use_simtime", more="")
-    (found,) = told(tmp_path, "LAU006", "a.launch.py", text)
+    (found,) = reported(tmp_path, "LAU006", "a.launch.py", text)
     assert found.message.endswith("did you mean 'use_sim_time'?")
     assert (found.span.line, found.span.text) == (4, "LaunchConfiguration('use_simtime')")
 
@@ -73,7 +73,7 @@ def test_a_slip_in_python(tmp_path: Path) -> None:
 )
 def test_what_may_be_declared_is_calm(tmp_path: Path, head: str, used: str, more: str) -> None:
     text = head + PYTHON.format(declared="gui", used=used, more=more)
-    assert told(tmp_path, "LAU006", "a.launch.py", text) == []
+    assert reported(tmp_path, "LAU006", "a.launch.py", text) == []
 
 
 @pytest.mark.parametrize(("used", "count"), [("depth_image_height", 0), ("image_heigth", 1)])
@@ -83,4 +83,4 @@ def test_what_an_including_file_gives_may_have_a_longer_name(
     """As in NVIDIA's isaac_manipulator, where both names are arguments of the outer file."""
     outer = {"launch/outer.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
     text = PYTHON.format(declared="image_height", used=used, more="")
-    assert len(told(tmp_path, "LAU006", "a.launch.py", text, outer)) == count
+    assert len(reported(tmp_path, "LAU006", "a.launch.py", text, outer)) == count

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import launch, told
+from tests.launched import launch, reported
 
 ROS_1 = '<include file="$(find arm)/launch/b.launch">\n<arg name="{}" value="1"/></include>'
 ROS_2 = ROS_1.replace("$(find ", "$(find-pkg-share ")
@@ -20,17 +20,17 @@ TAKES_PYTHON = 'DeclareLaunchArgument("world", default_value="empty")\n'
 @pytest.mark.parametrize("text", [ROS_1, ROS_2])
 def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch": TAKES}
-    (found,) = told(tmp_path, "LAU007", "a.launch", text.format("wrld"), files)
+    (found,) = reported(tmp_path, "LAU007", "a.launch", text.format("wrld"), files)
     assert found.message == "'b.launch' has no argument 'wrld'; did you mean 'world'?"
     assert (found.span.line, found.span.text) == (3, "wrld")
-    assert told(tmp_path, "LAU007", "a.launch", text.format("world"), files) == []
+    assert reported(tmp_path, "LAU007", "a.launch", text.format("world"), files) == []
 
 
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON}
-    (found,) = told(tmp_path, "LAU007", "a.launch.py", PYTHON.format("gui"), files)
+    (found,) = reported(tmp_path, "LAU007", "a.launch.py", PYTHON.format("gui"), files)
     assert (found.message, found.span.line) == ("'b.launch.py' has no argument 'gui'", 3)
-    assert told(tmp_path, "LAU007", "a.launch.py", PYTHON.format("world"), files) == []
+    assert reported(tmp_path, "LAU007", "a.launch.py", PYTHON.format("world"), files) == []
 
 
 @pytest.mark.parametrize(
@@ -45,10 +45,10 @@ def test_in_python(tmp_path: Path) -> None:
 )
 def test_what_the_file_may_use_is_calm(tmp_path: Path, more: str) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON + more}
-    assert told(tmp_path, "LAU007", "a.launch.py", PYTHON.format("gui"), files) == []
+    assert reported(tmp_path, "LAU007", "a.launch.py", PYTHON.format("gui"), files) == []
 
 
 def test_all_arguments_may_be_passed_on(tmp_path: Path) -> None:
     files = {"launch/b.launch": TAKES}
     text = ROS_1.format("gui").replace("b.launch", 'b.launch" pass_all_args="true', 1)
-    assert told(tmp_path, "LAU007", "a.launch", text, files) == []
+    assert reported(tmp_path, "LAU007", "a.launch", text, files) == []

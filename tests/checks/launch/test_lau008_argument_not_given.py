@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import launch, told
+from tests.launched import launch, reported
 
 NEEDS = launch('<arg name="world"/><param name="w" value="$(arg world)"/>')
 XML = '<include file="$(find arm)/launch/b.launch"{}>{}</include>'
@@ -12,7 +12,9 @@ PYTHON = 'IncludeLaunchDescription("b.launch.py"{})\n'
 
 
 def test_an_argument_without_a_default(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "LAU008", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS})
+    (found,) = reported(
+        tmp_path, "LAU008", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS}
+    )
     assert found.message == "'b.launch' needs the argument 'world'"
     assert found.span.line == 2
 
@@ -31,12 +33,12 @@ def test_given_or_not_needed_is_calm(
     tmp_path: Path, attribute: str, content: str, needs: str
 ) -> None:
     text = XML.format(attribute, content)
-    assert told(tmp_path, "LAU008", "a.launch", text, {"launch/b.launch": needs}) == []
+    assert reported(tmp_path, "LAU008", "a.launch", text, {"launch/b.launch": needs}) == []
 
 
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
-    (found,) = told(tmp_path, "LAU008", "a.launch.py", PYTHON.format(""), files)
+    (found,) = reported(tmp_path, "LAU008", "a.launch.py", PYTHON.format(""), files)
     assert found.message == "'b.launch.py' needs the argument 'world'"
 
 
@@ -51,4 +53,4 @@ def test_in_python(tmp_path: Path) -> None:
 )
 def test_given_in_python_is_calm(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
-    assert told(tmp_path, "LAU008", "a.launch.py", text, files) == []
+    assert reported(tmp_path, "LAU008", "a.launch.py", text, files) == []

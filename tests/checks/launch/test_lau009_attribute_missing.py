@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 OF_ROS_2 = '<let name="x" value="$(var x)"/><push_ros_namespace namespace="n"/>'
 
@@ -20,7 +20,7 @@ OF_ROS_2 = '<let name="x" value="$(var x)"/><push_ros_namespace namespace="n"/>'
     ],
 )
 def test_what_launch_needs(tmp_path: Path, text: str, message: str) -> None:
-    (found,) = told(tmp_path, "LAU009", "a.launch", text)
+    (found,) = reported(tmp_path, "LAU009", "a.launch", text)
     assert (found.message, found.span.line) == (message, 2)
 
 
@@ -34,4 +34,4 @@ def test_what_launch_needs(tmp_path: Path, text: str, message: str) -> None:
     ],
 )
 def test_whole_or_unclear_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, "LAU009", "a.launch", text) == []
+    assert reported(tmp_path, "LAU009", "a.launch", text) == []

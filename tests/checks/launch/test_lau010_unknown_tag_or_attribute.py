@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 ROS_1 = '<rosparam file="$(find a)/b.yaml"/>\n'
 ROS_2 = '<let name="x" value="$(var x)"/>\n'
@@ -21,7 +21,7 @@ ROS_2 = '<let name="x" value="$(var x)"/>\n'
     ],
 )
 def test_it_is_told_with_what_was_meant(tmp_path: Path, text: str, word: str, help: str) -> None:
-    (found,) = told(tmp_path, "LAU010", "a.launch", text)
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
     assert (found.span.line, found.span.text, found.help) == (3, word, help)
 
 
@@ -35,7 +35,7 @@ def test_it_is_told_with_what_was_meant(tmp_path: Path, text: str, word: str, he
     ],
 )
 def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, "LAU010", "a.launch", text) == []
+    assert reported(tmp_path, "LAU010", "a.launch", text) == []
 
 
 @pytest.mark.parametrize(
@@ -46,5 +46,5 @@ def test_what_launch_knows_is_calm(tmp_path: Path, text: str) -> None:
     ],
 )
 def test_words_that_an_attribute_cannot_be(tmp_path: Path, text: str, message: str) -> None:
-    (found,) = told(tmp_path, "LAU010", "a.launch", text)
+    (found,) = reported(tmp_path, "LAU010", "a.launch", text)
     assert found.message == message

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 
 @pytest.mark.parametrize(
@@ -18,7 +18,7 @@ from tests.launched import told
 )
 def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, help: str) -> None:
     text = f"path = LaunchConfiguration('model')\nCommand([{pieces}])"
-    (found,) = told(tmp_path, "LAU011", "a.launch.py", text)
+    (found,) = reported(tmp_path, "LAU011", "a.launch.py", text)
     assert (found.span.text, found.help) == (word, help)
 
 
@@ -34,4 +34,4 @@ def test_pieces_that_become_one_word(tmp_path: Path, pieces: str, word: str, hel
     ],
 )
 def test_parted_or_unknown_pieces_are_calm(tmp_path: Path, command: str) -> None:
-    assert told(tmp_path, "LAU011", "a.launch.py", f"Command({command})") == []
+    assert reported(tmp_path, "LAU011", "a.launch.py", f"Command({command})") == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 ROS_1 = {"config/c.yaml": "ns:\n  arm_controller:\n    type: effort_controllers/X\n"}
 ROS_2 = {
@@ -33,7 +33,7 @@ HEAD_2 = "CONFIG = FindPackageShare('arm').find('arm') + '/config/c.yaml'\n"
 )
 def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
     text = LOAD_1 + SPAWN_1.format(executable, args)
-    (found,) = told(tmp_path, "LAU013", "a.launch", text, ROS_1)
+    (found,) = reported(tmp_path, "LAU013", "a.launch", text, ROS_1)
     name = args.rpartition(" ")[2].rpartition("/")[2]
     assert found.message.startswith(f"no file of parameters defines the controller '{name}'")
     assert found.span.line == 3
@@ -41,7 +41,7 @@ def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
 
 def test_several_of_one_spawner(tmp_path: Path) -> None:
     text = LOAD_1 + SPAWN_1.format("controller_manager", "spawn arm_controller a b")
-    assert len(told(tmp_path, "LAU013", "a.launch", text, ROS_1)) == 2
+    assert len(reported(tmp_path, "LAU013", "a.launch", text, ROS_1)) == 2
 
 
 @pytest.mark.parametrize(
@@ -56,7 +56,7 @@ def test_several_of_one_spawner(tmp_path: Path) -> None:
 )
 def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, args: str) -> None:
     text = LOAD_1 + SPAWN_1.format(executable, args)
-    assert told(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
+    assert reported(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_what_is_defined_or_unknown_is_calm(tmp_path: Path, executable: str, arg
 )
 def test_what_the_launch_file_names_itself_is_calm(tmp_path: Path, given: str) -> None:
     text = LOAD_1 + given + SPAWN_1.format("spawner", "grip")
-    assert told(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
+    assert reported(tmp_path, "LAU013", "a.launch", text, ROS_1) == []
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_what_the_launch_file_names_itself_is_calm(tmp_path: Path, given: str) -
     ],
 )
 def test_ros_2(tmp_path: Path, spawn: str) -> None:
-    (found,) = told(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2)
+    (found,) = reported(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2)
     assert found.span.line == 3
 
 
@@ -98,10 +98,10 @@ def test_ros_2(tmp_path: Path, spawn: str) -> None:
     ],
 )
 def test_ros_2_is_calm(tmp_path: Path, spawn: str) -> None:
-    assert told(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2) == []
+    assert reported(tmp_path, "LAU013", "a.launch.py", HEAD_2 + LOAD_2 + spawn, ROS_2) == []
 
 
 @pytest.mark.parametrize(("name", "count"), [("arm_controler", 1), ("grip", 0)])
 def test_without_a_file_of_its_own_only_slips(tmp_path: Path, name: str, count: int) -> None:
     text = SPAWN_2.format(repr(name))
-    assert len(told(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count
+    assert len(reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count

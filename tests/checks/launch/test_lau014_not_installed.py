@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 CMAKE = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
 SETUP = """\
@@ -25,7 +25,7 @@ def files(**more: str) -> dict[str, str]:
 
 
 def test_the_launch_file_itself(tmp_path: Path) -> None:
-    (found,) = told(
+    (found,) = reported(
         tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("config"))
     )
     assert found.message.startswith("'launch/a.launch' is in the source tree, and ")
@@ -34,7 +34,7 @@ def test_the_launch_file_itself(tmp_path: Path) -> None:
 
 
 def test_what_it_names(tmp_path: Path) -> None:
-    (found,) = told(
+    (found,) = reported(
         tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("launch"))
     )
     assert found.message.startswith("'config/c.yaml' is in the source tree, and ")
@@ -44,7 +44,7 @@ def test_what_it_names(tmp_path: Path) -> None:
 @pytest.mark.parametrize("pattern", ["'launch/*.launch.py'", "os.path.join('launch', '*.xml')"])
 def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
     setup = SETUP.format(pattern)
-    (found,) = told(tmp_path, "LAU014", "a.launch", LOAD, files(setup__py=setup))
+    (found,) = reported(tmp_path, "LAU014", "a.launch", LOAD, files(setup__py=setup))
     assert found.message.startswith("'launch/a.launch' is in the source tree, and ")
     assert found.help == "add the files of launch to data_files in setup.py"
 
@@ -63,16 +63,16 @@ def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
 )
 def test_a_pattern_that_may_match_is_calm(tmp_path: Path, pattern: str) -> None:
     setup = SETUP.format(pattern)
-    assert told(tmp_path, "LAU014", "a.launch", LOAD, files(setup__py=setup)) == []
+    assert reported(tmp_path, "LAU014", "a.launch", LOAD, files(setup__py=setup)) == []
 
 
 @pytest.mark.parametrize(
     "cmake", [CMAKE.format("config launch"), "install(DIRECTORY ${FOLDERS} DESTINATION x)", ""]
 )
 def test_installed_or_unclear_is_calm(tmp_path: Path, cmake: str) -> None:
-    assert told(tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=cmake)) == []
+    assert reported(tmp_path, "LAU014", "a.launch", LOAD, files(CMakeLists__txt=cmake)) == []
 
 
 def test_tests_stay_where_they_are(tmp_path: Path) -> None:
     made = files(CMakeLists__txt=CMAKE.format("config"))
-    assert told(tmp_path, "LAU014", "../a.launch", LOAD, made) == []
+    assert reported(tmp_path, "LAU014", "../a.launch", LOAD, made) == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 NODE = "Node(package='robot_state_publisher', executable='robot_state_publisher'{})\n"
 XML = '<node pkg="robot_state_publisher" exec="robot_state_publisher">{}</node>'
@@ -18,15 +18,15 @@ XML = '<node pkg="robot_state_publisher" exec="robot_state_publisher">{}</node>'
         (NODE.format(", parameters=[{'robot_descripton': x}]"), "robot_descripton"),
     ],
 )
-def test_without_a_robot(tmp_path: Path, text: str, slip: str) -> None:
-    (found,) = told(tmp_path, "LAU015", "a.launch.py", text)
-    other = f"; '{slip}' is not 'robot_description'" if slip else ""
+def test_without_a_robot(tmp_path: Path, text: str, mistake: str) -> None:
+    (found,) = reported(tmp_path, "LAU015", "a.launch.py", text)
+    other = f"; '{mistake}' is not 'robot_description'" if mistake else ""
     assert found.message == f"robot_state_publisher has no parameter robot_description{other}"
 
 
 def test_in_xml(tmp_path: Path) -> None:
     text = XML.format('<param name="use_sim_time" value="true"/>')
-    assert len(told(tmp_path, "LAU015", "a.launch", text)) == 1
+    assert len(reported(tmp_path, "LAU015", "a.launch", text)) == 1
 
 
 @pytest.mark.parametrize(
@@ -42,7 +42,7 @@ def test_in_xml(tmp_path: Path) -> None:
     ],
 )
 def test_given_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, "LAU015", "a.launch.py", text) == []
+    assert reported(tmp_path, "LAU015", "a.launch.py", text) == []
 
 
 @pytest.mark.parametrize(
@@ -54,4 +54,4 @@ def test_given_or_unknown_is_calm(tmp_path: Path, text: str) -> None:
     ],
 )
 def test_calm_in_xml(tmp_path: Path, text: str) -> None:
-    assert told(tmp_path, "LAU015", "a.launch", text) == []
+    assert reported(tmp_path, "LAU015", "a.launch", text) == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 CREATE = "Node(package='ros_gz_sim', executable='create', arguments=[{}])"
 ENTITY = "Node(package='gazebo_ros', executable='spawn_entity.py', arguments=[{}])"
@@ -23,7 +23,7 @@ MODEL = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="{}"/>'
     ],
 )
 def test_ros_2(tmp_path: Path, node: str, message: str) -> None:
-    (found,) = told(tmp_path, "LAU016", "a.launch.py", node)
+    (found,) = reported(tmp_path, "LAU016", "a.launch.py", node)
     assert found.message.startswith(message)
 
 
@@ -40,7 +40,7 @@ def test_ros_2(tmp_path: Path, node: str, message: str) -> None:
     ],
 )
 def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
-    (found,) = told(tmp_path, "LAU016", "a.launch", MODEL.format(args))
+    (found,) = reported(tmp_path, "LAU016", "a.launch", MODEL.format(args))
     assert (found.message.startswith(message), found.span.line) == (True, 2)
 
 
@@ -59,7 +59,7 @@ def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
     ],
 )
 def test_whole_or_unknown_is_calm(tmp_path: Path, node: str) -> None:
-    assert told(tmp_path, "LAU016", "a.launch.py", node) == []
+    assert reported(tmp_path, "LAU016", "a.launch.py", node) == []
 
 
 @pytest.mark.parametrize(
@@ -73,4 +73,4 @@ def test_whole_or_unknown_is_calm(tmp_path: Path, node: str) -> None:
 )
 def test_ros_1_is_calm(tmp_path: Path, args: str) -> None:
     text = '<arg name="m" default=""/>' + MODEL.format(args)
-    assert told(tmp_path, "LAU016", "a.launch", text) == []
+    assert reported(tmp_path, "LAU016", "a.launch", text) == []

@@ -10,7 +10,7 @@ from urdfkit import Diagnostic, check
 NODE = '<node name="n" pkg="{}" type="t"/>'
 
 
-def told(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
+def reported(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
     for name in ("arm", "hand"):
         (folder / name).mkdir()
         own = MANIFEST.replace("<name>arm", f"<name>{name}")
@@ -26,7 +26,7 @@ def told(folder: Path, text: str, depends: str = "") -> list[Diagnostic]:
 
 @pytest.mark.parametrize("text", [NODE.format("hand"), '<include file="$(find hand)/b.launch"/>'])
 def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
-    (found,) = told(tmp_path, text)
+    (found,) = reported(tmp_path, text)
     assert found.message.startswith("package 'hand' is used, and ")
     assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
     assert found.span.line == 2
@@ -43,4 +43,4 @@ def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
     ],
 )
 def test_declared_known_or_not_there_is_calm(tmp_path: Path, name: str, depends: str) -> None:
-    assert told(tmp_path, NODE.format(name), depends) == []
+    assert reported(tmp_path, NODE.format(name), depends) == []

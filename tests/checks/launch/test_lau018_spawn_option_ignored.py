@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 CREATE = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 't', {}])"
 
@@ -17,7 +17,7 @@ CREATE = "Node(package='ros_gz_sim', executable='create', arguments=['-topic', '
     ],
 )
 def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help: str) -> None:
-    (found,) = told(tmp_path, "LAU018", "a.launch.py", CREATE.format(words))
+    (found,) = reported(tmp_path, "LAU018", "a.launch.py", CREATE.format(words))
     assert (found.message, found.help) == (message, help)
 
 
@@ -31,4 +31,4 @@ def test_an_option_that_it_lacks(tmp_path: Path, words: str, message: str, help:
     ],
 )
 def test_known_or_of_others_is_calm(tmp_path: Path, node: str) -> None:
-    assert told(tmp_path, "LAU018", "a.launch.py", node) == []
+    assert reported(tmp_path, "LAU018", "a.launch.py", node) == []

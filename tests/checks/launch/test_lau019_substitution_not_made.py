@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import told
+from tests.launched import reported
 
 ROS_1 = '<rosparam command="load" file="$(dirname)/../c.yaml"/><arg name="a" doc="b"/>'
 ROS_2 = (
@@ -22,13 +22,13 @@ ROS_2 = (
 )
 def test_what_stays_as_it_is_written(tmp_path: Path, launch: str, yaml: str, switch: str) -> None:
     (tmp_path / "c.yaml").write_text(yaml)
-    (found,) = told(tmp_path, "LAU019", "a.launch", launch)
+    (found,) = reported(tmp_path, "LAU019", "a.launch", launch)
     assert found.help == f'write {switch}="true"'
     mended = launch.replace('c.yaml"', f'c.yaml" {switch}="true"')
-    assert told(tmp_path, "LAU019", "a.launch", mended) == []
+    assert reported(tmp_path, "LAU019", "a.launch", mended) == []
 
 
 @pytest.mark.parametrize("yaml", ["a: 1\n", "a: 1 # $(arg x)\n", "a: $(other x)\n", "# $(arg x)"])
 def test_files_without_substitutions_are_calm(tmp_path: Path, yaml: str) -> None:
     (tmp_path / "c.yaml").write_text(yaml)
-    assert told(tmp_path, "LAU019", "a.launch", ROS_1) == []
+    assert reported(tmp_path, "LAU019", "a.launch", ROS_1) == []

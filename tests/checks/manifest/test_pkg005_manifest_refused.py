@@ -12,7 +12,7 @@ MESH = '<link name="b"><visual><geometry><mesh filename="package://arm/b.stl"/><
 USES = '<xacro:include filename="$(find arm)/b.xacro"/>'
 
 
-def told(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
+def reported(folder: Path, manifest: str, more: str = USES) -> list[Diagnostic]:
     (folder / "package.xml").write_text(manifest)
     (folder / "b.xacro").write_text(ROBOT.format(""))
     (folder / "urdf").mkdir()
@@ -48,7 +48,7 @@ def test_what_the_build_refuses(
     tmp_path: Path, old: str, new: str, message: str, line: int
 ) -> None:
     assert old in MANIFEST
-    (found,) = told(tmp_path, MANIFEST.replace(old, new))
+    (found,) = reported(tmp_path, MANIFEST.replace(old, new))
     assert found.message.startswith(message)
     assert (Path(found.span.source.path).name, found.span.line) == ("package.xml", line)
 
@@ -56,11 +56,11 @@ def test_what_the_build_refuses(
 @pytest.mark.parametrize(("wrong", "help"), [("run_depend", "exec_depend"), ("depnd", "depend")])
 def test_the_tag_that_was_meant(tmp_path: Path, wrong: str, help: str) -> None:
     text = MANIFEST.replace("</package>", f"<{wrong}>xacro</{wrong}></package>")
-    assert told(tmp_path, text)[0].help == f"write <{help}>"
+    assert reported(tmp_path, text)[0].help == f"write <{help}>"
 
 
 def test_a_package_without_a_name(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, MANIFEST.replace("<name>arm</name>", ""), MESH)
+    (found,) = reported(tmp_path, MANIFEST.replace("<name>arm</name>", ""), MESH)
     assert found.message == "the package has no <name>"
 
 
@@ -76,11 +76,11 @@ def test_a_package_without_a_name(tmp_path: Path) -> None:
     ],
 )
 def test_what_the_build_takes_is_calm(tmp_path: Path, manifest: str) -> None:
-    assert told(tmp_path, manifest) == []
+    assert reported(tmp_path, manifest) == []
 
 
 def test_a_robot_that_uses_no_package_does_not_mind(tmp_path: Path) -> None:
-    assert told(tmp_path, MANIFEST.replace("1.0.0", "1"), "") == []
+    assert reported(tmp_path, MANIFEST.replace("1.0.0", "1"), "") == []
 
 
 def test_a_launch_file_does(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ setup(data_files=[
 """
 
 
-def told(folder: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic]:
+def reported(folder: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic]:
     (folder / "package.xml").write_text(manifest)
     (folder / "setup.py").write_text(setup)
     for name in more:
@@ -30,19 +30,19 @@ def told(folder: Path, manifest: str, setup: str, *more: str) -> list[Diagnostic
 
 
 def test_without_the_index(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, PYTHON, "setup(data_files=[])", "resource/arm")
+    (found,) = reported(tmp_path, PYTHON, "setup(data_files=[])", "resource/arm")
     assert found.message.endswith("ROS will not find the package 'arm'")
     assert Path(found.span.source.path).name == "setup.py"
 
 
 def test_without_the_file_in_it(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, PYTHON, SETUP)
+    (found,) = reported(tmp_path, PYTHON, SETUP)
     assert found.message == "setup.py installs 'resource/arm', and there is no such file"
     assert found.span.line == 3
 
 
 def test_without_a_build_type(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, MANIFEST, SETUP, "resource/arm")
+    (found,) = reported(tmp_path, MANIFEST, SETUP, "resource/arm")
     assert found.message == "no build type: colcon looks for a CMakeLists.txt"
     assert Path(found.span.source.path).name == "package.xml"
 
@@ -60,4 +60,4 @@ def test_without_a_build_type(tmp_path: Path) -> None:
 def test_registered_or_unclear_is_calm(
     tmp_path: Path, manifest: str, setup: str, more: list[str]
 ) -> None:
-    assert told(tmp_path, manifest, setup, *more) == []
+    assert reported(tmp_path, manifest, setup, *more) == []

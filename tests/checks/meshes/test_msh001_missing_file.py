@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from tests.workspaces import add_file, add_package, mesh_link
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.text.diagnostic import Severity
 
 CODE = "MSH001"
@@ -22,7 +22,7 @@ def robot(tmp_path: Path) -> str:
 
 def test_the_message_names_package_and_paths(robot: str) -> None:
     package = Path(robot).parents[1]
-    (found,) = told(CODE, mesh_link("package://arm/meshes/hokuyo.dae"), robot)
+    (found,) = reported(CODE, mesh_link("package://arm/meshes/hokuyo.dae"), robot)
     assert found.severity is Severity.ERROR
     assert found.span.text == "package://arm/meshes/hokuyo.dae"
     assert found.message == (
@@ -44,26 +44,26 @@ def test_a_file_without_package(robot: str) -> None:
 
 def test_the_nearest_name_is_offered_and_mended(robot: str) -> None:
     text = mesh_link("package://arm/meshes/forarm.stl")
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
     assert found.fix is not None
     assert not found.fix.safe
     assert "meshes/forearm.stl" in fixed(CODE, text, robot)
-    assert told(CODE, fixed(CODE, text, robot), robot) == []
+    assert reported(CODE, fixed(CODE, text, robot), robot) == []
 
 
 def test_a_name_that_is_only_alike_is_offered_but_not_mended(robot: str) -> None:
     text = mesh_link("package://arm/meshes/forearm_cad.stl")
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
     assert found.fix is None
 
 
 def test_the_absolute_path_of_another_machine(robot: str) -> None:
     text = mesh_link("file:///home/somebody/arm/meshes/forearm.stl")
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"
-    assert told(CODE, fixed(CODE, text, robot), robot) == []
+    assert reported(CODE, fixed(CODE, text, robot), robot) == []
 
 
 def test_every_place_is_told(robot: str) -> None:
@@ -83,11 +83,11 @@ def test_every_place_is_told(robot: str) -> None:
     ],
 )
 def test_what_another_rule_tells(robot: str, reference: str) -> None:
-    assert told(CODE, mesh_link(reference), robot) == []
+    assert reported(CODE, mesh_link(reference), robot) == []
 
 
 def test_no_file_name_at_all(robot: str) -> None:
-    assert len(told(CODE, mesh_link("", "package://arm"), robot)) == 2
+    assert len(reported(CODE, mesh_link("", "package://arm"), robot)) == 2
 
 
 def test_the_calls_of_a_macro_are_one_finding(robot: str) -> None:
@@ -103,7 +103,7 @@ def test_the_calls_of_a_macro_are_one_finding(robot: str) -> None:
   <xacro:part name="wheel_3"/>
 </robot>
 """
-    (found,) = told(CODE, text, robot.replace(".urdf", ".xacro"))
+    (found,) = reported(CODE, text, robot.replace(".urdf", ".xacro"))
     assert found.span.text == "package://arm/meshes/${name}.dae"
     assert [call.element for call in found.calls] == [
         f"link/wheel_{number}/visual/geometry/mesh@filename" for number in (1, 2, 3)
@@ -116,9 +116,9 @@ def test_what_one_lost_folder_takes_along_is_one_finding_for_people(robot: str) 
     """A URDF that another machine has made: all is below a home that is not here."""
     home = "file:///home/somebody/ws/install"
     paths = ["ur/visual/a.dae", "ur/collision/a.stl", "gripper/meshes/b.stl"]
-    found = told(CODE, mesh_link(*(f"{home}/{path}" for path in paths)), robot)
+    found = reported(CODE, mesh_link(*(f"{home}/{path}" for path in paths)), robot)
     assert len(found) == 3
-    (seen,) = gathered(found)
+    (seen,) = grouped(found)
     assert seen.message == (
         f"link 'arm': the visual mesh '{home}/ur/visual/a.dae' does not exist "
         "(and 2 more like this)"
@@ -131,7 +131,7 @@ def test_offers_are_gathered_with_their_fixes(robot: str) -> None:
         add_file(folder / name)
     names = ("forearm", "hand", "foot")
     text = mesh_link(*(f"file:///home/somebody/arm/meshes/{name}.stl" for name in names))
-    (seen,) = gathered(told(CODE, text, robot))
+    (seen,) = grouped(reported(CODE, text, robot))
     assert seen.help == "did you mean 'package://arm/meshes/forearm.stl'?"
     assert [note.message.rpartition(": ")[2] for note in seen.related] == [
         f"did you mean 'package://arm/meshes/{name}.stl'?" for name in names[1:]
@@ -143,5 +143,5 @@ def test_offers_are_gathered_with_their_fixes(robot: str) -> None:
 def test_a_file_of_another_part_is_not_offered(robot: str) -> None:
     """The names of meshes end alike: of ``lidar_link.stl`` no ``base_link.stl`` is made."""
     add_file(Path(robot).parents[1] / "meshes" / "lidar_link.stl")
-    (found,) = told(CODE, mesh_link("package://arm/meshes/base_link.stl"), robot)
+    (found,) = reported(CODE, mesh_link("package://arm/meshes/base_link.stl"), robot)
     assert "did you mean" not in found.help

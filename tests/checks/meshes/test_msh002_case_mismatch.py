@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.text.diagnostic import Severity
 
@@ -29,7 +29,7 @@ def robot(tmp_path: Path) -> str:
 )
 def test_case(robot: str, wrong: str, right: str) -> None:
     text = mesh_link(wrong)
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.severity is Severity.ERROR
     assert found.message == (
         f"link 'arm': the visual mesh '{wrong}' is called '{right}' on disk: Linux does not find it"
@@ -42,4 +42,4 @@ def test_case(robot: str, wrong: str, right: str) -> None:
     ["package://arm/meshes/Forearm.STL", "package://arm/meshes/fore.stl", "package://x/a.stl"],
 )
 def test_other_names(robot: str, reference: str) -> None:
-    assert told(CODE, mesh_link(reference), robot) == []
+    assert reported(CODE, mesh_link(reference), robot) == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.text.diagnostic import Severity
 
@@ -22,7 +22,7 @@ def robot(tmp_path: Path) -> str:
 def test_a_path_of_this_machine(robot: str, start: str) -> None:
     reference = f"{start}{Path(robot).parents[1]}/meshes/forearm.stl"
     text = mesh_link(reference)
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.severity is Severity.WARNING
     assert found.message == (
         f"link 'arm': the visual mesh '{reference}' is an absolute path of this machine"
@@ -32,7 +32,7 @@ def test_a_path_of_this_machine(robot: str, start: str) -> None:
 
 
 def test_outside_of_every_package_nothing_better_is_known(robot: str, tmp_path: Path) -> None:
-    (found,) = told(CODE, mesh_link(str(add_file(tmp_path / "forearm.stl"))), robot)
+    (found,) = reported(CODE, mesh_link(str(add_file(tmp_path / "forearm.stl"))), robot)
     assert found.fix is None
 
 
@@ -41,7 +41,7 @@ def test_outside_of_every_package_nothing_better_is_known(robot: str, tmp_path: 
     ["package://arm/meshes/forearm.stl", "../meshes/forearm.stl", "/no/such/forearm.stl"],
 )
 def test_other_references(robot: str, reference: str) -> None:
-    assert told(CODE, mesh_link(reference), robot) == []
+    assert reported(CODE, mesh_link(reference), robot) == []
 
 
 @pytest.mark.parametrize(
@@ -54,5 +54,5 @@ def test_what_xacro_makes_absolute_is_fine(robot: str, start: str) -> None:
   {mesh_link(start + "/meshes/forearm.stl")}
 </robot>
 """
-    assert told(CODE, text, robot) == []
-    assert told("MSH001", text, robot) == []
+    assert reported(CODE, text, robot) == []
+    assert reported("MSH001", text, robot) == []

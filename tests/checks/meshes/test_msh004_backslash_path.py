@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.text.diagnostic import Severity
 
@@ -24,7 +24,7 @@ def robot(tmp_path: Path) -> str:
 )
 def test_backslashes(robot: str, reference: str) -> None:
     text = mesh_link(reference)
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.severity is Severity.ERROR
     assert found.message == (
         f"link 'arm': the visual mesh '{reference}' has backslashes: Linux does not find it"
@@ -33,8 +33,8 @@ def test_backslashes(robot: str, reference: str) -> None:
 
 
 def test_the_file_behind_the_backslashes_is_found(robot: str) -> None:
-    assert told("MSH001", mesh_link("package://arm\\meshes\\forearm.stl"), robot) == []
+    assert reported("MSH001", mesh_link("package://arm\\meshes\\forearm.stl"), robot) == []
 
 
 def test_slashes(robot: str) -> None:
-    assert told(CODE, mesh_link("package://arm/meshes/forearm.stl"), robot) == []
+    assert reported(CODE, mesh_link("package://arm/meshes/forearm.stl"), robot) == []

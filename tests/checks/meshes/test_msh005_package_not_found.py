@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
@@ -41,7 +41,7 @@ def test_one_finding_for_all_meshes_of_a_package(robot: str) -> None:
             f"checked; {searched}"
         ),
     ]
-    found = told(CODE, text, robot)
+    found = reported(CODE, text, robot)
     assert {diagnostic.severity for diagnostic in found} == {Severity.ERROR}
     assert found[0].help == (
         "name its folder with --package nao=DIR, or source the workspace that has it"
@@ -50,11 +50,11 @@ def test_one_finding_for_all_meshes_of_a_package(robot: str) -> None:
 
 
 def test_the_files_of_such_a_package_are_not_called_missing(robot: str) -> None:
-    assert told("MSH001", mesh_link("package://nao/a.stl"), robot) == []
+    assert reported("MSH001", mesh_link("package://nao/a.stl"), robot) == []
 
 
 def test_a_slip_in_the_name(robot: str) -> None:
-    (found,) = told(CODE, mesh_link("package://arm_descripton/meshes/forearm.stl"), robot)
+    (found,) = reported(CODE, mesh_link("package://arm_descripton/meshes/forearm.stl"), robot)
     assert found.help.endswith("that has it; did you mean 'arm_description'?")
 
 
@@ -74,17 +74,17 @@ def test_a_model_that_gazebo_would_not_find(robot: str) -> None:
 
 def test_a_slash_too_many(robot: str) -> None:
     text = mesh_link("package:///arm_description/meshes/forearm.stl")
-    (found,) = told(CODE, text, robot)
+    (found,) = reported(CODE, text, robot)
     assert found.message == (
         "link 'arm': the visual mesh 'package:///arm_description/meshes/forearm.stl' names no "
         "package between 'package://' and the next '/'"
     )
     right = mesh_link("package://arm_description/meshes/forearm.stl")
     assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
-    (found,) = told(CODE, mesh_link("package:///no/such.stl"), robot)
+    (found,) = reported(CODE, mesh_link("package:///no/such.stl"), robot)
     assert found.fix is None
 
 
 @pytest.mark.parametrize("reference", ["package://arm_description/none.stl", "a.stl", "x://y/z"])
 def test_other_references(robot: str, reference: str) -> None:
-    assert told(CODE, mesh_link(reference), robot) == []
+    assert reported(CODE, mesh_link(reference), robot) == []

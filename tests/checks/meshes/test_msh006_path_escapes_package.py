@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.text.diagnostic import Severity
 
@@ -29,7 +29,7 @@ def robot(tmp_path: Path) -> str:
     ],
 )
 def test_out_of_the_package(robot: str, reference: str, help_: str) -> None:
-    (found,) = told(CODE, mesh_link(reference), robot)
+    (found,) = reported(CODE, mesh_link(reference), robot)
     assert found.severity is Severity.WARNING
     assert found.message == (
         f"link 'arm': the visual mesh '{reference}' leaves package 'arm': "
@@ -48,10 +48,10 @@ def test_out_of_the_package(robot: str, reference: str, help_: str) -> None:
     ],
 )
 def test_within_a_package(robot: str, reference: str) -> None:
-    assert told(CODE, mesh_link(reference), robot) == []
+    assert reported(CODE, mesh_link(reference), robot) == []
 
 
 def test_without_a_package_there_is_none_to_leave(tmp_path: Path) -> None:
     add_file(tmp_path / "meshes" / "a.stl")
     robot = str(tmp_path / "urdf" / "arm.urdf")
-    assert told(CODE, mesh_link("../meshes/a.stl"), robot) == []
+    assert reported(CODE, mesh_link("../meshes/a.stl"), robot) == []

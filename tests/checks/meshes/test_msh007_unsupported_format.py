@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.mesh import made
-from tests.told import told
+from tests.reported import reported
 from tests.workspaces import add_file, mesh_link
 from urdfkit.text.diagnostic import Severity
 
@@ -14,7 +14,7 @@ CODE = "MSH007"
 
 def message(tmp_path: Path, name: str, data: bytes) -> str | None:
     add_file(tmp_path / name, data)
-    found = told(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
+    found = reported(CODE, mesh_link(name), str(tmp_path / "arm.urdf"))
     if not found:
         return None
     assert found[0].severity is Severity.ERROR

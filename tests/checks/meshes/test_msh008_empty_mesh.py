@@ -6,7 +6,7 @@ import pytest
 
 from tests.mesh import made
 from tests.meshed import reasons
-from tests.told import told
+from tests.reported import reported
 from tests.workspaces import mesh_link
 
 CODE = "MSH008"
@@ -32,4 +32,4 @@ def test_other_files(tmp_path: Path, data: bytes) -> None:
 
 
 def test_a_missing_file_is_not_empty(tmp_path: Path) -> None:
-    assert told(CODE, mesh_link("none.stl"), str(tmp_path / "arm.urdf")) == []
+    assert reported(CODE, mesh_link("none.stl"), str(tmp_path / "arm.urdf")) == []

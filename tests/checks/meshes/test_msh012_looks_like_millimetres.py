@@ -8,7 +8,7 @@ pytest.importorskip("numpy")
 pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
-from tests.meshed import SOUND, link, mesh, messages, told
+from tests.meshed import SOUND, link, mesh, messages, reported
 from urdfkit.mesh.samples import box, collada, stl
 from urdfkit.text.editing.apply import apply_edits
 
@@ -35,7 +35,7 @@ def test_a_part_of_300_m(tmp_path: Path) -> None:
 @pytest.mark.parametrize("scale", ["", ' scale="1 1 1"', ' scale="0.5 0.5 -0.5"'])
 def test_the_fix_is_a_thousandth_of_the_scale(tmp_path: Path, scale: str) -> None:
     text = robot(mesh("a.stl", more=scale))
-    (found,) = told(tmp_path, "MSH012", text, {"a.stl": HUGE})
+    (found,) = reported(tmp_path, "MSH012", text, {"a.stl": HUGE})
     assert found.fix is not None
     assert not found.fix.safe
     expected = {"": "0.001 0.001 0.001", ' scale="1 1 1"': "0.001 0.001 0.001"}

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.meshed import link, mesh, messages, told
+from tests.meshed import link, mesh, messages, reported
 from urdfkit.mesh.samples import collada
 
 INCH = collada('<unit name="inch" meter="0.0254"/>')
@@ -39,5 +39,5 @@ def test_what_is_only_drawn_is_an_information(
     tmp_path: Path, roles: list[str], targets: tuple[str, ...], severity: str
 ) -> None:
     robot = link(*(mesh("a.dae", role) for role in roles))
-    (found,) = told(tmp_path, "MSH013", robot, {"a.dae": INCH}, targets)
+    (found,) = reported(tmp_path, "MSH013", robot, {"a.dae": INCH}, targets)
     assert found.severity.value == severity

@@ -28,11 +28,11 @@ def test_all_of_it(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("size", "is_told"), [(1.0, True), (0.3, True), (0.2, False)])
-def test_a_piece_that_matters(tmp_path: Path, size: float, is_told: bool) -> None:
+def test_a_piece_that_matters(tmp_path: Path, size: float, is_reported: bool) -> None:
     """Of 1 % of the volume: a cube of 0.2 beside one of 1 has less."""
     pieces = [*box((0, 0, 0), (1, 1, 1)), *inside_out((2, 0, 0), (2 + size, size, size))]
     assert messages(tmp_path, "MSH016", link(mesh("a.stl")), {"a.stl": stl(pieces)}) == (
-        [WHO + "1 of its 2 pieces look inwards"] if is_told else []
+        [WHO + "1 of its 2 pieces look inwards"] if is_reported else []
     )
 
 

@@ -29,10 +29,10 @@ def test_triangles_without_area(tmp_path: Path, bad: list[list[Vector]], words: 
 
 
 @pytest.mark.parametrize(("sound", "is_told"), [(8, True), (9, False)])
-def test_one_percent_of_a_visual(tmp_path: Path, sound: int, is_told: bool) -> None:
+def test_one_percent_of_a_visual(tmp_path: Path, sound: int, is_reported: bool) -> None:
     files = {"a.stl": stl([*sound * CUBE, NEEDLE])}
     found = messages(tmp_path, "MSH017", link(mesh("a.stl", "visual")), files)
-    assert bool(found) is is_told
+    assert bool(found) is is_reported
 
 
 def test_thin_is_not_flat(tmp_path: Path) -> None:

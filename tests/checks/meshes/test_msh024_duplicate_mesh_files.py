@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.meshed import SOUND, link, mesh, messages, told
+from tests.meshed import SOUND, link, mesh, messages, reported
 
 OTHER = SOUND[:-3] + b"abc"
 
@@ -10,7 +10,7 @@ OTHER = SOUND[:-3] + b"abc"
 def test_a_copy(tmp_path: Path) -> None:
     robot = link(mesh("a.stl"), mesh("b.stl"), mesh("a.stl"), mesh("c.stl"))
     files = {"a.stl": SOUND, "b.stl": SOUND, "c.stl": OTHER}
-    (found,) = told(tmp_path, "MSH024", robot, files)
+    (found,) = reported(tmp_path, "MSH024", robot, files)
     assert found.message == (
         "link 'arm': the collision mesh 'b.stl' has the same content as 'a.stl'"
     )

@@ -17,7 +17,7 @@ CUBE = box((0, 0, 0), (1, 1, 1))
 @pytest.mark.parametrize(
     ("cubes", "is_told"), [(416, False), (417, True), (1666, True), (1667, False)]
 )
-def test_5000_to_20_000_triangles(tmp_path: Path, cubes: int, is_told: bool) -> None:
+def test_5000_to_20_000_triangles(tmp_path: Path, cubes: int, is_reported: bool) -> None:
     """More are told by MSH019."""
     robot = link(mesh("a.stl", "visual"), mesh("a.stl"))
     found = messages(tmp_path, "MSH031", robot, {"a.stl": stl(cubes * CUBE)})
@@ -25,7 +25,7 @@ def test_5000_to_20_000_triangles(tmp_path: Path, cubes: int, is_told: bool) -> 
         f"link 'arm': the collision mesh 'a.stl' is the visual mesh ({12 * cubes:,} triangles, "
         "more than 5,000); consider a simpler one"
     )
-    assert found == [message] * is_told
+    assert found == [message] * is_reported
 
 
 def test_another_file_or_another_link(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 from tests.workspaces import mesh_link
 
 

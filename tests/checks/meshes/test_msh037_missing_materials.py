@@ -24,11 +24,11 @@ def test_the_file_is_searched_beside_the_mesh(tmp_path: Path) -> None:
             "is not there"
         )
     ]
-    for folder, told in (("", 1), ("meshes/", 0)):
-        there = tmp_path / f"{told}"
+    for folder, reported in (("", 1), ("meshes/", 0)):
+        there = tmp_path / f"{reported}"
         there.mkdir()
         more = {f"{folder}looks/a.mtl": b"newmtl m\n"}
-        assert len(messages(there, "MSH037", robot, files | more)) == told
+        assert len(messages(there, "MSH037", robot, files | more)) == reported
 
 
 def test_a_material_of_urdf_takes_its_place(tmp_path: Path) -> None:

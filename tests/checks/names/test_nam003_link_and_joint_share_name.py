@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import told
+from tests.reported import reported
 from urdfkit.text.diagnostic import Severity
 
 ROBOT = """\
@@ -13,13 +13,13 @@ ROBOT = """\
 
 
 def test_the_joint_is_the_place_and_the_link_is_shown() -> None:
-    (found,) = told("NAM003", ROBOT.format("b"))
+    (found,) = reported("NAM003", ROBOT.format("b"))
     assert (found.span.line, found.span.text) == (4, "b")
     assert [one.span.text for one in found.related] == ['<link name="b"/>']
     assert found.severity is Severity.INFO
-    assert told("NAM003", ROBOT.format("ab")) == []
+    assert reported("NAM003", ROBOT.format("ab")) == []
 
 
 def test_gz_sim_refuses_the_model() -> None:
-    report = told("NAM003", ROBOT.format("b"), targets=("gz-harmonic",))
+    report = reported("NAM003", ROBOT.format("b"), targets=("gz-harmonic",))
     assert [found.severity for found in report] == [Severity.ERROR]

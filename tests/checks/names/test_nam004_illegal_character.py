@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def test_the_character_and_who_minds_it(name: str, reason: str) -> None:
     "name", ["base_link", "wrist_3-flange", "arm.1", "robot/base", "\u8155", "1st", "", "${a b}"]
 )
 def test_what_all_programs_take_or_another_rule_tells(name: str) -> None:
-    assert told("NAM004", f'<link name="{name}"/>') == []
+    assert reported("NAM004", f'<link name="{name}"/>') == []
 
 
 @pytest.mark.parametrize(("kind", "count"), [("fixed", 0), ("revolute", 1), ("continuous", 1)])

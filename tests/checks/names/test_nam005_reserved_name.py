@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.text.diagnostic import Severity
 
 BODY = '<visual><geometry><sphere radius="1"/></geometry></visual>'
@@ -39,7 +39,7 @@ def test_who_keeps_the_name(robot: str, message: str) -> None:
     [((), Severity.INFO), (("ros2",), Severity.INFO), (("gz-harmonic",), Severity.WARNING)],
 )
 def test_others_take_the_name(targets: tuple[str, ...], severity: Severity) -> None:
-    (finding,) = told("NAM005", f'<link name="world">{BODY}</link>', targets=targets)
+    (finding,) = reported("NAM005", f'<link name="world">{BODY}</link>', targets=targets)
     assert finding.severity is severity
 
 
@@ -53,4 +53,4 @@ def test_others_take_the_name(targets: tuple[str, ...], severity: Severity) -> N
     ],
 )
 def test_an_empty_world_that_fixes_the_robot_is_right(robot: str) -> None:
-    assert told("NAM005", robot) == []
+    assert reported("NAM005", robot) == []

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def test_a_slash_at_the_beginning_of_a_link() -> None:

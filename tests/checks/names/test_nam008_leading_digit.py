@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.text.diagnostic import Severity
 
 ROBOT = '<link name="2nd"/><link name="arm2"/><joint name="1_2" type="fixed"/><link name="\u0662"/>'
@@ -11,7 +11,7 @@ def test_links_and_joints_that_begin_with_a_digit() -> None:
         "link '2nd' begins with a digit, which USD does not allow",
         "joint '1_2' begins with a digit, which USD does not allow",
     ]
-    assert {found.severity for found in told("NAM008", ROBOT)} == {Severity.INFO}
+    assert {found.severity for found in reported("NAM008", ROBOT)} == {Severity.INFO}
 
 
 def test_every_digit_is_one() -> None:
@@ -20,5 +20,5 @@ def test_every_digit_is_one() -> None:
 
 
 def test_for_isaac_it_is_worth_a_warning() -> None:
-    report = told("NAM008", ROBOT, targets=("isaac",))
+    report = reported("NAM008", ROBOT, targets=("isaac",))
     assert {found.severity for found in report} == {Severity.WARNING}

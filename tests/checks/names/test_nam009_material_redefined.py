@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 WHITE, RED = "1 1 1 1", "1 0 0 1"
 
@@ -18,7 +18,7 @@ def link(*materials: str) -> str:
 
 
 def test_the_colour_that_is_lost_is_told_with_the_one_that_wins() -> None:
-    (found,) = told("NAM009", link(material(WHITE), material(RED)))
+    (found,) = reported("NAM009", link(material(WHITE), material(RED)))
     assert found.message == (
         "link 'a': material 'm' is 1 0 0 1 here and 1 1 1 1 before; readers keep the first"
     )
@@ -44,7 +44,7 @@ def test_the_one_below_the_robot_wins_wherever_it_stands() -> None:
     ],
 )
 def test_one_colour_for_each_name(robot: str) -> None:
-    assert told("NAM009", robot) == []
+    assert reported("NAM009", robot) == []
 
 
 def test_textures_count_as_well() -> None:

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_links_and_joints_without_a_name() -> None:
@@ -14,5 +14,5 @@ def test_links_and_joints_without_a_name() -> None:
 
 
 def test_no_name_at_all_is_another_finding() -> None:
-    assert told("NAM010", "<link/>") == []
-    assert len(told("URD003", "<link/>")) == 1
+    assert reported("NAM010", "<link/>") == []
+    assert len(reported("URD003", "<link/>")) == 1

@@ -1,6 +1,6 @@
 """NAM011: see the rule."""
 
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 def test_two_links_and_two_joints() -> None:

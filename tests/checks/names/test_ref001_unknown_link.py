@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 ROBOT = """\
 <link name="base_link"/>
@@ -38,7 +38,7 @@ def test_the_nearest_link_is_offered() -> None:
 )
 def test_a_sibling_is_not_meant(written: str, known: str) -> None:
     robot = f'<link name="{known}"/><joint name="j" type="fixed"><child link="{written}"/></joint>'
-    (found,) = told("REF001", robot)
+    (found,) = reported("REF001", robot)
     assert "did you mean" not in found.message
     assert found.fix is None
 
@@ -67,7 +67,7 @@ def test_a_computed_name_is_told_and_not_edited() -> None:
   <joint name="j" type="fixed"><parent link="${base}"/><child link="arm"/></joint>
 </robot>
 """
-    (found,) = told("REF001", robot, "robot.xacro")
+    (found,) = reported("REF001", robot, "robot.xacro")
     assert found.span.text == "${base}"
     assert found.message.endswith("did you mean 'base_link'?")
     assert found.fix is None
@@ -79,6 +79,6 @@ def test_suggestions_have_a_bound() -> None:
         f'<joint name="j{number}" type="fixed"><child link="lnk_{number}_x"/></joint>'
         for number in range(2000)
     )
-    found = told("REF001", f'<robot name="r">{links}{joints}</robot>')
+    found = reported("REF001", f'<robot name="r">{links}{joints}</robot>')
     assert len(found) == 1000
     assert [one for one in found if one.fix] == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 BLUE = '<material name="blue"><color rgba="0 0 1 1"/></material>'
 BARE = '<material name="blue"/>'
@@ -20,7 +20,7 @@ def test_every_name_is_told_once_with_all_its_uses() -> None:
         "link 'a': material 'blue' gives 3 visuals no colour; it is defined nowhere",
         "link 'b': material 'red' gives the visual no colour; it is defined nowhere",
     ]
-    first, second = told("REF003", robot)
+    first, second = reported("REF003", robot)
     assert first.span.text == "blue"
     assert [(one.span.line, one.span.text) for one in first.related] == [(2, "blue"), (3, "blue")]
     assert second.related == ()
@@ -44,7 +44,7 @@ def test_what_has_a_colour_or_another_finding(robot: str) -> None:
 
 
 def test_in_a_visual_the_order_matters() -> None:
-    (found,) = told("REF003", link("a", BARE) + link("b", BLUE))
+    (found,) = reported("REF003", link("a", BARE) + link("b", BLUE))
     assert found.message == (
         "link 'a': material 'blue' gives the visual no colour; it is defined further down"
     )

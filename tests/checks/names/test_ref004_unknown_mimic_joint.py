@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import fixed, messages, places, told
+from tests.reported import fixed, messages, places, reported
 
 ROBOT = """\
 <link name="hand"/>
@@ -18,11 +18,11 @@ def test_an_unknown_leader_is_told() -> None:
         "joint 'finger_joint' mimics 'thumb', which is not in the model"
     ]
     assert places("REF004", robot) == [(7, "thumb")]
-    assert told("REF004", robot)[0].fix is None
+    assert reported("REF004", robot)[0].fix is None
 
 
 def test_a_link_is_no_joint() -> None:
-    assert len(told("REF004", ROBOT.format("hand"))) == 1
+    assert len(reported("REF004", ROBOT.format("hand"))) == 1
 
 
 def test_the_nearest_joint_is_offered() -> None:
@@ -30,5 +30,5 @@ def test_the_nearest_joint_is_offered() -> None:
 
 
 def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
-    assert told("REF004", ROBOT.format("finger_joint")) == []  # itself: JNT014
-    assert told("REF004", ROBOT.replace(' joint="{}"', "")) == []  # URD003
+    assert reported("REF004", ROBOT.format("finger_joint")) == []  # itself: JNT014
+    assert reported("REF004", ROBOT.replace(' joint="{}"', "")) == []  # URD003

@@ -5,7 +5,7 @@ from pathlib import Path
 from urdfkit import Diagnostic, check
 
 
-def told(folder: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
+def reported(folder: Path, text: str, dependencies: str = "") -> list[Diagnostic]:
     for name in ("arm", "hand"):
         (folder / name).mkdir(exist_ok=True)
         content = dependencies if name == "arm" else ""
@@ -25,7 +25,7 @@ HAND = '<xacro:include filename="$(find hand)/hand.xacro"/>'
 
 
 def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, HAND)
+    (found,) = reported(tmp_path, HAND)
     manifest = tmp_path / "arm" / "package.xml"
     assert found.message == f"package 'hand' is used, and {manifest} does not declare it"
     assert found.help == "add <run_depend>hand</run_depend> to package.xml"
@@ -33,20 +33,20 @@ def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
 
 
 def test_once_for_each_package(tmp_path: Path) -> None:
-    assert len(told(tmp_path, HAND * 3)) == 1
+    assert len(reported(tmp_path, HAND * 3)) == 1
 
 
 def test_every_kind_of_dependency_declares(tmp_path: Path) -> None:
     for kind in ("depend", "exec_depend", "run_depend", "build_depend", "test_depend"):
-        assert told(tmp_path, HAND, f"<{kind}>hand</{kind}>") == []
+        assert reported(tmp_path, HAND, f"<{kind}>hand</{kind}>") == []
 
 
 def test_packages_that_need_no_declaration(tmp_path: Path) -> None:
     uses = "<!-- $(find hand) -->" + '<xacro:property name="p" value="package://{}/x"/>'
-    assert told(tmp_path, uses.format("arm")) == []
-    assert told(tmp_path, uses.format("gazebo_ros")) == [], "comes with ROS"
-    assert told(tmp_path, uses.format("lies_nowhere")) == [], "MSH005, XAC011"
-    assert len(told(tmp_path, uses.format("hand"))) == 1
+    assert reported(tmp_path, uses.format("arm")) == []
+    assert reported(tmp_path, uses.format("gazebo_ros")) == [], "comes with ROS"
+    assert reported(tmp_path, uses.format("lies_nowhere")) == [], "MSH005, XAC011"
+    assert len(reported(tmp_path, uses.format("hand"))) == 1
 
 
 def test_a_file_outside_of_packages(tmp_path: Path) -> None:
@@ -57,7 +57,7 @@ def test_a_file_outside_of_packages(tmp_path: Path) -> None:
 
 def test_the_fix_stands_behind_dependencies_of_its_kind(tmp_path: Path) -> None:
     lines = "\n  <run_depend>urdf</run_depend>\n  <test_depend>ament</test_depend>\n"
-    (found,) = told(tmp_path, HAND, lines)
+    (found,) = reported(tmp_path, HAND, lines)
     assert found.fix is not None
     (edit,) = found.fix.edits
     text = edit.span.source.data.decode()
@@ -66,7 +66,7 @@ def test_the_fix_stands_behind_dependencies_of_its_kind(tmp_path: Path) -> None:
 
 
 def test_the_help_names_the_tag_of_the_format(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, HAND)
+    (found,) = reported(tmp_path, HAND)
     assert found.help == "add <run_depend>hand</run_depend> to package.xml"
     assert found.fix is not None
     assert "<run_depend>" in found.fix.edits[0].text
@@ -79,7 +79,7 @@ def test_the_help_names_the_tag_of_the_format(tmp_path: Path) -> None:
 def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
     """xarm_ros2: its description uses the controller package, which depends on it."""
     arm = tmp_path / "arm" / "arm.xacro"
-    assert told(tmp_path, HAND)[0].fix is not None
+    assert reported(tmp_path, HAND)[0].fix is not None
     hand, palm = tmp_path / "hand" / "package.xml", tmp_path / "palm" / "package.xml"
     for text in ("<depend>arm</depend>", "<depend>palm</depend>"):
         palm.parent.mkdir(exist_ok=True)
@@ -94,7 +94,7 @@ def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
 
 
 def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
-    told(tmp_path, HAND)
+    reported(tmp_path, HAND)
     (tmp_path / "hand" / "hand.xacro").write_text("<robot>$(find arm)/x</robot>")
     (found,) = check(tmp_path / "arm" / "arm.xacro", select=["PKG001"]).diagnostics
     assert found.fix is None

@@ -8,7 +8,7 @@ MESH = '<visual><geometry><mesh filename="package://arm/{}"/></geometry></visual
 INSTALL = "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\n"
 
 
-def told(folder: Path, *paths: str, build: str | None = INSTALL) -> list[Diagnostic]:
+def reported(folder: Path, *paths: str, build: str | None = INSTALL) -> list[Diagnostic]:
     (folder / "package.xml").write_text("<package><name>arm</name></package>")
     if build is not None:
         (folder / "CMakeLists.txt").write_text(build)
@@ -24,7 +24,7 @@ def told(folder: Path, *paths: str, build: str | None = INSTALL) -> list[Diagnos
 
 
 def test_a_folder_that_is_not_installed(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "urdf/a.stl", "meshes/a.stl", "meshes/a.stl")
+    (found,) = reported(tmp_path, "urdf/a.stl", "meshes/a.stl", "meshes/a.stl")
     assert found.message == (
         f"'meshes/a.stl' is in the source tree, and {tmp_path}/CMakeLists.txt does not install it"
     )
@@ -33,11 +33,11 @@ def test_a_folder_that_is_not_installed(tmp_path: Path) -> None:
 
 
 def test_what_is_installed_or_is_not_there(tmp_path: Path) -> None:
-    assert told(tmp_path, "urdf/a.stl") == []
-    assert told(tmp_path, "meshes/b.stl") == [], "MSH001"
-    assert told(tmp_path, "meshes/a.stl", build=INSTALL.replace("urdf", "urdf meshes")) == []
+    assert reported(tmp_path, "urdf/a.stl") == []
+    assert reported(tmp_path, "meshes/b.stl") == [], "MSH001"
+    assert reported(tmp_path, "meshes/a.stl", build=INSTALL.replace("urdf", "urdf meshes")) == []
 
 
 def test_nothing_says_what_is_installed(tmp_path: Path) -> None:
-    assert told(tmp_path, "meshes/a.stl", build=None) == []
-    assert told(tmp_path, "meshes/a.stl", build="project(arm)") == []
+    assert reported(tmp_path, "meshes/a.stl", build=None) == []
+    assert reported(tmp_path, "meshes/a.stl", build="project(arm)") == []

@@ -11,7 +11,7 @@ ROBOT = """<robot name="r"><link name="base">
 </link></robot>"""
 
 
-def told(folder: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnostic]:
+def reported(folder: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnostic]:
     (folder / "package.xml").write_text("<package><name>arm</name></package>")
     (folder / file).write_text(build)
     (folder / "r.urdf").write_text(ROBOT)
@@ -29,7 +29,7 @@ def told(folder: Path, build: str, file: str = "CMakeLists.txt") -> list[Diagnos
     ],
 )
 def test_another_name(tmp_path: Path, file: str, build: str) -> None:
-    (found,) = told(tmp_path, build, file)
+    (found,) = reported(tmp_path, build, file)
     assert found.message == f"{file} calls the package 'amr', and package.xml calls it 'arm'"
     assert found.span.source.path == str(tmp_path / file)
     assert found.span.text == "amr"
@@ -39,4 +39,4 @@ def test_another_name(tmp_path: Path, file: str, build: str) -> None:
     "build", ["project(arm)", "project(${NAME})", "", "# no project here", "myproject(amr)"]
 )
 def test_the_same_name_or_none_that_is_written_out(tmp_path: Path, build: str) -> None:
-    assert told(tmp_path, build) == []
+    assert reported(tmp_path, build) == []

@@ -14,7 +14,7 @@ ROBOT = """<robot name="r"><link name="base">
 OWN = "package://arm/meshes/a.stl"
 
 
-def told(
+def reported(
     folder: Path, *meshes: str, launch: str = LAUNCH, target: str = "gz-harmonic"
 ) -> list[Diagnostic]:
     """The findings of a workspace with one package, which starts Gazebo unless told otherwise."""
@@ -34,7 +34,7 @@ def told(
 
 
 def test_nothing_tells_gazebo(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, OWN, OWN)
+    (found,) = reported(tmp_path, OWN, OWN)
     assert found.message == (
         f"Gazebo will not find '{OWN}', nor 1 more of this package: nothing in the workspace "
         "sets GZ_SIM_RESOURCE_PATH or exports gazebo_model_path"
@@ -44,13 +44,13 @@ def test_nothing_tells_gazebo(tmp_path: Path) -> None:
 
 
 def test_the_variable_is_that_of_the_target(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, target="classic-ros2")
+    (found,) = reported(tmp_path, target="classic-ros2")
     assert "sets GAZEBO_MODEL_PATH or" in found.message
 
 
 @pytest.mark.parametrize("target", ["classic-ros1", "moveit", "ros1"])
 def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> None:
-    assert told(tmp_path, target=target) == []
+    assert reported(tmp_path, target=target) == []
 
 
 @pytest.mark.parametrize(
@@ -68,10 +68,10 @@ def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> N
 def test_something_tells_it(tmp_path: Path, file: str, text: str) -> None:
     (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / file).write_text(text)
-    assert told(tmp_path) == []
+    assert reported(tmp_path) == []
 
 
 def test_no_gazebo_no_package_no_file(tmp_path: Path) -> None:
-    assert told(tmp_path, launch="Node(package='rviz2')") == []
-    assert told(tmp_path, "../meshes/a.stl") == []
-    assert told(tmp_path, "package://arm/meshes/b.stl") == []
+    assert reported(tmp_path, launch="Node(package='rviz2')") == []
+    assert reported(tmp_path, "../meshes/a.stl") == []
+    assert reported(tmp_path, "package://arm/meshes/b.stl") == []

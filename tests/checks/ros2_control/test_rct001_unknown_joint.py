@@ -3,7 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.controls import NEXT, ROBOT, control, driven, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit import check
 
 
@@ -21,8 +21,8 @@ def test_a_joint_of_a_transmission() -> None:
         "transmission 't' names joint 'wheel', which is not in the model"
     ]
     assert places("RCT001", text) == [(NEXT + 1, "wheel")]
-    assert told("RCT001", text, targets=("classic-ros1", "ros2")) != []
-    assert told("RCT001", text, targets=("ros2",)) == [], "nothing reads it there"
+    assert reported("RCT001", text, targets=("classic-ros1", "ros2")) != []
+    assert reported("RCT001", text, targets=("ros2",)) == [], "nothing reads it there"
 
 
 def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
@@ -30,12 +30,12 @@ def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
     assert messages("RCT001", ROBOT + control(driven("swing"), inner.format("slide"))) == [
         "transmission 't' names joint 'slide', which <ros2_control> 'c' does not list"
     ]
-    assert told("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
+    assert reported("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
 
 
 def test_what_is_no_joint_is_free() -> None:
-    assert told("RCT001", ROBOT + control('<gpio name="g"/>', '<sensor name="s"/>')) == []
-    assert told("RCT001", ROBOT + control("<joint/>", driven("${side}_arm"))) == []
+    assert reported("RCT001", ROBOT + control('<gpio name="g"/>', '<sensor name="s"/>')) == []
+    assert reported("RCT001", ROBOT + control("<joint/>", driven("${side}_arm"))) == []
 
 
 def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
@@ -53,5 +53,5 @@ def test_a_part_of_a_robot_is_calm(tmp_path: Path) -> None:
 def test_a_description_of_the_hardware_alone() -> None:
     """Such as those of webots_ros2, whose joints are in the world; or of one controller manager."""
     block = control(driven("left motor"), driven("right motor"))
-    assert told("RCT001", block) == told("RCT001", '<link name="base"/>' + block) == []
-    assert len(told("RCT001", ROBOT + block)) == 2
+    assert reported("RCT001", block) == reported("RCT001", '<link name="base"/>' + block) == []
+    assert len(reported("RCT001", ROBOT + block)) == 2

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_a_fixed_joint_in_ros2_control() -> None:
@@ -15,13 +15,13 @@ def test_a_fixed_joint_in_ros2_control() -> None:
 def test_a_fixed_joint_in_a_transmission() -> None:
     text = ROBOT + transmission("weld")
     assert messages("RCT002", text) == ["transmission 't' drives joint 'weld', which is fixed"]
-    assert told("RCT002", text, targets=("gz-harmonic",)) == []
+    assert reported("RCT002", text, targets=("gz-harmonic",)) == []
 
 
 @pytest.mark.parametrize("name", ["swing", "slide", "follow", "nobody", ""])
 def test_joints_that_move_or_are_unknown(name: str) -> None:
-    assert told("RCT002", ROBOT + control(driven(name))) == []
-    assert told("RCT002", ROBOT + transmission(name)) == []
+    assert reported("RCT002", ROBOT + control(driven(name))) == []
+    assert reported("RCT002", ROBOT + transmission(name)) == []
 
 
 def test_a_vendor_s_interface_may_drive_nothing() -> None:
@@ -30,4 +30,4 @@ def test_a_vendor_s_interface_may_drive_nothing() -> None:
         '<joint name="weld"><hardwareInterface>franka_hw/FrankaModelInterface'
         "</hardwareInterface></joint></transmission>"
     )
-    assert told("RCT002", ROBOT + joint) == []
+    assert reported("RCT002", ROBOT + joint) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_a_slip() -> None:
@@ -20,7 +20,7 @@ def test_a_slip() -> None:
     "position velocity effort acceleration torque pid_gain position_pid velocity_scaling x".split(),
 )
 def test_names_that_hardware_and_controller_agree_on(name: str) -> None:
-    assert told("RCT004", ROBOT + control(driven("swing", name, name))) == []
+    assert reported("RCT004", ROBOT + control(driven("swing", name, name))) == []
 
 
 def test_gazebo_has_three_and_classic_five() -> None:
@@ -31,7 +31,9 @@ def test_gazebo_has_three_and_classic_five() -> None:
             "gz_ros2_control/GazeboSimSystem has (position, velocity, effort)"
         )
     ]
-    assert told("RCT004", ROBOT + control(driven("swing", "position_pid"), plugin=CLASSIC)) == []
+    assert (
+        reported("RCT004", ROBOT + control(driven("swing", "position_pid"), plugin=CLASSIC)) == []
+    )
     assert messages("RCT004", ROBOT + control(driven("swing", state="torque"), plugin=CLASSIC)) == [
         (
             "joint 'swing': state interface 'torque' is none that "
@@ -52,22 +54,22 @@ def test_sensors_and_gpios() -> None:
         )
     ]
     for name in ("orientation.x", "force.z", "ft.torque.x", "temperature", "positon"):
-        assert told("RCT004", ROBOT + control(sensor.format(name))) == []
+        assert reported("RCT004", ROBOT + control(sensor.format(name))) == []
     gpio = '<gpio name="g"><command_interface name="positon"/></gpio>'
-    assert told("RCT004", ROBOT + control(gpio)) == []
+    assert reported("RCT004", ROBOT + control(gpio)) == []
 
 
 def test_hardware_interfaces_of_ros1() -> None:
-    slip = ROBOT + transmission("swing", "hardware_interface/EffortJointInterfce")
-    assert messages("RCT004", slip) == [
+    mistake = ROBOT + transmission("swing", "hardware_interface/EffortJointInterfce")
+    assert messages("RCT004", mistake) == [
         (
             "joint 'swing': hardware interface 'hardware_interface/EffortJointInterfce' is nearly "
             "'hardware_interface/EffortJointInterface'"
         )
     ]
-    assert told("RCT004", slip, targets=("ros2",)) == []
+    assert reported("RCT004", mistake, targets=("ros2",)) == []
     for name in ("VelocityJointInterface", "hardware_interface/PosVelJointInterface", "my/Own"):
-        assert told("RCT004", ROBOT + transmission("swing", name)) == []
+        assert reported("RCT004", ROBOT + transmission("swing", name)) == []
 
 
 def test_gazebo_of_ros1_knows_three() -> None:
@@ -80,4 +82,4 @@ def test_gazebo_of_ros1_knows_three() -> None:
         "its hardware fails to start"
     )
     own = plugin("libgazebo_ros_control.so", "<robotSimType>acme/Sim</robotSimType>")
-    assert told("RCT004", text + own) == []
+    assert reported("RCT004", text + own) == []

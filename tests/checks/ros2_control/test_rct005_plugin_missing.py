@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 PLUGIN = "<plugin>mock_components/GenericSystem</plugin>"
 GOOD = ROBOT + control(driven("swing"))
@@ -36,7 +36,7 @@ def test_hardware_without_plugin(old: str, new: str, message: str, place: tuple[
     text = GOOD.replace(old, new)
     assert messages("RCT005", text) == [message]
     assert places("RCT005", text) == [place]
-    assert told("RCT005", GOOD) == []
+    assert reported("RCT005", GOOD) == []
 
 
 def test_a_transmission_without_plugin() -> None:
@@ -45,7 +45,7 @@ def test_a_transmission_without_plugin() -> None:
         "transmission 't' names no <plugin>"
     ]
     given = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
-    assert told("RCT005", ROBOT + control(driven("swing"), given)) == []
+    assert reported("RCT005", ROBOT + control(driven("swing"), given)) == []
 
 
 @pytest.mark.parametrize(
@@ -59,4 +59,4 @@ def test_a_transmission_without_plugin() -> None:
 def test_the_choice_of_arguments(hardware: str, number: int) -> None:
     text = GOOD.replace(f"<hardware>{PLUGIN}</hardware>", hardware)
     robot = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>'
-    assert len(told("RCT005", robot)) == number
+    assert len(reported("RCT005", robot)) == number

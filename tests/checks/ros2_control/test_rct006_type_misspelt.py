@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
@@ -29,4 +29,4 @@ def test_no_type() -> None:
 
 @pytest.mark.parametrize("kind", ["system", "actuator", "sensor", "${kind}"])
 def test_the_types_that_there_are(kind: str) -> None:
-    assert told("RCT006", ROBOT + control(driven("swing"), kind=kind)) == []
+    assert reported("RCT006", ROBOT + control(driven("swing"), kind=kind)) == []

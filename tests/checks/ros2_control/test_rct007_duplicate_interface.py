@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.controls import NEXT, ROBOT, control, driven
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_two_blocks_for_one_joint() -> None:
@@ -10,7 +10,7 @@ def test_two_blocks_for_one_joint() -> None:
         "joint 'swing': command interface 'position' is declared twice"
     ]
     assert places("RCT007", text) == [(NEXT + 6, '<command_interface name="position"/>')]
-    (found,) = told("RCT007", text)
+    (found,) = reported("RCT007", text)
     assert [(one.span.line, one.message) for one in found.related] == [
         (NEXT + 2, "first here, in <ros2_control> 'c'")
     ]
@@ -26,13 +26,13 @@ def test_one_block_twice_the_same() -> None:
 def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
     sensor = '<joint name="swing"><state_interface name="velocity"/></joint>'
     text = control(driven("swing")) + control(sensor, name="s", kind="sensor")
-    assert told("RCT007", ROBOT + text) == [], "and a command is not a state"
-    assert told("RCT007", ROBOT + control(driven("swing"), driven("slide"))) == []
+    assert reported("RCT007", ROBOT + text) == [], "and a command is not a state"
+    assert reported("RCT007", ROBOT + control(driven("swing"), driven("slide"))) == []
 
 
 def test_a_sensor_and_a_gpio_of_one_name_are_two_things() -> None:
     """As in the hands of Robotis: the GPIO holds the settings of the sensor's bus."""
     state = '<state_interface name="pressure"/>'
     sensor = f'<sensor name="s">{state}</sensor>'
-    assert told("RCT007", ROBOT + control(sensor, f'<gpio name="s">{state}</gpio>')) == []
-    assert len(told("RCT007", ROBOT + control(sensor, sensor))) == 1
+    assert reported("RCT007", ROBOT + control(sensor, f'<gpio name="s">{state}</gpio>')) == []
+    assert len(reported("RCT007", ROBOT + control(sensor, sensor))) == 1

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control, driven
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
 BAD = ROBOT + control(driven("swing"), driven("follow", "velocity"))
@@ -27,22 +27,22 @@ def test_a_follower_with_a_command() -> None:
     ],
 )
 def test_humble_lets_it_pass(targets: tuple[str, ...], severity: Severity) -> None:
-    (found,) = told("RCT008", BAD, targets=targets)
+    (found,) = reported("RCT008", BAD, targets=targets)
     assert found.severity is severity
 
 
 def test_a_follower_without_command() -> None:
     state = '<joint name="follow"><state_interface name="position"/></joint>'
-    assert told("RCT008", ROBOT + control(driven("swing"), state)) == []
+    assert reported("RCT008", ROBOT + control(driven("swing"), state)) == []
 
 
 def test_a_follower_with_a_motor_of_its_own() -> None:
     own = driven("follow").replace("<joint ", '<joint mimic="False" ')
-    assert told("RCT008", ROBOT + control(driven("swing"), own)) == []
+    assert reported("RCT008", ROBOT + control(driven("swing"), own)) == []
     same = driven("follow").replace("<joint ", '<joint mimic="true" ')
-    assert len(told("RCT008", ROBOT + control(driven("swing"), same))) == 1
+    assert len(reported("RCT008", ROBOT + control(driven("swing"), same))) == 1
 
 
 def test_the_form_of_humble() -> None:
     old = driven("follow", more='<param name="mimic">swing</param>')
-    assert told("RCT008", ROBOT + control(driven("swing"), old)) == []
+    assert reported("RCT008", ROBOT + control(driven("swing"), old)) == []

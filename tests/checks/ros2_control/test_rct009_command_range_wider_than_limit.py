@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def commanded(name: str, interface: str, least: str, greatest: str) -> str:
@@ -53,7 +53,7 @@ def test_the_place_is_the_bound_that_is_outside() -> None:
 
 def test_one_block_is_one_finding() -> None:
     joints = [commanded("slide", "position", "-1", "1"), commanded("swing", "velocity", "-9", "9")]
-    (found,) = told("RCT009", ROBOT + control(*joints))
+    (found,) = reported("RCT009", ROBOT + control(*joints))
     assert found.message.endswith(", and 1 more in <ros2_control> 'c'")
     assert [related.span.line for related in found.related] == [NEXT + 3]
 
@@ -71,4 +71,4 @@ def test_one_block_is_one_finding() -> None:
     ],
 )
 def test_within(joint: str) -> None:
-    assert told("RCT009", ROBOT + control(joint)) == []
+    assert reported("RCT009", ROBOT + control(joint)) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 LOADS = "libgazebo_ros2_control.so"
 NAMESPACE = "<ros><namespace>{}</namespace></ros>"
@@ -23,17 +23,17 @@ def test_hardware_that_nothing_loads(hardware: str, simulator: str, file: str) -
         f"<ros2_control> 'c' is for {simulator}, and no plugin of <gazebo> loads it ({file})"
     ]
     assert places("RCT010", text) == [(NEXT + 1, "<plugin>")]
-    assert told("RCT010", text + plugin(file)) == []
+    assert reported("RCT010", text + plugin(file)) == []
 
 
 def test_one_plugin_serves_all_blocks() -> None:
     blocks = [control(driven(name), plugin=GZ, name=name) for name in ("swing", "slide")]
-    assert len(told("RCT010", ROBOT + "".join(blocks))) == 1
+    assert len(reported("RCT010", ROBOT + "".join(blocks))) == 1
 
 
 def test_hardware_of_no_simulator() -> None:
-    assert told("RCT010", ROBOT + control(driven("swing"), plugin=MOCK)) == []
-    assert told("RCT010", ROBOT + control(driven("swing"), plugin="acme/Arm")) == []
+    assert reported("RCT010", ROBOT + control(driven("swing"), plugin=MOCK)) == []
+    assert reported("RCT010", ROBOT + control(driven("swing"), plugin="acme/Arm")) == []
 
 
 def test_two_plugins_in_one_namespace() -> None:
@@ -42,17 +42,19 @@ def test_two_plugins_in_one_namespace() -> None:
     assert messages("RCT010", text) == [f"plugin {LOADS} is there twice in one namespace"]
     assert [line for line, _ in places("RCT010", text)] == [NEXT + 5]
     left, right = (plugin(LOADS, NAMESPACE.format(side)) for side in ("left", "right"))
-    assert told("RCT010", block + left + right) == []
-    assert len(told("RCT010", block + left + left)) == 1
+    assert reported("RCT010", block + left + right) == []
+    assert len(reported("RCT010", block + left + left)) == 1
 
 
 def test_the_plugin_of_ros1_wants_transmissions() -> None:
     assert messages("RCT010", ROBOT + plugin("libgazebo_ros_control.so")) == [
         "plugin libgazebo_ros_control.so: no transmission gives it a joint"
     ]
-    assert told("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []
+    assert (
+        reported("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []
+    )
     own = plugin("libgazebo_ros_control.so", "<robotSimType>acme/Sim</robotSimType>")
-    assert told("RCT010", ROBOT + own) == []
+    assert reported("RCT010", ROBOT + own) == []
 
 
 def test_transmissions_for_gazebo_that_nothing_loads() -> None:
@@ -63,4 +65,4 @@ def test_transmissions_for_gazebo_that_nothing_loads() -> None:
             "loads them (libgazebo_ros_control.so)"
         )
     ]
-    assert told("RCT010", ROBOT + transmission("swing")) == []
+    assert reported("RCT010", ROBOT + transmission("swing")) == []

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 LOADS_CLASSIC = plugin("libgazebo_ros2_control.so")
 LOADS_GZ = plugin("libgz_ros2_control-system.so")
@@ -19,7 +19,7 @@ def test_classic_hardware_for_gz() -> None:
         )
     ]
     assert places("RCT011", text) == [(NEXT + 1, "<plugin>")]
-    (found,) = told("RCT011", text)
+    (found,) = reported("RCT011", text)
     assert [(one.span.line, one.message) for one in found.related] == [
         (NEXT + 4, "the control plugin")
     ]
@@ -47,4 +47,4 @@ def test_gz_hardware_for_classic_and_for_ros1() -> None:
     ],
 )
 def test_what_fits_or_is_unknown(hardware: str, plugins: str) -> None:
-    assert told("RCT011", ROBOT + control(driven("swing"), plugin=hardware) + plugins) == []
+    assert reported("RCT011", ROBOT + control(driven("swing"), plugin=hardware) + plugins) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from tests.checks.ros2_control.test_rct009_command_range_wider_than_limit import commanded
 from tests.controls import NEXT, ROBOT, control
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def test_swapped() -> None:
@@ -22,5 +22,6 @@ def test_of_a_gpio() -> None:
 def test_ranges_that_hold_something() -> None:
     for least, greatest in [("0", "0"), ("-1", "1"), ("x", "1"), ("1", "")]:
         assert (
-            told("RCT019", ROBOT + control(commanded("slide", "position", least, greatest))) == []
+            reported("RCT019", ROBOT + control(commanded("slide", "position", least, greatest)))
+            == []
         )

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, control
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 
 def starting(name: str, interface: str, value: str) -> str:
@@ -32,4 +32,4 @@ def test_outside() -> None:
     ],
 )
 def test_within_or_without_limits(name: str, interface: str, value: str) -> None:
-    assert told("RCT020", ROBOT + control(starting(name, interface, value))) == []
+    assert reported("RCT020", ROBOT + control(starting(name, interface, value))) == []

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import NEXT, ROBOT, control
-from tests.told import messages, places
+from tests.reported import messages, places
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import ROBOT, control
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 
 
 def with_parameter(name: str, value: str) -> str:

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import GZ, MOCK, ROBOT, control
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 
 
 @pytest.mark.parametrize(
@@ -14,11 +14,11 @@ from tests.told import fixed, messages
         ("GazeboSimSystem", GZ),
     ],
 )
-def test_a_slip_is_told_and_mended(name: str, meant: str) -> None:
+def test_a_slip_is_told_and_mended(name: str, suggested: str) -> None:
     assert messages("RCT028", ROBOT + control(plugin=name)) == [
-        f"<ros2_control> 'c': hardware '{name}' is nearly '{meant}'"
+        f"<ros2_control> 'c': hardware '{name}' is nearly '{suggested}'"
     ]
-    assert f"<plugin>{meant}</plugin>" in fixed("RCT028", ROBOT + control(plugin=name))
+    assert f"<plugin>{suggested}</plugin>" in fixed("RCT028", ROBOT + control(plugin=name))
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, ROBOT, control, driven
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 FOLLOWS = '<param name="mimic">swing</param><param name="multiplier">1</param>'
 
@@ -23,9 +23,9 @@ def test_a_parameter_of_humble_for_jazzy() -> None:
     [("slide", CLASSIC), ("slide", "ign_ros2_control/IgnitionSystem"), ("slide", MOCK)],
 )
 def test_where_it_is_read_or_nothing_is_known(joint: str, hardware: str) -> None:
-    assert told("RCT031", ROBOT + control(driven(joint, more=FOLLOWS), plugin=hardware)) == []
+    assert reported("RCT031", ROBOT + control(driven(joint, more=FOLLOWS), plugin=hardware)) == []
 
 
 def test_a_joint_that_mimics_needs_no_parameter() -> None:
-    assert told("RCT031", ROBOT + control(driven("follow", more=FOLLOWS), plugin=GZ)) == []
-    assert told("RCT031", ROBOT + control(driven("slide"), plugin=GZ)) == []
+    assert reported("RCT031", ROBOT + control(driven("follow", more=FOLLOWS), plugin=GZ)) == []
+    assert reported("RCT031", ROBOT + control(driven("slide"), plugin=GZ)) == []

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, ROBOT, control
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 IMU = '<sensor name="{}"><state_interface name="orientation.x"/></sensor>'
 GAZEBO = '<gazebo reference="swing_link"><sensor name="base_imu" type="imu"/></gazebo>'
@@ -22,5 +22,5 @@ def test_a_sensor_that_gazebo_does_not_have(hardware: str) -> None:
 
 
 def test_others_are_calm() -> None:
-    assert told("RCT032", ROBOT + control(IMU.format("base_imu"), plugin=GZ) + GAZEBO) == []
-    assert told("RCT032", ROBOT + control(IMU.format("own"), plugin=MOCK) + GAZEBO) == []
+    assert reported("RCT032", ROBOT + control(IMU.format("base_imu"), plugin=GZ) + GAZEBO) == []
+    assert reported("RCT032", ROBOT + control(IMU.format("own"), plugin=MOCK) + GAZEBO) == []

@@ -1,7 +1,7 @@
 """RCT033: see the rule."""
 
 from tests.controls import NEXT, ROBOT, control, driven
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 MUTE = '<joint name="swing"><command_interface name="velocity"/></joint>'
 
@@ -17,8 +17,8 @@ def test_a_joint_that_tells_nothing() -> None:
 def test_a_sensor_may_tell_for_it() -> None:
     sensor = '<joint name="swing"><state_interface name="position"/></joint>'
     text = ROBOT + control(MUTE) + control(sensor, name="s", kind="sensor")
-    assert told("RCT033", text) == []
+    assert reported("RCT033", text) == []
 
 
 def test_a_joint_without_commands_is_calm() -> None:
-    assert told("RCT033", ROBOT + control('<joint name="swing"/>')) == []
+    assert reported("RCT033", ROBOT + control('<joint name="swing"/>')) == []

@@ -30,7 +30,7 @@ ARM = whole_robot(
 )
 
 
-def told(folder: Path, matrix: str, robot: str = ARM) -> list[Diagnostic]:
+def reported(folder: Path, matrix: str, robot: str = ARM) -> list[Diagnostic]:
     (folder / "r.urdf").write_text(robot)
     (folder / "r.srdf").write_text(f'<robot name="example">\n{matrix}\n</robot>\n')
     return list(check(folder / "r.urdf", select=["SRD009"]).diagnostics)
@@ -41,7 +41,7 @@ def pair(first: str, second: str, reason: str = "Never") -> str:
 
 
 def test_the_depth_and_the_pose(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, pair("hand", "base"))
+    (found,) = reported(tmp_path, pair("hand", "base"))
     assert found.message.startswith("'hand' and 'base' overlap by ")
     assert "upper_hand " in found.message
     assert found.span.source.path == str(tmp_path / "r.srdf")
@@ -60,12 +60,12 @@ def test_the_depth_and_the_pose(tmp_path: Path) -> None:
     ],
 )
 def test_what_is_no_matter(tmp_path: Path, matrix: str) -> None:
-    assert told(tmp_path, matrix) == []
+    assert reported(tmp_path, matrix) == []
 
 
 def test_what_the_limits_rule_out_is_no_matter(tmp_path: Path) -> None:
     short = ARM.replace('lower="-3" upper="3"', 'lower="-2" upper="2"')
-    assert told(tmp_path, pair("hand", "base"), short) == []
+    assert reported(tmp_path, pair("hand", "base"), short) == []
 
 
 def test_the_matrix_of_a_real_arm(corpus: Path) -> None:
@@ -88,6 +88,6 @@ def test_a_long_matrix_gets_fewer_samples(tmp_path: Path, monkeypatch: pytest.Mo
         return [None] * len(pairs)
 
     monkeypatch.setattr(SampledPoses, "colliding", colliding)
-    told(tmp_path, pair("hand", "base"))
-    told(tmp_path, pair("hand", "base") * 1000)
+    reported(tmp_path, pair("hand", "base"))
+    reported(tmp_path, pair("hand", "base") * 1000)
     assert asked == [(1, 2000), (1000, 400)]

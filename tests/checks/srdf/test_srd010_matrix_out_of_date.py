@@ -13,7 +13,7 @@ from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
 
 
-def told(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:
+def reported(folder: Path, matrix: str, *, near: float = 0.15) -> list[Diagnostic]:
     """A hand that is held near the arm."""
     robot = whole_robot(
         "\n".join(
@@ -36,7 +36,7 @@ ALL = f'{SOME}<disable_collisions link1="hand" link2="arm" reason="Adjacent"/>'
 
 
 def test_the_pair_and_the_depth(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, SOME)
+    (found,) = reported(tmp_path, SOME)
     assert found.message == (
         "'arm' and 'hand' are held together and overlap by 50 mm, but their collisions are not "
         "disabled"
@@ -46,8 +46,8 @@ def test_the_pair_and_the_depth(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("matrix", [ALL, "", f'{SOME}<disable_default_collisions link="arm"/>'])
 def test_a_pair_that_is_disabled_and_no_matrix_at_all(tmp_path: Path, matrix: str) -> None:
-    assert told(tmp_path, matrix) == []
+    assert reported(tmp_path, matrix) == []
 
 
 def test_what_does_not_overlap_is_no_matter(tmp_path: Path) -> None:
-    assert told(tmp_path, SOME, near=0.21) == []
+    assert reported(tmp_path, SOME, near=0.21) == []

@@ -7,7 +7,7 @@ from tests.srdfs import findings
 from urdfkit import Diagnostic, check
 
 
-def told(folder: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
+def reported(folder: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
     lines = "".join(f"  {name}:\n    max_velocity: 1.0\n" for name in joints)
     (folder / place).parent.mkdir(exist_ok=True)
     (folder / place).write_text(f"joint_limits:\n{lines}")
@@ -15,7 +15,7 @@ def told(folder: Path, *joints: str, place: str = "joint_limits.yaml") -> list[D
 
 
 def test_a_slip(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "shoulder", "shuolder")
+    (found,) = reported(tmp_path, "shoulder", "shuolder")
     assert found.message == "limits for joint 'shuolder', which is not in the model"
     assert found.help == "did you mean 'shoulder'?"
     assert found.span.source.path == str(tmp_path / "joint_limits.yaml")
@@ -23,12 +23,12 @@ def test_a_slip(tmp_path: Path) -> None:
 
 
 def test_limits_of_another_robot_are_told_once(tmp_path: Path) -> None:
-    (found,) = told(tmp_path, "a", "b", "c")
+    (found,) = reported(tmp_path, "a", "b", "c")
     assert "'a'" in found.message
 
 
 def test_known_joints_and_files_that_say_nothing(tmp_path: Path) -> None:
-    assert told(tmp_path, "shoulder", "wrist") == []
+    assert reported(tmp_path, "shoulder", "wrist") == []
     for text in ("", "joint_limits: 3", "joint_limits:\n  elbow: 3", "- a", "joint_limits: ["):
         (tmp_path / "joint_limits.yaml").write_text(text)
         assert findings(tmp_path, "", "SRD014") == []

@@ -8,7 +8,7 @@ from tests.srdfs import findings
 from urdfkit import Diagnostic
 
 
-def told(folder: Path, **values: str) -> list[Diagnostic]:
+def reported(folder: Path, **values: str) -> list[Diagnostic]:
     lines = "".join(f"    {name}: {value}\n" for name, value in values.items())
     (folder / "joint_limits.yaml").write_text(f"joint_limits:\n  shoulder:\n{lines}")
     return findings(folder, "", "SRD015")
@@ -39,7 +39,7 @@ def told(folder: Path, **values: str) -> list[Diagnostic]:
     ],
 )
 def test_wider(tmp_path: Path, values: dict[str, str], message: str) -> None:
-    (found,) = told(tmp_path, **values)
+    (found,) = reported(tmp_path, **values)
     assert found.message == message
     assert found.span.source.path == str(tmp_path / "joint_limits.yaml")
     (related,) = found.related
@@ -59,4 +59,4 @@ def test_wider(tmp_path: Path, values: dict[str, str], message: str) -> None:
     ],
 )
 def test_narrower_or_off(tmp_path: Path, values: dict[str, str]) -> None:
-    assert told(tmp_path, **values) == []
+    assert reported(tmp_path, **values) == []

@@ -19,10 +19,10 @@ GROUP = '<group name="arm"><link name="arm"/></group>'
         ("my_solvers/Mine", ""),
     ],
 )
-def test_slips_of_solvers(tmp_path: Path, solver: str, meant: str | None) -> None:
+def test_slips_of_solvers(tmp_path: Path, solver: str, suggested: str | None) -> None:
     (tmp_path / "kinematics.yaml").write_text(f"arm:\n  kinematics_solver: {solver}\n")
     found = findings(tmp_path, GROUP, "SRD023")
-    assert len(found) == (meant != "")
+    assert len(found) == (suggested != "")
     for one in found:
         assert one.span.text == solver
-        assert meant is None or one.help == f"write {meant}"
+        assert suggested is None or one.help == f"write {suggested}"

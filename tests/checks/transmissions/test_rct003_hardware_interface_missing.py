@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from tests.controls import NEXT, ROBOT, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 EMPTY = ROBOT + transmission("swing", " ")
 PR2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission">{}</transmission>'
@@ -12,7 +12,7 @@ def test_without_one() -> None:
         "transmission 't': joint 'swing' has no <hardwareInterface>"
     ]
     assert places("RCT003", EMPTY) == [(NEXT + 1, '<joint name="swing">')]
-    assert told("RCT003", ROBOT + transmission("swing")) == []
+    assert reported("RCT003", ROBOT + transmission("swing")) == []
 
 
 def test_the_one_in_the_actuator_does_not_count() -> None:
@@ -26,5 +26,5 @@ def test_the_one_in_the_actuator_does_not_count() -> None:
 
 
 def test_who_does_not_read_it() -> None:
-    assert told("RCT003", EMPTY, targets=("ros2",)) == []
-    assert told("RCT003", ROBOT + PR2.format('<joint name="swing"/>')) == []
+    assert reported("RCT003", EMPTY, targets=("ros2",)) == []
+    assert reported("RCT003", ROBOT + PR2.format('<joint name="swing"/>')) == []

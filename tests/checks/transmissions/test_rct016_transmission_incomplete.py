@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from tests.controls import NEXT, ROBOT, transmission
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
 GOOD = ROBOT + transmission("swing")
@@ -38,10 +38,10 @@ def test_what_is_missing(old: str, new: str, message: str) -> None:
 
 
 def test_what_is_whole_or_not_read() -> None:
-    assert told("RCT016", GOOD) == []
-    assert told("RCT016", GOOD.replace(TYPE, ""), targets=("ros2",)) == []
+    assert reported("RCT016", GOOD) == []
+    assert reported("RCT016", GOOD.replace(TYPE, ""), targets=("ros2",)) == []
     pr2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission"/>'
-    assert told("RCT016", ROBOT + pr2) == []
+    assert reported("RCT016", ROBOT + pr2) == []
 
 
 @pytest.mark.parametrize(
@@ -49,5 +49,5 @@ def test_what_is_whole_or_not_read() -> None:
     [((), Severity.WARNING), (("ros1",), Severity.ERROR), (("mujoco",), Severity.WARNING)],
 )
 def test_only_ros_suffers(targets: tuple[str, ...], severity: Severity) -> None:
-    (finding, *_) = told("RCT016", GOOD.replace(TYPE, ""), targets=targets)
+    (finding, *_) = reported("RCT016", GOOD.replace(TYPE, ""), targets=targets)
     assert finding.severity is severity

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.controls import ROBOT, transmission
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 
 SOUND = ROBOT + transmission("swing")
 
@@ -51,7 +51,7 @@ def test_what_is_read_or_of_others(old: str, new: str) -> None:
 
 
 def test_ros2_passes_over_it_whatever_it_says() -> None:
-    assert told("RCT024", SOUND.replace(">1<", ">0<"), targets=("ros2",)) == []
+    assert reported("RCT024", SOUND.replace(">1<", ">0<"), targets=("ros2",)) == []
 
 
 def test_a_type_without_its_package() -> None:

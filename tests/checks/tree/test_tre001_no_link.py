@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -22,9 +22,9 @@ def test_the_robot_is_the_place() -> None:
     ],
 )
 def test_a_library_and_what_other_rules_tell(robot: str, path: str) -> None:
-    assert told("TRE001", robot, path) == []
+    assert reported("TRE001", robot, path) == []
 
 
 def test_the_settings_of_the_webots_driver_are_no_robot() -> None:
     webots = '<webots><plugin type="webots_ros2_control::Ros2Control"/></webots>'
-    assert told("TRE001", webots) == told("URD001", webots) == []
+    assert reported("TRE001", webots) == reported("URD001", webots) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import itertools
 
-from tests.told import messages, told
+from tests.reported import messages, reported
 
 JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/><child link="{1}"/></joint>\n'
 
@@ -13,7 +13,7 @@ def links(*names: str) -> str:
 
 def test_the_largest_tree_is_the_robot_and_the_others_are_loose() -> None:
     robot = links("camera", "base", "arm", "lamp") + JOINT.format("base", "arm")
-    (found,) = told("TRE002", robot)
+    (found,) = reported("TRE002", robot)
     assert found.message == "3 root links: 'camera', 'base', 'lamp'"
     assert (found.span.line, found.span.text) == (2, '<link name="camera"/>')
     assert [(one.span.line, one.message) for one in found.related] == [
@@ -23,7 +23,7 @@ def test_the_largest_tree_is_the_robot_and_the_others_are_loose() -> None:
 
 
 def test_a_hundred_are_counted() -> None:
-    (found,) = told("TRE002", links(*(f"l{number}" for number in range(100))))
+    (found,) = reported("TRE002", links(*(f"l{number}" for number in range(100))))
     assert found.message.startswith("100 root links: 'l0', 'l1', ")
     assert found.message.endswith(", 'l7' and 92 more")
     assert len(found.related) == 8
@@ -36,8 +36,8 @@ def test_eight_are_named_without_a_count() -> None:
 
 def test_below_a_missing_link_hangs_no_root() -> None:
     robot = links("base", "arm") + JOINT.format("bse", "arm")
-    assert told("TRE002", robot) == []
-    assert len(told("REF001", robot)) == 1
+    assert reported("TRE002", robot) == []
+    assert len(reported("REF001", robot)) == 1
 
 
 def test_one_root_is_right() -> None:
@@ -51,6 +51,6 @@ def test_many_roots_above_one_long_chain_are_counted_once() -> None:
     joints = "".join(JOINT.format(*pair) for pair in itertools.pairwise(chain))
     tops = [f"t{number}" for number in range(size)]
     robot = links(*chain, *tops) + joints + "".join(JOINT.format(top, "c0") for top in tops)
-    (found,) = told("TRE002", robot)
+    (found,) = reported("TRE002", robot)
     assert found.message.startswith(f"{size} root links: 't0', ")
     assert found.related[0].message == "'t0' has no parent", "the first has the chain"

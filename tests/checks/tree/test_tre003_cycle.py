@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 JOINT = '<joint name="{0}_{1}" type="fixed"><parent link="{0}"/>\n<child link="{1}"/></joint>\n'
 
@@ -12,7 +12,7 @@ def robot(links: str, *joints: str) -> str:
 
 
 def test_the_loop_is_printed_and_its_other_joints_are_shown() -> None:
-    (found,) = told("TRE003", robot("a b c", "a b", "b c", "c a"))
+    (found,) = reported("TRE003", robot("a b c", "a b", "b c", "c a"))
     assert found.message == "a closed loop of 3 joints: a -> b -> c -> a"
     assert found.span.text == "a"
     assert [one.message for one in found.related] == ["joint 'a_b'", "joint 'b_c'"]
@@ -25,7 +25,7 @@ def test_a_loop_that_hangs_on_the_robot() -> None:
 
 
 def test_a_loop_that_hangs_on_nothing() -> None:
-    assert len(told("TRE003", robot("root a b", "a b", "b a"))) == 1
+    assert len(reported("TRE003", robot("root a b", "a b", "b a"))) == 1
 
 
 def test_two_loops_are_two_findings() -> None:
@@ -54,5 +54,5 @@ def test_a_loop_of_eight_is_named_whole() -> None:
 
 
 def test_two_ways_to_one_link_and_a_joint_to_itself_are_other_findings() -> None:
-    assert told("TRE003", robot("a b c d", "a b", "a c", "b d", "c d")) == []  # TRE004
-    assert told("TRE003", robot("a", "a a")) == []  # TRE006
+    assert reported("TRE003", robot("a b c d", "a b", "a c", "b d", "c d")) == []  # TRE004
+    assert reported("TRE003", robot("a", "a a")) == []  # TRE006

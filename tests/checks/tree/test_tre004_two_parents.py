@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 JOINT = '<joint name="{0}" type="fixed"><parent link="{1}"/><child link="{2}"/></joint>\n'
 LINKS = '<link name="a"/><link name="b"/><link name="c"/>\n'
@@ -8,7 +8,7 @@ LINKS = '<link name="a"/><link name="b"/><link name="c"/>\n'
 
 def test_every_further_joint_is_told_with_the_first() -> None:
     robot = LINKS + JOINT.format("i", "a", "c") + JOINT.format("j", "b", "c")
-    (found,) = told("TRE004", robot)
+    (found,) = reported("TRE004", robot)
     assert found.message == "link 'c' is the child of joint 'j' and of joint 'i'"
     assert places("TRE004", robot) == [(4, "c")]
     assert [(one.span.line, one.message) for one in found.related] == [(3, "joint 'i'")]
@@ -23,9 +23,11 @@ def test_two_joints_between_the_same_links() -> None:
 
 def test_the_same_joint_twice_is_another_finding() -> None:
     robot = LINKS + JOINT.format("j", "a", "b") * 2
-    assert told("TRE004", robot) == []
-    assert len(told("NAM002", robot)) == 1
+    assert reported("TRE004", robot) == []
+    assert len(reported("NAM002", robot)) == 1
 
 
 def test_one_joint_for_each_child() -> None:
-    assert told("TRE004", LINKS + JOINT.format("i", "a", "b") + JOINT.format("j", "a", "c")) == []
+    assert (
+        reported("TRE004", LINKS + JOINT.format("i", "a", "b") + JOINT.format("j", "a", "c")) == []
+    )

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 
 JOINT = (
     '<link name="a"/><link name="b"/>\n'
@@ -12,13 +12,15 @@ def test_the_child_is_the_place() -> None:
     robot = JOINT.format("a", "a")
     assert messages("TRE006", robot) == ["joint 'j' has link 'a' as parent and as child"]
     assert places("TRE006", robot) == [(3, "a")]
-    assert told("TRE003", robot) == told("TRE004", robot) == [], "one defect is one finding"
+    assert reported("TRE003", robot) == reported("TRE004", robot) == [], "one defect is one finding"
 
 
 def test_two_links_are_right() -> None:
-    assert told("TRE006", JOINT.format("a", "b")) == []
+    assert reported("TRE006", JOINT.format("a", "b")) == []
 
 
 def test_a_joint_without_ends_is_told_elsewhere() -> None:
     for end in ('<parent link="a"/>', '<child link="a"/>', ""):
-        assert told("TRE006", f'<link name="a"/><joint name="j" type="fixed">{end}</joint>') == []
+        assert (
+            reported("TRE006", f'<link name="a"/><joint name="j" type="fixed">{end}</joint>') == []
+        )

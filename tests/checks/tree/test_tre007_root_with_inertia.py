@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed, messages, told
+from tests.reported import fixed, messages, reported
 from urdfkit.text.diagnostic import Severity
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
@@ -12,14 +12,14 @@ JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="{}"/></joi
 
 
 def test_the_mass_that_kdl_leaves_out() -> None:
-    (found,) = told("TRE007", BASE.format("8.2"))
+    (found,) = reported("TRE007", BASE.format("8.2"))
     assert found.message == "root link 'base' has 8.2 kg, which KDL leaves out"
     assert (found.span.line, found.span.text) == (3, "<inertial>")
     assert found.severity is Severity.INFO
 
 
 def test_for_kdl_it_is_worth_a_warning() -> None:
-    report = told("TRE007", BASE.format("1"), targets=("kdl",))
+    report = reported("TRE007", BASE.format("1"), targets=("kdl",))
     assert [found.severity for found in report] == [Severity.WARNING]
 
 
@@ -53,13 +53,13 @@ def test_a_name_that_is_taken_and_a_link_of_a_macro_are_left_to_a_person() -> No
     taken = (
         EMPTY.replace("base", "base_root") + BASE.format("1") + JOINT.format("base", "base_root")
     )
-    assert [found.fix for found in told("TRE007", taken, targets=("kdl",))] == [None]
+    assert [found.fix for found in reported("TRE007", taken, targets=("kdl",))] == [None]
     robot = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
         f'<xacro:macro name="m" params="">{BASE.format("1")}</xacro:macro><xacro:m/></robot>'
     )
-    assert [found.fix for found in told("TRE007", robot, "robot.xacro", ("kdl",))] == [None]
+    assert [found.fix for found in reported("TRE007", robot, "robot.xacro", ("kdl",))] == [None]
 
 
 def test_another_root_is_proposed_for_kdl_only() -> None:
-    assert [found.fix for found in told("TRE007", BASE.format("1"))] == [None]
+    assert [found.fix for found in reported("TRE007", BASE.format("1"))] == [None]

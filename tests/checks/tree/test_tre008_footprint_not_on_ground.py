@@ -5,7 +5,7 @@ from math import pi
 import pytest
 
 from tests.conftest import MODELS
-from tests.told import messages, places, told
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 
 LINK = (
@@ -99,9 +99,9 @@ def test_what_cannot_be_measured_may_reach_the_ground_but_lifts_nothing(wheel: s
 
 
 def test_without_a_footprint_or_a_shape_nothing_is_said() -> None:
-    assert told("TRE008", robot(BOX, 0).replace("base_footprint", "base")) == []
-    assert told("TRE008", '<link name="base_footprint"/>') == []
-    assert told("TRE008", LINK.format("base_footprint", "0 0 0", "0 0 0", BOX)) == []
+    assert reported("TRE008", robot(BOX, 0).replace("base_footprint", "base")) == []
+    assert reported("TRE008", '<link name="base_footprint"/>') == []
+    assert reported("TRE008", LINK.format("base_footprint", "0 0 0", "0 0 0", BOX)) == []
 
 
 def test_the_mission_s_model() -> None:
@@ -116,9 +116,9 @@ def test_the_mission_s_model() -> None:
 def test_the_height_is_not_known_where_a_mesh_may_reach_lower() -> None:
     wheel = LINK.format("wheel", "0 0 0", "0 0 0", '<mesh filename="wheel.stl"/>')
     text = robot(BOX, 1.9) + wheel + JOINT.format("base_link", "0 0 0", "0 0 0", "wheel")
-    (found,) = told("TRE008", text)
+    (found,) = reported("TRE008", text)
     assert found.fix is None
-    assert told("TRE008", robot(BOX, 1.9))[0].fix is not None
+    assert reported("TRE008", robot(BOX, 1.9))[0].fix is not None
 
 
 def test_a_leg_does_not_stand_as_it_is_at_zero() -> None:
@@ -128,5 +128,5 @@ def test_a_leg_does_not_stand_as_it_is_at_zero() -> None:
     foot = LINK.format("foot", "0 0 0", "0 0 0", BOX)
     hip = hinge.format("base_link", "0 0 -2", "0 0 0", "thigh")
     text = robot(BOX, 2) + thigh + hip
-    assert len(told("TRE008", text)) == 1, "one hinge may be that of a rocker"
-    assert told("TRE008", text + foot + hinge.format("thigh", "0 0 -2", "0 0 0", "foot")) == []
+    assert len(reported("TRE008", text)) == 1, "one hinge may be that of a rocker"
+    assert reported("TRE008", text + foot + hinge.format("thigh", "0 0 -2", "0 0 0", "foot")) == []

@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from tests.told import messages, told
+from tests.reported import messages, reported
 from urdfkit.checks.tree.tre009_deep_chain import MAX_DEPTH
 from urdfkit.lint.runner import MAX_FINDINGS
 from urdfkit.robot.tree import MAX_LOOPS
@@ -34,12 +34,12 @@ def test_many_joints_side_by_side_are_not_deep() -> None:
         f'<parent link="l0"/><child link="l{n}"/></joint>'
         for n in range(1, 3000)
     )
-    assert told("TRE009", f'<link name="l0"/>{joints}') == []
+    assert reported("TRE009", f'<link name="l0"/>{joints}') == []
 
 
 def test_a_long_chain_has_no_other_finding_of_the_tree() -> None:
     """Of a hundred thousand links the tests of bad input tell."""
-    found = told("TRE", chain(10_000))
+    found = reported("TRE", chain(10_000))
     assert [(one.code, one.element) for one in found] == [("TRE009", "link/l10000")]
 
 
@@ -49,5 +49,5 @@ def test_as_many_loops_as_links_through_every_rule_of_the_tree() -> None:
         f'<joint name="back{n}" type="fixed"><parent link="l{n}"/><child link="l0"/></joint>'
         for n in range(1, size + 1)
     )
-    found = Counter(one.code for one in told("TRE", chain(size) + back))
+    found = Counter(one.code for one in reported("TRE", chain(size) + back))
     assert found == {"TRE003": MAX_LOOPS, "TRE004": MAX_FINDINGS}

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import codes, marked, told, told_of, write
+from tests.xacros import codes, marked, reported, told_of, write
 
 MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:macro>\n'
 
@@ -102,7 +102,7 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
     ],
 )
 def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str, help: str) -> None:
-    (found,) = told("XAC001", body)
+    (found,) = reported("XAC001", body)
     assert (found.span.text, found.message) == (place, message)
     default = "mend the expression or the call; the related places show what it refers to"
     assert found.help == (help or default)
@@ -130,7 +130,7 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
     ids=["condition", "macro", "later"],
 )
 def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> None:
-    (found,) = told("XAC001", f"{before}\n{use}")
+    (found,) = reported("XAC001", f"{before}\n{use}")
     assert found.help.startswith(help)
 
 
@@ -139,7 +139,7 @@ def test_all_errors_are_told_each_at_its_place() -> None:
         '<link name="${a}"/>\n<xacro:nope/>\n<xacro:property name="p" scope="parent" value="1"/>\n'
         '<xacro:if value="${b}"/>\n<xacro:include filename="none.xacro"/>'
     )
-    assert marked(told("XAC001", body)) == [
+    assert marked(reported("XAC001", body)) == [
         (2, "${a}"),
         (3, "xacro:nope"),
         (4, "parent"),
@@ -150,7 +150,7 @@ def test_all_errors_are_told_each_at_its_place() -> None:
 
 def test_the_place_of_a_property_that_fails_is_its_definition() -> None:
     body = '<xacro:property name="a" value="${b * 2}"/>\n<link name="${a}"/>\n<link name="x${a}"/>'
-    (found,) = told("XAC001", body)
+    (found,) = reported("XAC001", body)
     assert (found.span.line, found.span.text) == (2, "${b * 2}")
     assert [(one.span.line, one.message) for one in found.related] == [
         (3, "needed here for 'a'"),
@@ -159,7 +159,7 @@ def test_the_place_of_a_property_that_fails_is_its_definition() -> None:
 
 
 def test_a_call_shows_where_its_macro_is_defined() -> None:
-    (found,) = told("XAC001", f"{MACRO}<xacro:m/>")
+    (found,) = reported("XAC001", f"{MACRO}<xacro:m/>")
     assert [(one.span.line, one.message) for one in found.related] == [
         (2, "macro 'm' is defined here")
     ]
@@ -167,7 +167,7 @@ def test_a_call_shows_where_its_macro_is_defined() -> None:
 
 def test_a_macro_that_fails_in_every_call_is_one_finding() -> None:
     body = '<xacro:macro name="m" params="a"><link name="${a + z}"/></xacro:macro>\n'
-    (found,) = told("XAC001", body + '<xacro:m a="1"/>\n<xacro:m a="2"/>')
+    (found,) = reported("XAC001", body + '<xacro:m a="1"/>\n<xacro:m a="2"/>')
     assert (found.span.line, found.span.text) == (2, "${a + z}")
     assert sorted(call.via[0].span.line for call in found.calls) == [3, 4]
 
@@ -205,4 +205,4 @@ class TestMissingFiles:
     ],
 )
 def test_what_xacro_expands(body: str) -> None:
-    assert told("XAC001", body) == []
+    assert reported("XAC001", body) == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.xacros import marked, told, xacro
+from tests.xacros import marked, reported, xacro
 from urdfkit.lint import engine
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Source
@@ -11,7 +11,7 @@ ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro
 
 
 def test_a_macro() -> None:
-    (found,) = told("XAC002", f'{ARM}<link name="base"/>\n<arm side="left"/>')
+    (found,) = reported("XAC002", f'{ARM}<link name="base"/>\n<arm side="left"/>')
     assert (found.span.line, found.span.text) == (4, '<arm side="left"/>')
     assert found.message == "<arm> is a macro, called without its prefix"
     assert found.help == "write the tag, and its end tag, with the prefix: <xacro:...>"
@@ -22,12 +22,12 @@ def test_a_macro_inside_a_link() -> None:
         '<xacro:macro name="default_inertial" params="m"><inertial/></xacro:macro>\n'
         '<link name="base">\n<default_inertial m="1"/></link>'
     )
-    assert marked(told("XAC002", body)) == [(4, '<default_inertial m="1"/>')]
+    assert marked(reported("XAC002", body)) == [(4, '<default_inertial m="1"/>')]
 
 
 @pytest.mark.parametrize("tag", sorted(XACRO_TAGS))
 def test_a_tag_of_xacro(tag: str) -> None:
-    (found,) = told("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} {XACRO_TAGS[tag]}="b"/>')
+    (found,) = reported("XAC002", f'{ARM}<xacro:arm side="a"/>\n<{tag} {XACRO_TAGS[tag]}="b"/>')
     assert found.span.line == 4
     assert found.message == f"<{tag}> is a tag of xacro, without its prefix"
 
@@ -38,7 +38,7 @@ def test_a_tag_of_another_program_is_not_that_of_xacro() -> None:
         '<link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>'
         '<child link="b"/><property inertia="4.9" ratio="101"/></joint>'
     )
-    assert told("XAC002", f'{ARM}<xacro:arm side="a"/>{body}') == []
+    assert reported("XAC002", f'{ARM}<xacro:arm side="a"/>{body}') == []
 
 
 def test_no_other_rule_says_the_same() -> None:
@@ -55,11 +55,11 @@ def test_elements_of_urdf_and_of_gazebo_may_be_called_like_a_macro() -> None:
         '<xacro:macro name="plugin" params=""><gazebo/></xacro:macro>\n'
         '<link name="a"><inertial/></link><gazebo><plugin/><include/></gazebo>'
     )
-    assert told("XAC002", body) == []
+    assert reported("XAC002", body) == []
 
 
 def test_a_macro_may_be_called_robot() -> None:
-    assert told("XAC002", '<xacro:macro name="robot" params=""/><link name="a"/><robot/>') == []
+    assert reported("XAC002", '<xacro:macro name="robot" params=""/><link name="a"/><robot/>') == []
 
 
 def test_a_plain_urdf_is_another_rule() -> None:

@@ -4,19 +4,21 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import marked, told, told_of, write
+from tests.xacros import marked, reported, told_of, write
 
 WIDTH = '<xacro:property name="width" value="0.3"/>\n'
 
 
 def test_never_used() -> None:
-    (found,) = told("XAC004", f'{WIDTH}<link name="a"/>')
+    (found,) = reported("XAC004", f'{WIDTH}<link name="a"/>')
     assert (found.span.line, found.span.text) == (2, WIDTH.strip())
     assert found.message == "property 'width' is never used"
 
 
 def test_a_block_that_is_never_inserted() -> None:
-    (found,) = told("XAC004", '<xacro:property name="o"><origin/></xacro:property><link name="a"/>')
+    (found,) = reported(
+        "XAC004", '<xacro:property name="o"><origin/></xacro:property><link name="a"/>'
+    )
     assert found.message == "property 'o' is never used"
 
 
@@ -41,11 +43,11 @@ def test_used(use: str) -> None:
         if "insert_block" not in use
         else WIDTH.replace(' value="0.3"/>', "><origin/></xacro:property>")
     )
-    assert told("XAC004", body + use) == []
+    assert reported("XAC004", body + use) == []
 
 
 def test_a_use_in_a_comment_is_none() -> None:
-    assert marked(told("XAC004", f'{WIDTH}<link name="a"/><!-- ${{width}} -->')) == [
+    assert marked(reported("XAC004", f'{WIDTH}<link name="a"/><!-- ${{width}} -->')) == [
         (2, WIDTH.strip())
     ]
 
@@ -60,7 +62,7 @@ def test_an_include_that_is_left_out_may_use_it() -> None:
     body = (
         f'{WIDTH}<link name="a"/><xacro:if value="false"><xacro:include filename="x"/></xacro:if>'
     )
-    assert told("XAC004", body) == []
+    assert reported("XAC004", body) == []
 
 
 def test_a_file_that_includes_this_one_may_use_it(tmp_path: Path) -> None:
@@ -71,6 +73,6 @@ def test_a_file_that_includes_this_one_may_use_it(tmp_path: Path) -> None:
 
 
 def test_of_a_library_and_of_an_included_file(tmp_path: Path) -> None:
-    assert told("XAC004", WIDTH) == []
+    assert reported("XAC004", WIDTH) == []
     write(tmp_path, robot='<xacro:include filename="c.xacro"/><link name="a"/>', c=WIDTH)
     assert told_of("XAC004", tmp_path / "robot.xacro") == []

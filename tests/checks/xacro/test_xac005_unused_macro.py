@@ -4,14 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import codes, told, told_of, write
+from tests.xacros import codes, reported, told_of, write
 
 ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro>\n'
 BASE = '<link name="base"/>'
 
 
 def test_never_called() -> None:
-    (found,) = told("XAC005", ARM + BASE)
+    (found,) = reported("XAC005", ARM + BASE)
     assert (found.span.line, found.span.column) == (2, 1)
     assert found.span.text == '<xacro:macro name="arm" params="side">'
     assert found.message == "macro 'arm' is never called"
@@ -27,7 +27,7 @@ def test_never_called() -> None:
     ],
 )
 def test_called(call: str) -> None:
-    assert told("XAC005", ARM + BASE + call) == []
+    assert reported("XAC005", ARM + BASE + call) == []
 
 
 def test_called_without_its_prefix_is_another_finding() -> None:
@@ -35,7 +35,7 @@ def test_called_without_its_prefix_is_another_finding() -> None:
 
 
 def test_of_a_library() -> None:
-    assert told("XAC005", ARM) == []
+    assert reported("XAC005", ARM) == []
 
 
 def test_a_file_that_includes_this_one_may_call_it(tmp_path: Path) -> None:

@@ -4,16 +4,16 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import told, told_of, write
+from tests.xacros import reported, told_of, write
 
 PREFIX = '<xacro:arg name="prefix" default=""/>\n'
 
 
 def test_never_used() -> None:
-    (found,) = told("XAC006", f'{PREFIX}<link name="a"/>')
+    (found,) = reported("XAC006", f'{PREFIX}<link name="a"/>')
     assert (found.span.line, found.span.text) == (2, PREFIX.strip())
     assert found.message == "argument 'prefix' is never used"
-    assert len(told("XAC006", f'{PREFIX}<link name="a"/>', prefix="x")) == 1, "given or not"
+    assert len(reported("XAC006", f'{PREFIX}<link name="a"/>', prefix="x")) == 1, "given or not"
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,7 @@ def test_never_used() -> None:
     ],
 )
 def test_used(use: str) -> None:
-    assert told("XAC006", PREFIX + use) == []
+    assert reported("XAC006", PREFIX + use) == []
 
 
 def test_an_included_file_uses_it(tmp_path: Path) -> None:
@@ -45,4 +45,4 @@ def test_a_file_that_includes_this_one_may_use_it(tmp_path: Path) -> None:
 
 
 def test_of_a_library() -> None:
-    assert told("XAC006", PREFIX) == []
+    assert reported("XAC006", PREFIX) == []

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed
-from tests.xacros import told, xacro
+from tests.reported import fixed
+from tests.xacros import reported, xacro
 
 
 @pytest.mark.parametrize(
@@ -17,7 +17,7 @@ from tests.xacros import told, xacro
 )
 def test_fewer_digits(name: str, value: str, off: str) -> None:
     body = f'<xacro:property name="{name}" value="{value}"/><link name="l${{{name}}}"/>'
-    (found,) = told("XAC007", body)
+    (found,) = reported("XAC007", body)
     assert found.message == (f"property '{name}' is {float(value)}, {off} off the built-in pi")
     assert found.fix is not None
     (edit,) = found.fix.edits
@@ -48,7 +48,7 @@ def test_one_that_is_called_pi_goes() -> None:
 )
 def test_exact_or_something_else(name: str, value: str) -> None:
     body = f'<xacro:property name="{name}" value="{value}"/><link name="l${{{name}}}"/>'
-    assert told("XAC007", body) == []
+    assert reported("XAC007", body) == []
 
 
 def test_fixing_it() -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import told, told_of, write
+from tests.xacros import reported, told_of, write
 
 FIRST = '<xacro:property name="a" value="1"/>\n'
 SECOND = '<xacro:property name="a" value="2"/>\n'
@@ -12,7 +12,7 @@ USE = '<link name="l${a}"/>'
 
 
 def test_before_its_first_use() -> None:
-    (found,) = told("XAC008", FIRST + SECOND + USE)
+    (found,) = reported("XAC008", FIRST + SECOND + USE)
     assert (found.span.line, found.span.column, found.span.text) == (3, 23, "a")
     assert found.message == "property 'a' is defined again before its first value is used"
     assert [(one.span.line, one.message) for one in found.related] == [(2, "first defined here")]
@@ -35,7 +35,7 @@ def test_before_its_first_use() -> None:
     ids=["used", "used twice", "used in a property", "same", "default", "conditional", "local"],
 )
 def test_that_is_meant(body: str) -> None:
-    assert told("XAC008", body) == []
+    assert reported("XAC008", body) == []
 
 
 def test_in_two_included_files(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.xacros import told, xacro
+from tests.xacros import reported, xacro
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
 
@@ -25,14 +25,14 @@ from urdfkit.text.source import Source
     ],
 )
 def test_an_expression_that_no_model_needs(body: str, message: str) -> None:
-    (found,) = told("XAC009", body)
+    (found,) = reported("XAC009", body)
     assert found.message == message
     assert found.span.text in body
 
 
 def test_a_variable_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SECRET_TOKEN", "hunter2")
-    (found,) = told("XAC009", '<link name="$(env SECRET_TOKEN)"/>')
+    (found,) = reported("XAC009", '<link name="$(env SECRET_TOKEN)"/>')
     assert found.span.text == "$(env SECRET_TOKEN)"
     assert "SECRET_TOKEN" in found.message
     assert "hunter2" not in found.message
@@ -40,7 +40,7 @@ def test_a_variable_of_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_variables_of_ros_are_readable(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROBOT_NAME", "r2")
-    assert told("XAC009", '<link name="$(env ROBOT_NAME)"/>') == []
+    assert reported("XAC009", '<link name="$(env ROBOT_NAME)"/>') == []
 
 
 def test_trusted(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -63,4 +63,4 @@ def test_trusted(monkeypatch: pytest.MonkeyPatch) -> None:
     ],
 )
 def test_what_models_do(expression: str) -> None:
-    assert told("XAC009", f'<link name="l${{{expression}}}"/>') == []
+    assert reported("XAC009", f'<link name="l${{{expression}}}"/>') == []

@@ -2,14 +2,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.xacros import codes, told, told_of, write
+from tests.xacros import codes, reported, told_of, write
 
 
 def test_one_finding_per_argument_with_its_uses() -> None:
     body = (
         '<link name="$(arg prefix)a"/>\n<link name="$(arg side)b"/>\n<link name="$(arg prefix)c"/>'
     )
-    found = told("XAC010", body)
+    found = reported("XAC010", body)
     assert [(one.span.line, one.span.text, one.message) for one in found] == [
         (2, "$(arg prefix)", "argument 'prefix' has no value and no default"),
         (3, "$(arg side)", "argument 'side' has no value and no default"),
@@ -20,12 +20,12 @@ def test_one_finding_per_argument_with_its_uses() -> None:
 
 def test_the_help_names_the_others_with_their_defaults() -> None:
     body = '<xacro:arg name="side" default="left"/><link name="$(arg prefix)$(arg side)"/>'
-    (found,) = told("XAC010", body)
+    (found,) = reported("XAC010", body)
     assert found.help == "pass it: prefix:=VALUE; the others: side (default left)"
 
 
 def test_a_slip_in_what_was_given_is_named() -> None:
-    (found,) = told("XAC010", '<link name="$(arg prefix)a"/>', prefx="b_", other="c")
+    (found,) = reported("XAC010", '<link name="$(arg prefix)a"/>', prefx="b_", other="c")
     assert found.help == "pass it: prefix:=VALUE, not prefx:="
 
 
@@ -39,13 +39,13 @@ def test_what_follows_from_it_is_not_told() -> None:
 
 
 def test_given_or_with_a_default() -> None:
-    assert told("XAC010", '<link name="$(arg prefix)a"/>', prefix="x") == []
+    assert reported("XAC010", '<link name="$(arg prefix)a"/>', prefix="x") == []
     body = '<xacro:arg name="prefix" default=""/><link name="$(arg prefix)a"/>'
-    assert told("XAC010", body) == []
+    assert reported("XAC010", body) == []
 
 
 def test_inside_a_macro_that_is_not_called() -> None:
-    assert told("XAC010", '<xacro:macro name="m"><link name="$(arg x)"/></xacro:macro>') == []
+    assert reported("XAC010", '<xacro:macro name="m"><link name="$(arg x)"/></xacro:macro>') == []
 
 
 def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
@@ -86,11 +86,11 @@ def test_a_default_that_only_stands_in_for_the_file_to_include(tmp_path: Path) -
 
 def test_a_default_that_needs_the_argument_itself() -> None:
     body = '<link name="$(arg a)"/>\n<xacro:arg name="a" default="$(arg a)"/>'
-    assert {one.message for one in told("XAC010", body)} == {
+    assert {one.message for one in reported("XAC010", body)} == {
         "argument 'a' has no value and no default"
     }
     body = (
         '<xacro:arg name="a" default="$(arg b)"/>\n<xacro:arg name="b" default="$(arg a)"/>\n'
         '<link name="$(arg b)"/>'
     )
-    assert told("XAC010", body)
+    assert reported("XAC010", body)

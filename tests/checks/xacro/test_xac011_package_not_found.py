@@ -2,13 +2,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.xacros import codes, told, told_of, write
+from tests.xacros import codes, reported, told_of, write
 from urdfkit.lint import engine
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 
 
 def test_what_was_searched_and_how_to_name_it() -> None:
-    (found,) = told("XAC011", '<xacro:include filename="$(find arm_description)/arm.xacro"/>')
+    (found,) = reported("XAC011", '<xacro:include filename="$(find arm_description)/arm.xacro"/>')
     assert found.span.text == "$(find arm_description)"
     assert found.message.startswith("package 'arm_description' is not found; searched: ")
     assert "AMENT_PREFIX_PATH" in found.message
@@ -26,7 +26,7 @@ def test_every_package_is_told() -> None:
         '<xacro:include filename="$(find arm)/a.xacro"/>\n'
         '<xacro:include filename="$(find hand)/h.xacro"/>\n<link name="$(find base)"/>'
     )
-    assert [(one.span.line, one.span.text) for one in told("XAC011", body)] == [
+    assert [(one.span.line, one.span.text) for one in reported("XAC011", body)] == [
         (2, "$(find arm)"),
         (3, "$(find hand)"),
         (4, "$(find base)"),
@@ -51,6 +51,6 @@ def test_found_by_name_and_beside(tmp_path: Path) -> None:
 
 def test_a_package_that_is_used_often_is_shown_once() -> None:
     uses = "\n".join(f'<link name="$(find arm)/{i}"/>' for i in range(7))
-    (found,) = gathered(told("XAC011", uses))
+    (found,) = grouped(reported("XAC011", uses))
     assert found.message.endswith("(and 6 more like this)")
     assert len(found.related) == 6

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import told, told_of, write
+from tests.xacros import reported, told_of, write
 from urdfkit.lint import engine
 
 
@@ -22,13 +22,13 @@ def package(folder: Path, name: str) -> Path:
     ],
 )
 def test_a_file_of_the_machine(body: str) -> None:
-    (found,) = told("XAC012", body)
+    (found,) = reported("XAC012", body)
     assert found.message.endswith("is outside the workspace and the packages of this model")
     assert "/etc/hostname" in found.span.text
 
 
 def test_a_device() -> None:
-    (found,) = told("XAC012", '<xacro:include filename="/dev/zero"/>')
+    (found,) = reported("XAC012", '<xacro:include filename="/dev/zero"/>')
     assert found.message == "/dev/zero is no file but a device or a pipe"
 
 
@@ -41,8 +41,8 @@ def test_a_link_that_leads_outside(tmp_path: Path) -> None:
 
 
 def test_a_file_that_does_not_exist_is_missing_wherever_it_is() -> None:
-    assert told("XAC012", '<xacro:include filename="/home/bob/ws/arm.xacro"/>') == []
-    (found,) = told("XAC001", '<xacro:include filename="/home/bob/ws/arm.xacro"/>')
+    assert reported("XAC012", '<xacro:include filename="/home/bob/ws/arm.xacro"/>') == []
+    (found,) = reported("XAC001", '<xacro:include filename="/home/bob/ws/arm.xacro"/>')
     assert found.message == "file not found: /home/bob/ws/arm.xacro"
 
 

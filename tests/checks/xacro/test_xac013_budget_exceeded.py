@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.xacros import codes, told, told_of, write
+from tests.xacros import codes, reported, told_of, write
 from urdfkit.xacro import expansion
 
 COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n-1}"/></xacro:if>'
@@ -29,7 +29,7 @@ COUNT = '<xacro:macro name="m" params="n"><xacro:if value="${n}"><xacro:m n="${n
     ],
 )
 def test_more_than_any_robot_needs(body: str, message: str) -> None:
-    (found,) = told("XAC013", body)
+    (found,) = reported("XAC013", body)
     assert found.message == message
 
 
@@ -53,7 +53,7 @@ def test_an_include_of_itself(tmp_path: Path) -> None:
 
 def test_a_macro_that_counts_down() -> None:
     body = f'{COUNT}</xacro:macro><xacro:m n="100"/><link name="a"/>'
-    assert told("XAC013", body) == []
+    assert reported("XAC013", body) == []
 
 
 def test_properties_in_a_circle_are_an_error_of_xacro() -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
-from tests.xacros import told, told_of, write
+from tests.xacros import reported, told_of, write
 from urdfkit.lint import engine
 
 TENSOR = '<inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.3"/>'
@@ -23,7 +23,7 @@ def links(*masses: float) -> str:
 
 
 def test_links_of_different_mass() -> None:
-    (found,) = told("XAC014", MACRO + links(8, 0.5, 0.25))
+    (found,) = reported("XAC014", MACRO + links(8, 0.5, 0.25))
     assert (found.span.line, found.span.text) == (
         2,
         '<xacro:macro name="inertial" params="mass">',
@@ -54,7 +54,7 @@ def test_links_of_different_mass() -> None:
     ids=["one call", "alike", "computed", "zero", "written out twice"],
 )
 def test_no_macro_gives_a_constant_to_different_masses(body: str) -> None:
-    assert told("XAC014", body) == []
+    assert reported("XAC014", body) == []
 
 
 def test_the_macro_of_an_included_file(tmp_path: Path) -> None:

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import fixed
-from tests.xacros import told, xacro
+from tests.reported import fixed
+from tests.xacros import reported, xacro
 
 
 @pytest.mark.parametrize(
@@ -16,7 +16,7 @@ from tests.xacros import told, xacro
 )
 def test_a_function_that_moved(old: str, new: str) -> None:
     robot = xacro(f'<link name="l${{{old}}}"/>')
-    (found,) = told("XAC015", f'<link name="l${{{old}}}"/>')
+    (found,) = reported("XAC015", f'<link name="l${{{old}}}"/>')
     name = found.span.text
     assert found.message == f"{name}() without its name space is deprecated"
     assert found.fix is not None
@@ -27,4 +27,4 @@ def test_a_function_that_moved(old: str, new: str) -> None:
 
 
 def test_functions_that_stay() -> None:
-    assert told("XAC015", '<link name="l${len([1]) + int(sin(0)) + max(1, 2)}"/>') == []
+    assert reported("XAC015", '<link name="l${len([1]) + int(sin(0)) + max(1, 2)}"/>') == []

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.xacros import marked, told
+from tests.xacros import marked, reported
 
 
 @pytest.mark.parametrize(
@@ -16,7 +16,7 @@ from tests.xacros import marked, told
 )
 def test_a_property(name: str, value: str, what: str) -> None:
     body = f'<xacro:property name="{name}" value="{value}"/>\n<link name="l${{{name}}}"/>'
-    (found,) = told("XAC016", body)
+    (found,) = reported("XAC016", body)
     assert (found.span.line, found.span.column, found.span.text) == (2, 23, name)
     assert found.message == f"property '{name}' hides {what}"
 
@@ -26,7 +26,7 @@ def test_a_parameter_is_told_once_at_the_macro() -> None:
         '<xacro:macro name="m" params="mee e *pi">\n<link name="l${e}"/></xacro:macro>\n'
         '<xacro:m mee="1" e="1"><x/></xacro:m>\n<xacro:m mee="2" e="2"><x/></xacro:m>'
     )
-    (found,) = told("XAC016", body)
+    (found,) = reported("XAC016", body)
     assert (found.span.line, found.span.column, found.span.text) == (2, 35, "e")
     assert found.message == "parameter 'e' of macro 'm' hides the constant e = 2.71828"
 
@@ -37,4 +37,4 @@ def test_a_parameter_is_told_once_at_the_macro() -> None:
 )
 def test_the_constant_itself_and_other_names(name: str, value: str) -> None:
     body = f'<xacro:property name="{name}" value="{value}"/><link name="l${{{name}}}"/>'
-    assert marked(told("XAC016", body)) == []
+    assert marked(reported("XAC016", body)) == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from tests.xacros import NAMESPACE
 from urdfkit.lint import engine
@@ -16,7 +16,7 @@ CALLS = '<link name="a"/>\n<xacro:camera name="c"/>\n<xacro:lidar/>'
 
 @pytest.mark.parametrize("namespace", ["", f" {NAMESPACE}"])
 def test_calls_that_nobody_answers(namespace: str) -> None:
-    (found,) = told("XAC018", f'<robot name="r"{namespace}>{CALLS}</robot>')
+    (found,) = reported("XAC018", f'<robot name="r"{namespace}>{CALLS}</robot>')
     assert (found.span.line, found.span.text) == (2, "xacro:camera")
     assert found.message == (
         "<xacro:camera> is a call of a xacro macro, the first of 2, and no macro is defined here"
@@ -40,7 +40,7 @@ def test_a_nameless_part_is_judged_where_it_is_included() -> None:
 
 def test_a_file_that_defines_or_includes_is_a_xacro() -> None:
     robot = f'<robot name="r" {NAMESPACE}><xacro:macro name="camera"/>{CALLS}</robot>'
-    assert told("XAC018", robot) == []
+    assert reported("XAC018", robot) == []
 
 
 @needs_check_urdf

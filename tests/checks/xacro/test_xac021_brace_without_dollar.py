@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.told import fixed, messages
+from tests.reported import fixed, messages
 from urdfkit import check
 from urdfkit.text.source import Source
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.xacros import marked, told
+from tests.xacros import marked, reported
 from urdfkit import expand
 from urdfkit.text.source import Source
 
@@ -14,7 +14,7 @@ from urdfkit.text.source import Source
 )
 def test_an_integer_exponent(expression: str) -> None:
     body = f'<xacro:property name="n" value="2"/>\n<link name="a${{{expression}}}"/>'
-    found = told("XAC022", body)
+    found = reported("XAC022", body)
     message = f"the ^ in {expression} is an exclusive or, and no power"
     assert [one.message for one in found] == [message]
     assert marked(found) == [(3, f"${{{expression}}}")]
@@ -34,11 +34,11 @@ def test_an_integer_exponent(expression: str) -> None:
     ],
 )
 def test_what_is_no_power(body: str) -> None:
-    assert told("XAC022", body) == []
+    assert reported("XAC022", body) == []
 
 
 def test_every_sign_of_an_expression_is_mended() -> None:
-    (found,) = told("XAC022", '<link name="a${2^3 + 3^2}"/>')
+    (found,) = reported("XAC022", '<link name="a${2^3 + 3^2}"/>')
     assert found.fix is not None
     assert [edit.span.text for edit in found.fix.edits] == ["^", "^"]
     assert not found.fix.safe

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
 
@@ -12,7 +12,7 @@ from urdfkit.text.source import Source
 
 
 def test_the_tag_that_is_not_closed_is_the_place_and_its_end_is_related() -> None:
-    (found,) = told("XML001", '<robot name="r">\n  <link name="arm">\n</robot>')
+    (found,) = reported("XML001", '<robot name="r">\n  <link name="arm">\n</robot>')
     assert (found.span.line, found.span.column, found.span.text) == (2, 3, '<link name="arm">')
     assert found.message == '<link name="arm"> is not closed before </robot>'
     (related,) = found.related
@@ -24,7 +24,7 @@ def test_every_slip_is_told_and_nothing_that_follows_from_it() -> None:
     robot = (
         '<robot name="r">\n  <link name=a/>\n  <!-- a -- b -->\n  <joint name="j" & />\n</robot>'
     )
-    assert [(one.span.line, one.span.column) for one in told("XML001", robot)] == [
+    assert [(one.span.line, one.span.column) for one in reported("XML001", robot)] == [
         (2, 14),
         (3, 10),
         (4, 19),
@@ -40,7 +40,7 @@ def test_rules_that_need_the_robot_are_skipped_and_say_why() -> None:
 
 @pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
 def test_a_file_without_a_byte(name: str) -> None:
-    (found,) = told("XML001", b"", name)
+    (found,) = reported("XML001", b"", name)
     assert (found.message, found.span.line, found.span.column) == ("the file is empty", 1, 1)
     assert found.help == "write a <robot> into it, or name another file"
 
@@ -61,17 +61,17 @@ def test_in_a_file_that_a_xacro_includes(tmp_path: Path) -> None:
 
 def test_a_declaration_that_xacro_refuses() -> None:
     robot = '<?xml verison="1.0"?><robot name="r"><link name="a"/></robot>'
-    (found,) = told("XML001", robot, "robot.xacro")
+    (found,) = reported("XML001", robot, "robot.xacro")
     assert found.message == 'the XML declaration must read <?xml version="1.0"?>'
-    assert told("XML001", robot, "robot.urdf") == [], "urdfdom forgives it: XML007"
+    assert reported("XML001", robot, "robot.urdf") == [], "urdfdom forgives it: XML007"
 
 
 def test_text_before_the_declaration_which_urdfdom_refuses() -> None:
     robot = 'my robot\n<?xml version="1.0"?><robot name="r"><link name="a"/></robot>'
-    assert [one.span.line for one in told("XML001", robot)] == [1, 2]
+    assert [one.span.line for one in reported("XML001", robot)] == [1, 2]
 
 
 def test_what_only_expat_refuses_is_told_in_its_words() -> None:
-    (found,) = told("XML001", '<robot name="r"><link\u00d7/></robot>')
+    (found,) = reported("XML001", '<robot name="r"><link\u00d7/></robot>')
     assert found.message == "not well-formed (invalid token)"
     assert (found.span.line, found.span.column) == (1, 22)

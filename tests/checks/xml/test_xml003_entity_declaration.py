@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
 
@@ -18,7 +18,7 @@ def test_each_declaration_is_told() -> None:
         '<!DOCTYPE robot [\n  <!ENTITY base "b">\n  <!ENTITY arm SYSTEM "/etc/passwd">\n]>\n'
         '<robot name="r"><link name="&base;"/></robot>'
     )
-    found = told("XML003", robot)
+    found = reported("XML003", robot)
     assert [(one.span.line, one.span.column, one.message) for one in found] == [
         (2, 3, "entity 'base' is declared"),
         (3, 3, "entity 'arm' is declared"),
@@ -36,4 +36,4 @@ def test_a_bomb_does_not_go_off(use: str, name: str) -> None:
 
 
 def test_a_document_type_without_entities_is_none() -> None:
-    assert told("XML003", '<!DOCTYPE robot>\n<robot name="r"><link name="a"/></robot>') == []
+    assert reported("XML003", '<!DOCTYPE robot>\n<robot name="r"><link name="a"/></robot>') == []

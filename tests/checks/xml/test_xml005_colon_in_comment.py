@@ -11,7 +11,7 @@ AMENT = "<package><name>a</name><build_type>ament_cmake</build_type></package>"
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
-def told(
+def reported(
     folder: Path, robot: str, name: str = "robot.urdf", package: str = AMENT
 ) -> list[Diagnostic]:
     (folder / "package.xml").write_text(package)
@@ -22,7 +22,7 @@ def told(
 @pytest.mark.parametrize("colon", [": ", ":\n", ":\t"])
 def test_the_first_colon_is_the_place(tmp_path: Path, colon: str) -> None:
     robot = f'<robot name="r">\n<!-- a -->\n<!-- b{colon}c: -->\n<link name="a"/></robot>'
-    (found,) = told(tmp_path, robot)
+    (found,) = reported(tmp_path, robot)
     assert (found.span.line, found.span.column, found.span.text) == (3, 7, colon)
     assert found.confidence is Confidence.INFERRED
 
@@ -36,12 +36,12 @@ def test_the_first_colon_is_the_place(tmp_path: Path, colon: str) -> None:
     ],
 )
 def test_no_colon_with_white_space_in_a_comment(tmp_path: Path, robot: str) -> None:
-    assert told(tmp_path, robot) == []
+    assert reported(tmp_path, robot) == []
 
 
 def test_a_catkin_package_has_no_such_launch_files(tmp_path: Path) -> None:
     robot = '<robot name="r"><!-- a: b --></robot>'
-    assert told(tmp_path, robot, package="<package><name>a</name></package>") == []
+    assert reported(tmp_path, robot, package="<package><name>a</name></package>") == []
 
 
 def test_a_file_outside_of_packages_is_not_judged(tmp_path: Path) -> None:
@@ -52,7 +52,7 @@ def test_a_file_outside_of_packages_is_not_judged(tmp_path: Path) -> None:
 
 def test_a_comment_that_xacro_drops(tmp_path: Path) -> None:
     robot = f'<robot name="r" {XACRO}>\n<!-- a: b -->\n<xacro:arg name="x" default="1"/>\n'
-    assert told(tmp_path, f'{robot}<link name="l$(arg x)"/></robot>', "robot.xacro") == []
+    assert reported(tmp_path, f'{robot}<link name="l$(arg x)"/></robot>', "robot.xacro") == []
 
 
 def test_a_comment_that_xacro_passes_on(tmp_path: Path) -> None:
@@ -61,13 +61,13 @@ def test_a_comment_that_xacro_passes_on(tmp_path: Path) -> None:
         "</xacro:macro></robot>"
     )
     robot = f'<robot name="r" {XACRO}><xacro:include filename="arm.xacro"/><xacro:arm/></robot>'
-    (found,) = told(tmp_path, robot, "robot.xacro")
+    (found,) = reported(tmp_path, robot, "robot.xacro")
     assert (Path(found.span.source.path).name, found.span.line) == ("arm.xacro", 2)
 
 
 def test_a_library_is_judged_where_it_is_used(tmp_path: Path) -> None:
     robot = f'<robot {XACRO}><!-- a: b -->\n\n<xacro:macro name="m"><link/></xacro:macro></robot>'
-    assert told(tmp_path, robot, "robot.xacro") == []
+    assert reported(tmp_path, robot, "robot.xacro") == []
 
 
 def test_a_package_of_rosbuild_is_of_ros_1(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.told import told
+from tests.reported import reported
 
 
 @pytest.mark.parametrize(
@@ -16,7 +16,7 @@ from tests.told import told
 @pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
 def test_what_follows(name: str, behind: str, marked: str, message: str) -> None:
     robot = f'<robot name="r"><link name="a"/></robot>\n\n  {behind}\n'
-    (found,) = told("XML006", robot, name)
+    (found,) = reported("XML006", robot, name)
     assert (found.span.line, found.span.column, found.span.text) == (3, 3, marked)
     assert found.message == message
     (related,) = found.related
@@ -24,8 +24,8 @@ def test_what_follows(name: str, behind: str, marked: str, message: str) -> None
 
 
 def test_the_first_is_enough() -> None:
-    assert len(told("XML006", "<robot/><a/><b/>text<c>")) == 1
+    assert len(reported("XML006", "<robot/><a/><b/>text<c>")) == 1
 
 
 def test_comments_and_white_space_may_follow() -> None:
-    assert told("XML006", '<robot name="r"><link name="a"/></robot>\n<!-- end -->\n\n') == []
+    assert reported("XML006", '<robot name="r"><link name="a"/></robot>\n<!-- end -->\n\n') == []

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.told import fixed, told
+from tests.reported import fixed, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
@@ -22,7 +22,7 @@ REST = '<robot name="r"><link name="a"/></robot>'
     ],
 )
 def test_a_declaration_of_another_kind(declaration: str) -> None:
-    (found,) = told("XML007", f"{declaration}\n{REST}")
+    (found,) = reported("XML007", f"{declaration}\n{REST}")
     assert found.span.text == declaration
     assert found.message == "the XML declaration is not that of XML 1.0"
     assert fixed("XML007", f"{declaration}\n{REST}") == f'<?xml version="1.0"?>\n{REST}'
@@ -30,7 +30,7 @@ def test_a_declaration_of_another_kind(declaration: str) -> None:
 
 def test_white_space_before_the_declaration() -> None:
     robot = f'\n  <?xml version="1.0"?>{REST}'
-    (found,) = told("XML007", robot)
+    (found,) = reported("XML007", robot)
     assert (found.span.start, found.span.end) == (0, 3)
     assert found.message == "white space before the XML declaration"
     assert fixed("XML007", robot) == robot.lstrip()
@@ -38,17 +38,17 @@ def test_white_space_before_the_declaration() -> None:
 
 def test_a_comment_before_the_declaration() -> None:
     robot = f'<!-- a -->\n<!-- b -->\n<?xml version="1.0"?>\n{REST}'
-    (found,) = told("XML007", robot)
+    (found,) = reported("XML007", robot)
     assert found.span.start == 0
     assert found.message.startswith("a comment before the XML declaration")
     after = fixed("XML007", robot)
     assert after == f'<?xml version="1.0"?>\n<!-- a -->\n<!-- b -->\n{REST}'
-    assert told("XML007", after) == []
+    assert reported("XML007", after) == []
 
 
 def test_prefixes_without_a_declaration() -> None:
     robot = '<robot name="r">\n<drake:x/><drake:y/><link name="a" gz:b="1"/></robot>'
-    found = told("XML007", robot)
+    found = reported("XML007", robot)
     assert [(one.span.column, one.span.text) for one in found] == [(2, "drake:x"), (36, "gz:b")]
     assert found[1].help == 'declare it on the root element: xmlns:gz="..."'
 
@@ -65,7 +65,7 @@ def test_prefixes_without_a_declaration() -> None:
     ],
 )
 def test_strict_xml(robot: str) -> None:
-    assert told("XML007", robot) == []
+    assert reported("XML007", robot) == []
 
 
 def test_the_robot_is_checked_all_the_same() -> None:
@@ -86,4 +86,4 @@ def test_urdfdom_forgives_it(before: str, tmp_path: Path) -> None:
 def test_urdfdom_does_not_forgive_text_before_the_declaration(tmp_path: Path) -> None:
     robot = f'text <?xml version="1.0"?>{REST}'
     assert not urdfdom_reads(robot, tmp_path)
-    assert told("XML001", robot)
+    assert reported("XML001", robot)

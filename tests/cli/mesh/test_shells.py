@@ -30,13 +30,13 @@ def test_it_is_told_and_repaired(
     file = str(tmp_path / "a.stl")
     Path(file).write_bytes(data)
     assert main(["mesh", "info", file]) == 0
-    told = capsys.readouterr().out
-    assert f"surface {what}" in " ".join(told.split())
-    assert "a solid" not in told
+    reported = capsys.readouterr().out
+    assert f"surface {what}" in " ".join(reported.split())
+    assert "a solid" not in reported
     assert main(["mesh", "repair", file]) == 1
-    told = " ".join(capsys.readouterr().out.split())
-    assert told.startswith(f"not repaired: {what}")
-    assert option in told
+    reported = " ".join(capsys.readouterr().out.split())
+    assert reported.startswith(f"not repaired: {what}")
+    assert option in reported
     assert main(["mesh", "repair", file, option, "--write"]) == 0
     capsys.readouterr()
     assert main(["mesh", "repair", file]) == 0

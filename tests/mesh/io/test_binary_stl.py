@@ -71,8 +71,8 @@ def test_a_corner_that_is_not_finite(bad: float, triangle: int, corner: int, axi
     point = list(made.TETRAHEDRON[triangle][corner])
     point[axis] = bad
     numbers = ", ".join(f"{number:g}" for number in point)
-    told = f"corner {corner + 1} of triangle {triangle + 1} is ({numbers})"
-    assert judged(bytes(data)) == (None, told)
+    reported = f"corner {corner + 1} of triangle {triangle + 1} is ({numbers})"
+    assert judged(bytes(data)) == (None, reported)
 
 
 def test_the_first_of_several_is_told() -> None:

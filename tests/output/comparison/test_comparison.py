@@ -66,9 +66,9 @@ def test_the_same_robot_does_not_differ(pair: Path) -> None:
 
 
 def test_progress_is_told_in_steps(pair: Path) -> None:
-    told: list[tuple[int, int]] = []
-    compare("a/arm.urdf", "b/arm.urdf", progress=lambda done, total: told.append((done, total)))
-    assert told == [(0, 3), (1, 3), (2, 3)]
+    reported: list[tuple[int, int]] = []
+    compare("a/arm.urdf", "b/arm.urdf", progress=lambda done, total: reported.append((done, total)))
+    assert reported == [(0, 3), (1, 3), (2, 3)]
 
 
 def test_a_frame_that_moved_carries_what_hangs_on_it(pair: Path) -> None:

@@ -83,11 +83,11 @@ def test_what_xml_cannot_hold_is_replaced() -> None:
 @pytest.mark.parametrize("model", sorted(MODELS.rglob("*.urdf")), ids=lambda path: path.name)
 def test_reports_of_the_models(model: Any) -> None:
     checked = urdfkit.check(model)
-    told = [
+    reported = [
         (error["source"], int(error["line"]), int(error["column"]), error["message"])
         for errors in read(render(checked)).values()
         for error in errors
     ]
-    assert told == [
+    assert reported == [
         (f"urdfkit.{d.code}", d.span.line, d.span.column, d.message) for d in checked.diagnostics
     ]

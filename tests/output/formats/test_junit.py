@@ -38,14 +38,14 @@ def read(text: str) -> Any:
 
 def cases(text: str) -> list[tuple[str, str, str, str]]:
     """Suite, case, outcome and message of all test cases."""
-    told = []
+    reported = []
     for suite in read(text):
         for case in suite:
             assert case.classname == suite.name
             (result,) = case.result or [None]
             kind = type(result).__name__ if result else "passed"
-            told.append((suite.name, case.name, kind, result.message if result else ""))
-    return told
+            reported.append((suite.name, case.name, kind, result.message if result else ""))
+    return reported
 
 
 def test_variants_are_a_property() -> None:
@@ -107,9 +107,9 @@ def test_what_xml_cannot_hold_is_replaced() -> None:
     message = "a\x00b\x1b[31mc\ufffed\udcffe <&> \u202e 轮 🦾"
     source = Source("bad\udcff\x07.urdf", b"<robot/>")
     text = render(report(diagnostic(span(source, "robot"), message=message), files=()))
-    ((suite, _, kind, told),) = cases(text)
+    ((suite, _, kind, reported),) = cases(text)
     assert (suite, kind) == ("bad??.urdf", "Failure")
-    assert told == "a?b?[31mcd?e <&> \u202e 轮 🦾"
+    assert reported == "a?b?[31mcd?e <&> \u202e 轮 🦾"
 
 
 @pytest.mark.parametrize("model", sorted(MODELS.rglob("*.urdf")), ids=lambda path: path.name)

@@ -10,7 +10,7 @@ import pytest
 import urdfkit
 from tests.conftest import MODELS
 from tests.output.formats.made import diagnostic, report, span
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.output.formats.markdown import MAX_ROWS, render
 from urdfkit.text.diagnostic import Call, Severity
@@ -137,10 +137,10 @@ def test_control_characters_and_line_ends_stay_in_their_cell() -> None:
 def test_it_fits_a_summary() -> None:
     """GitHub takes 1 MiB; names in a robot may be as long as a file."""
     findings = [diagnostic(span(PLAIN, "arm"), message="|" * 5000, help="<" * 5000)] * 300
-    told = rows(report(*findings))
-    assert len(told) == MAX_ROWS + 1
-    assert told[-1] == ["", "", "and 100 more"]
-    assert all(len(row[2]) < 3 * MAX_TEXT for row in told)
+    reported = rows(report(*findings))
+    assert len(reported) == MAX_ROWS + 1
+    assert reported[-1] == ["", "", "and 100 more"]
+    assert all(len(row[2]) < 3 * MAX_TEXT for row in reported)
     assert len(render(report(*findings)).encode()) < 2**20
 
 
@@ -149,7 +149,7 @@ def test_it_fits_a_summary() -> None:
 )
 def test_reports_of_the_models(model: Path) -> None:
     checked = urdfkit.check(model)
-    told = rows(checked)
-    assert sorted(row[0] for row in told) == sorted(
-        f"{d.severity.value} {d.code}" for d in gathered(checked.diagnostics)
+    reported = rows(checked)
+    assert sorted(row[0] for row in reported) == sorted(
+        f"{d.severity.value} {d.code}" for d in grouped(checked.diagnostics)
     )

@@ -131,10 +131,10 @@ def test_reports_of_the_models(model: Path) -> None:
     checked = urdfkit.check(model)
     document = json.loads(rdjson.render(checked))
     jsonschema.validate(document, RESULT)
-    for found, told in zip(checked.diagnostics, document["diagnostics"], strict=True):
+    for found, reported in zip(checked.diagnostics, document["diagnostics"], strict=True):
         source = found.span.source
-        assert cut_out(source, told["location"]["range"]) == source.data[slice(*found.span[1:])]
-        if found.fix and "suggestions" in told:
-            for edit, suggestion in zip(found.fix.edits, told["suggestions"], strict=True):
+        assert cut_out(source, reported["location"]["range"]) == source.data[slice(*found.span[1:])]
+        if found.fix and "suggestions" in reported:
+            for edit, suggestion in zip(found.fix.edits, reported["suggestions"], strict=True):
                 assert cut_out(source, suggestion["range"]) == source.data[slice(*edit.span[1:])]
             assert apply_edits(source.data, found.fix.edits)

@@ -123,7 +123,7 @@ def test_the_calls_are_related_locations_innermost_first() -> None:
         calls=(Call("link 'arm': 2 m is over 1 m", via, "link/arm"),),
         related=(Related(span(WIDE, "</robot>"), "it ends here"),),
     )
-    told = [
+    reported = [
         (
             place["id"],
             place["message"]["text"],
@@ -132,7 +132,7 @@ def test_the_calls_are_related_locations_innermost_first() -> None:
         )
         for place in result["relatedLocations"]
     ]
-    assert told == [
+    assert reported == [
         (1, "it ends here", "robot.xacro", 3),
         (2, "called by macro 'm'", "robot.xacro", 2),
         (3, "included", "top.xacro", 2),

@@ -67,14 +67,14 @@ def test_the_same_pairs_collide_in_the_same_samples(
         [seen.hits > 0 for seen in examiner.look(known).at(row[None], count=True)] for row in rows
     ]
     assert np.sum(theirs) > 20
-    swallowed = 0
+    contained = 0
     for row, one, other in zip(rows, mine, theirs, strict=True):
         for pair, hit, hit_by_surface in zip(known, one, other, strict=True):
             assert hit >= hit_by_surface
             if hit > hit_by_surface:
                 assert is_inside(examiner, pair, row)
-                swallowed += 1
-    assert bool(swallowed) is (name == "fanuc")
+                contained += 1
+    assert bool(contained) is (name == "fanuc")
 
 
 def is_inside(examiner: Examiner, pair: tuple[int, int], row: Floats) -> bool:

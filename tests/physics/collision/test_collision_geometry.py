@@ -121,9 +121,9 @@ def test_no_point_of_a_body_moves_farther_than_told() -> None:
     some = poses(turns, offsets, radius)
     placed = points @ turns.transpose(0, 2, 1) + offsets[:, None]
     way = np.linalg.norm(placed - placed[0], axis=2).max(axis=1)
-    told = moved(some, some[0])
-    assert (way <= told + 1e-12).all()
-    assert told[0] == 0
+    reported = moved(some, some[0])
+    assert (way <= reported + 1e-12).all()
+    assert reported[0] == 0
 
 
 def test_what_was_measured_bounds_what_is_around() -> None:

@@ -194,11 +194,13 @@ def test_three_seeds_give_the_same_matrix(corpus: Path, name: str) -> None:
 
 
 def test_progress_is_told_from_nothing_to_all() -> None:
-    told: list[tuple[int, int]] = []
+    reported: list[tuple[int, int]] = []
     arm = spheres(0.1, 1.0, 0.5)
-    collisions(arm, samples=3000, jobs=1, progress=lambda done, total: told.append((done, total)))
-    assert [done for done, _ in told] == sorted(done for done, _ in told)
-    assert told[-1] == (3000, 3000)
+    collisions(
+        arm, samples=3000, jobs=1, progress=lambda done, total: reported.append((done, total))
+    )
+    assert [done for done, _ in reported] == sorted(done for done, _ in reported)
+    assert reported[-1] == (3000, 3000)
 
 
 def test_more_samples_are_given_up_when_they_show_nothing_new() -> None:

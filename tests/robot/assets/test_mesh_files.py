@@ -12,7 +12,7 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh.io import sniff
 from urdfkit.mesh.io.facts import DefectKind, MeshFacts
 from urdfkit.robot.assets import mesh_files as module
-from urdfkit.robot.assets.mesh_files import Files, Suggestion, is_slip
+from urdfkit.robot.assets.mesh_files import Files, Suggestion, is_typo
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -187,5 +187,5 @@ def test_without_a_package_its_own_folder_is_searched(tmp_path: Path) -> None:
         ("arm_descripton", "arm_description", True),
     ],
 )
-def test_slips(wrong: str, right: str, slip: bool) -> None:
-    assert is_slip(wrong, right) is slip
+def test_slips(wrong: str, right: str, mistake: bool) -> None:
+    assert is_typo(wrong, right) is mistake

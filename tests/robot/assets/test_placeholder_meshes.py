@@ -28,7 +28,7 @@ from urdfkit.robot.assets.placeholder_meshes import (
     generate_missing,
     generate_part,
 )
-from urdfkit.robot.assets.target_bounds import room
+from urdfkit.robot.assets.target_bounds import target_bounds
 
 PARTS_BY_MODULE = {part.module: part for part in PARTS}
 BOX = '<box size="0.2 0.1 0.06"/>'
@@ -270,7 +270,7 @@ def test_the_inertia_of_a_real_arm_tells_the_size_of_its_links() -> None:
     for link in subject.model.links:
         for body in link.collisions:
             true = subject.meshes.vertices(body.shape) if body.shape else None
-            block = room(subject, link._replace(visuals=()), body)
+            block = target_bounds(subject, link._replace(visuals=()), body)
             if true is None or block is None:
                 continue
             ratios += [*(np.ptp(true, axis=0) / block.size)]

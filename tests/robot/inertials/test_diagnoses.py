@@ -7,7 +7,7 @@ from tests.massive import (
     BOX,
     MESH,
     WHEEL,
-    claims,
+    diagnoses,
     inertial,
     joint,
     link,
@@ -15,7 +15,7 @@ from tests.massive import (
     part,
     shape,
 )
-from urdfkit.robot.inertials.diagnoses import center_is_outside, implausible_density, unit_slip
+from urdfkit.robot.inertials.diagnoses import center_is_outside, implausible_density, unit_mistake
 
 
 def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
@@ -42,18 +42,18 @@ def ball(mass: float, moment: float, xyz: str = "0 0 0") -> str:
     ],
 )
 def test_each_inertia_has_one_rule(robot: str, expected: dict[str, list[str]]) -> None:
-    assert claims(robot) == expected
+    assert diagnoses(robot) == expected
 
 
 def test_a_mesh_is_not_measured() -> None:
     seen = link("a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.1)))
-    assert claims(seen) == {"INE008": ["a"]}
+    assert diagnoses(seen) == {"INE008": ["a"]}
     computed = link(
         "a", shape("visual", MESH), shape("collision", BALL), inertial(1, (5, 5, 5.123))
     )
-    assert claims(computed) == {}
+    assert diagnoses(computed) == {}
     touched = link("a", shape("visual", BALL), shape("collision", MESH), inertial(1, (5, 5, 5)))
-    assert claims(touched) == {}
+    assert diagnoses(touched) == {}
 
 
 @pytest.mark.parametrize(
@@ -62,34 +62,34 @@ def test_a_mesh_is_not_measured() -> None:
 )
 def test_a_stand_in_beside_a_mesh(mass: float, moment: float, claimed: bool) -> None:
     robot = link("a", shape("visual", MESH), inertial(mass, (moment, moment, moment)))
-    assert claims(robot) == ({"INE009": ["a"]} if claimed else {})
+    assert diagnoses(robot) == ({"INE009": ["a"]} if claimed else {})
 
 
 def test_many_equal_stand_ins_are_unlikely() -> None:
     links = [link(f"l{i}", shape("visual", MESH), inertial(2, (0.01,) * 3)) for i in range(3)]
-    assert claims("".join(links[:2])) == {}
-    assert claims("".join(links)) == {"INE009": ["l0", "l1", "l2"]}
+    assert diagnoses("".join(links[:2])) == {}
+    assert diagnoses("".join(links)) == {"INE009": ["l0", "l1", "l2"]}
 
 
 def test_a_stand_in_that_another_rule_tells_is_not_told_twice() -> None:
     by_shape = part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)
     by_number = link("grip", shape("visual", MESH), inertial(0.01, (0.1,) * 3))
-    assert claims(by_shape + by_number) == {"INE006": ["wheel"]}
+    assert diagnoses(by_shape + by_number) == {"INE006": ["wheel"]}
 
 
 def test_what_is_fixed_to_the_world_does_not_matter() -> None:
-    assert claims(ball(1, 5)) == {"INE006": ["ball"]}
-    assert claims(link("world") + ball(1, 5) + joint("world", "ball")) == {}
+    assert diagnoses(ball(1, 5)) == {"INE006": ["ball"]}
+    assert diagnoses(link("world") + ball(1, 5) + joint("world", "ball")) == {}
     moved = link("world") + ball(1, 5) + joint("world", "ball", "continuous")
-    assert claims(moved) == {"INE006": ["ball"]}
+    assert diagnoses(moved) == {"INE006": ["ball"]}
 
 
 def test_what_is_lost_in_a_larger_body_is_a_hint_at_most() -> None:
     base = part("base", 60, (0.5, 0.25, 0.65), BOX)
     robot = base + ball(0.001, 0.001) + joint("base", "ball")
-    assert claims(robot) == {"INE008": ["ball"]}
+    assert diagnoses(robot) == {"INE008": ["ball"]}
     apart = base + ball(0.001, 0.001) + joint("base", "ball", "continuous")
-    assert claims(apart) == {"INE006": ["ball"]}
+    assert diagnoses(apart) == {"INE006": ["ball"]}
 
 
 @pytest.mark.parametrize(
@@ -128,13 +128,13 @@ def test_slips_of_the_unit(
     mass: float, moments: tuple[float, ...], geometry: str, unit: str
 ) -> None:
     (found,) = masses(part("a", mass, moments, geometry)).weighed
-    assert unit_slip(found) == unit
+    assert unit_mistake(found) == unit
 
 
 def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
-    assert claims(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"INE010": ["a"]}
+    assert diagnoses(part("a", 6000, (0.05, 0.025, 0.065), BOX)) == {"INE010": ["a"]}
     small = part("a", 6, (0.05, 0.025, 0.065), '<box size="200 300 100"/>')
-    assert claims(small) == {"INE010": ["a"]}
+    assert diagnoses(small) == {"INE010": ["a"]}
 
 
 @pytest.mark.parametrize(
@@ -144,4 +144,4 @@ def test_a_slip_of_the_unit_comes_before_what_follows_from_it() -> None:
 def test_centres_of_mass_outside(xyz: str, distance: float | None) -> None:
     (found,) = masses(ball(1, 0.004, xyz)).weighed
     assert center_is_outside(found) == (None if distance is None else pytest.approx(distance))
-    assert ("INE011" in claims(ball(1, 0.004, xyz))) == (distance is not None)
+    assert ("INE011" in diagnoses(ball(1, 0.004, xyz))) == (distance is not None)

@@ -167,14 +167,14 @@ def test_a_slip_of_a_digit() -> None:
 
 
 def test_the_twin_is_possible() -> None:
-    twins = (
+    symmetric_pairs = (
         link("hip")
         + link("left_leg", inertial(1, (0.01, 0.002, 0.001, 0.02, 0.003, 0.025)))
         + link("right_leg", inertial(1, (0.01, 0, 0, 0.02, 0, 0.9)))
         + joint("hip", "left_leg", xyz="0 0.1 0")
         + joint("hip", "right_leg", xyz="0 -0.1 0")
     )
-    found = masses(twins)
+    found = masses(symmetric_pairs)
     diagnosis = of_impossible(found.weighed[1], found)
     assert diagnosis.cause == "of its twin 'left_leg' is possible"
     assert diagnosis.tensor == Tensor(0.01, -0.002, 0.001, 0.02, -0.003, 0.025)
@@ -192,10 +192,10 @@ def test_else_the_shape_or_nothing() -> None:
 def test_no_proposal_is_impossible() -> None:
     for moments in product((-0.02, 0.0, 0.001, 0.03), repeat=6):
         found = masses(link("a", inertial(1, moments)))
-        for one in found.claims.get("INE002", []) + found.claims.get("INE003", []):
+        for one in found.diagnoses.get("INE002", []) + found.diagnoses.get("INE003", []):
             tensor = of_impossible(one, found).tensor
             if tensor is not None:
-                assert masses(link("a", inertial(1, tensor))).claims == {}
+                assert masses(link("a", inertial(1, tensor))).diagnoses == {}
 
 
 @pytest.mark.parametrize(
@@ -276,7 +276,7 @@ def test_of_the_signs_that_are_possible_that_of_the_shape_is_meant() -> None:
     assert rod.expected is not None
     wrong = link("a", thin, inertial(1, rod.expected._replace(ixz=-rod.expected.ixz)))
     found = masses(wrong)
-    assert [*found.claims] == ["INE003"]
+    assert [*found.diagnoses] == ["INE003"]
     diagnosis = of_impossible(found.weighed[0], found)
     assert diagnosis.cause == "has ixz with the opposite sign"
     assert diagnosis.tensor == pytest.approx(rod.expected)

@@ -72,13 +72,13 @@ def test_each_shape_has_its_closed_form(tmp_path: Path) -> None:
     [("  <!-- all alike -->\n", True), ("  <!-- robot -->\n\n", False), ("", False)],
 )
 def test_a_comment_above_the_macro_stays_and_is_told(
-    tmp_path: Path, above: str, told: bool
+    tmp_path: Path, above: str, reported: bool
 ) -> None:
     fixes, file = fixed(tmp_path, above + MACRO + link("a", 6, CYLINDER) + link("b", 1, CYLINDER))
     assert above in file.read_text()
     fix = fixes.applied[0].fix
     assert fix is not None
-    assert fix.title.endswith("; the comment above was about the old one") == told
+    assert fix.title.endswith("; the comment above was about the old one") == reported
 
 
 def test_the_inertial_is_where_the_shape_is(tmp_path: Path) -> None:

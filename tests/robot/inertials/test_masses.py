@@ -74,7 +74,7 @@ def test_numbered_links_are_twins_if_they_mirror_each_other() -> None:
 
 
 def names(robot: str) -> list[tuple[str, str]]:
-    return [(left.link.name, right.link.name) for left, right in masses(robot).twins]
+    return [(left.link.name, right.link.name) for left, right in masses(robot).symmetric_pairs]
 
 
 @pytest.mark.parametrize(
@@ -137,10 +137,10 @@ def test_mujoco_refuses_what_breaks_the_triangle_inequality(
     verdict = model["expect"]["mujoco_prepared"]
     arguments = dict(argument.split(":=", 1) for argument in model["xacro_args"])
     report = engine.check(folder / model["path"], arguments=arguments, select=["INE002", "INE003"])
-    told = [diagnostic.element.split("/")[1] for diagnostic in report.diagnostics]
+    reported = [diagnostic.element.split("/")[1] for diagnostic in report.diagnostics]
     notes = [note.message for diagnostic in report.diagnostics for note in diagnostic.related]
     if "A + B >= C" in verdict:
         name = verdict.split("Element name '")[1].split("'")[0]
-        assert name in told or any(f"link '{name}'" in note for note in notes)
+        assert name in reported or any(f"link '{name}'" in note for note in notes)
     elif verdict == "ok":
-        assert told == []
+        assert reported == []

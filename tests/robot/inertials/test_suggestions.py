@@ -90,8 +90,8 @@ def test_collada_units_count(tmp_path: Path) -> None:
     data = (tmp_path / "box.dae").read_bytes().replace(b'meter="1"', b'meter="0.001"')
     (tmp_path / "box.dae").write_bytes(data)
     one = only(robot(tmp_path, collision('<mesh filename="box.dae"/>')))
-    assert one.matter is not None
-    assert one.matter.properties.mass == pytest.approx(1e-9)
+    assert one.shape_mass is not None
+    assert one.shape_mass.properties.mass == pytest.approx(1e-9)
 
 
 def test_an_open_mesh_counts_with_its_hull_and_that_is_said(tmp_path: Path) -> None:
@@ -99,17 +99,17 @@ def test_an_open_mesh_counts_with_its_hull_and_that_is_said(tmp_path: Path) -> N
     box.update_faces(np.arange(12) > 0)
     write(as_mesh(box), tmp_path / "open.stl")
     one = only(robot(tmp_path, collision('<mesh filename="open.stl"/>')))
-    assert one.matter is not None
-    assert one.matter.properties.mass == pytest.approx(6)
-    assert one.matter.source == "the hull of the collision"
-    assert one.matter.notes == ("a mesh encloses no solid, so its convex hull is taken",)
+    assert one.shape_mass is not None
+    assert one.shape_mass.properties.mass == pytest.approx(6)
+    assert one.shape_mass.source == "the hull of the collision"
+    assert one.shape_mass.notes == ("a mesh encloses no solid, so its convex hull is taken",)
 
 
 def test_the_hull_of_a_solid_is_taken_where_asked_for(tmp_path: Path) -> None:
     ring = trimesh.creation.annulus(0.5, 1.0, 1.0)
     write(as_mesh(ring), tmp_path / "ring.stl")
     file = robot(tmp_path, collision('<mesh filename="ring.stl"/>'))
-    hull, solid = only(file, source="hull").matter, only(file).matter
+    hull, solid = only(file, source="hull").shape_mass, only(file).shape_mass
     assert hull is not None
     assert solid is not None
     assert hull.properties.mass == pytest.approx(ring.convex_hull.volume, rel=1e-6)

@@ -41,7 +41,7 @@ def test_what_is_not_known_is_nothing() -> None:
 
 
 def test_successors_are_there_and_their_forerunners_are_not() -> None:
-    moved = {name: meant for name in classes(1) if (meant := successor(name))}
+    moved = {name: suggested for name in classes(1) if (suggested := successor(name))}
     assert moved
     assert set(moved).isdisjoint(classes(2))
     assert set(moved.values()) <= set(classes(2))

@@ -7,7 +7,7 @@ import pytest
 from tests.gazebos import BASE, block, child, plugin, sensor
 from urdfkit.lint.context import Subject
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.ros.gazebo.plugins import PluginUse, fate, generations
+from urdfkit.ros.gazebo.plugins import PluginUse, conversion_result, generations
 from urdfkit.ros.targets import parse
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -116,4 +116,4 @@ def test_what_becomes_of_a_name(kind: str, name: str, expected: str) -> None:
     robot = child("arm") + child("cam", "fixed") + child("ghost", inside="")
     robot += child("hand", parent="ghost") + child("float", "floating")
     robot += block('<link name="extra"/>', "")
-    assert fate(subject(robot).gazebo, kind, name) == expected
+    assert conversion_result(subject(robot).gazebo, kind, name) == expected

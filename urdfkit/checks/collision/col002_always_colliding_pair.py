@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     still = subject.collisions.still
     for one in still.meetings:
-        loose = not (one.is_adjacent or one.is_rigid or one.is_swallowed)
+        loose = not (one.is_adjacent or one.is_rigid or one.is_contained)
         if loose and one.distance < 0 and still.always(one):
             small, large = (subject.model.collision(*body) for body in one.bodies)
             yield Finding(

@@ -59,11 +59,11 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not subject.is_crowded or subject.is_part:
         return
     still = subject.collisions.still
-    swallowed: dict[str, list[Contact]] = {}
+    contained: dict[str, list[Contact]] = {}
     for one in still.meetings:
         if one.is_out_of_reach and not one.is_rigid and still.always(one):
-            swallowed.setdefault(one.large.link, []).append(one)
-    for name, meetings in swallowed.items():
+            contained.setdefault(one.large.link, []).append(one)
+    for name, meetings in contained.items():
         if _is_envelope(subject, name):
             continue
         if len(meetings) > 1:

@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not subject.is_crowded or subject.is_part:
         return
     for one in subject.collisions.still.meetings:
-        held = one.is_adjacent and not one.is_rigid and not one.is_swallowed
+        held = one.is_adjacent and not one.is_rigid and not one.is_contained
         if held and one.is_solid and one.part > _PART:
             small, large = (subject.model.collision(*body) for body in one.bodies)
             # A body moved out sideways goes farther than its thickness.

@@ -55,6 +55,6 @@ def check(subject: Subject) -> Iterator[Finding]:
         if file.found is None and file.element:  # LAU003 tells those of launch files
             if os.path.basename(os.path.dirname(file.path)) in _FOR_MADE_FILES:
                 continue  # the launch file writes it first
-            meant = nearest_file(file.path)
-            hint = f"; did you mean '{meant}'?" if meant else ""
+            suggested = nearest_file(file.path)
+            hint = f"; did you mean '{suggested}'?" if suggested else ""
             yield Finding(file.element, f"file of parameters '{file.path}' does not exist{hint}")

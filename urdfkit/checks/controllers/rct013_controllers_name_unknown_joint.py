@@ -57,7 +57,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = set(subject.model.joints_by_name)
     for component in components(subject.model):  # a controller may command a GPIO, too
         known.update(part.name for part in component.parts)
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for file, found in controllers(subject):
         named = [(controller, _joints(controller)) for controller in found]
         any_known = any(value.text in known for _, values in named for value in values)
@@ -66,7 +66,7 @@ def check(subject: Subject) -> Iterator[Finding]:
             for value in values:
                 if value.text in known or (not is_of_robot and _is_prefixed(value.text, known)):
                     continue
-                hint = speller.hint(value.text)
+                hint = suggester.hint(value.text)
                 if is_of_robot or hint or not any_known:
                     yield Finding(
                         Location(value.span),

@@ -42,31 +42,31 @@ FILES = {
 }
 
 #: How like a name a word must be to be taken for a slip of it.
-_SLIP = 0.88
+_TYPO = 0.88
 
 
 @rule("RCT027", "controller-parameter-misspelt", Severity.WARNING)
 def check(subject: Subject) -> Iterator[Finding]:
     for file, found in controllers(subject):
         for controller in found:
-            for span, word, meant in _slips(controller):
+            for span, word, suggested in _mistakes(controller):
                 yield Finding(
                     Location(span),
-                    f"controller '{controller.name}': '{word}' is nearly '{meant}'",
-                    f"write {meant}",
+                    f"controller '{controller.name}': '{word}' is nearly '{suggested}'",
+                    f"write {suggested}",
                     related=(file.note,),
                 )
 
 
-def _slips(controller: Controller) -> Iterator[tuple[Span, str, str]]:
+def _mistakes(controller: Controller) -> Iterator[tuple[Span, str, str]]:
     known = catalogue()
     if controller.type not in known:
-        meant = nearest(controller.type, known, 0.93)
-        if meant:
-            yield controller.type_at, controller.type, meant
+        suggested = nearest(controller.type, known, 0.93)
+        if suggested:
+            yield controller.type_at, controller.type, suggested
         return
     names = parameters(controller.type)
     for name in controller.parameters:
-        meant = nearest(name, names, _SLIP) if name not in names else None
-        if meant and meant not in controller.parameters and len(meant) > 4:
-            yield controller.places[name], name, meant
+        suggested = nearest(name, names, _TYPO) if name not in names else None
+        if suggested and suggested not in controller.parameters and len(suggested) > 4:
+            yield controller.places[name], name, suggested

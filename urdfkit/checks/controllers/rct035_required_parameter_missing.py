@@ -43,7 +43,7 @@ FILES = {
 }
 
 #: How like a name another must be to be a slip of it, which is RCT027.
-_SLIP = 0.88
+_TYPO = 0.88
 
 
 @rule("RCT035", "required-parameter-missing", Severity.ERROR)
@@ -53,19 +53,21 @@ def check(subject: Subject) -> Iterator[Finding]:
         names = {one.name for one in found}
         for one in found:
             own = everywhere.get(one.name, one.section)
-            if told := _told(one, own, {n: s for n, s in everywhere.items() if n not in names}):
-                at, message, help = told
+            if reported := _reported(
+                one, own, {n: s for n, s in everywhere.items() if n not in names}
+            ):
+                at, message, help = reported
                 yield Finding(Location(at), message, help, related=(file.note,))
 
 
-def _told(
+def _reported(
     controller: Controller, own: Section, others: dict[str, Section]
 ) -> tuple[Span, str, str] | None:
     """Place, message and remedy for a controller that lacks parameters."""
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
     missing = [name for name in required if name not in own.places]
-    lacks = [name for name in missing if not nearest(name, own.places, _SLIP)]
+    lacks = [name for name in missing if not nearest(name, own.places, _TYPO)]
     who = f"controller '{controller.name}' ({controller.type}) lacks {', '.join(lacks)}"
     if lacks and own.at:
         return own.at, who, "add " + " and ".join(f"{name}: ..." for name in lacks)

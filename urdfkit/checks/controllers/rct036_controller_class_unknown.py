@@ -42,15 +42,15 @@ FILES = {
 }
 
 #: Types that are more like another one are misspelt, which is RCT027.
-_SLIP = 0.93
+_TYPO = 0.93
 
 
 @rule("RCT036", "controller-class-unknown", Severity.ERROR)
 def check(subject: Subject) -> Iterator[Finding]:
     for file, found in controllers(subject):
         for controller in found:
-            if told := _unknown(controller):
-                message, help = told
+            if reported := _unknown(controller):
+                message, help = reported
                 note = (file.note,)
                 yield Finding(Location(controller.type_at), message, help, related=note)
 
@@ -64,12 +64,12 @@ def _unknown(controller: Controller) -> tuple[str, str] | None:
         of_ros2 = kind in classes(2)
         message = f"controller '{controller.name}': {kind} is a class of ROS 2"
         return (message, "take the class of ros_controllers") if of_ros2 else None
-    if meant := successor(kind):
+    if suggested := successor(kind):
         message = f"controller '{controller.name}': no package of ROS 2 has {kind} any more"
-        return message, f"take {meant}, and see its parameters"
+        return message, f"take {suggested}, and see its parameters"
     package = kind.partition("/")[0]
     own = [name for name in here if name.startswith(f"{package}/")]
-    if not own or nearest(kind, here, _SLIP):
+    if not own or nearest(kind, here, _TYPO):
         return None
     message = f"controller '{controller.name}': package {package} has no controller {kind}"
     return message, "it has: " + ", ".join(own)

@@ -54,13 +54,13 @@ def check(subject: Subject) -> Iterator[Finding]:
     links = subject.model.links_by_name
     own = combined(properties_of(links[name], at) for name, at in subject.tree.frames.items())
     if abs(opinion.mass - own.mass) > _TOLERANCE * max(abs(own.mass), abs(opinion.mass)):
-        told = f"{opinion.mass:g} kg to Pinocchio, and {own.mass:g} kg as its links state"
+        reported = f"{opinion.mass:g} kg to Pinocchio, and {own.mass:g} kg as its links state"
     elif dist(opinion.center, own.center) > _TOLERANCE * max(1.0, *map(abs, own.center)):
-        told = "{} m to Pinocchio, and {} m as its links state".format(
+        reported = "{} m to Pinocchio, and {} m as its links state".format(
             *(" ".join(f"{place:.4g}" for place in at) for at in (opinion.center, own.center))
         )
-        told = f"its centre of mass is at {told}"
+        reported = f"its centre of mass is at {reported}"
     else:
         return
     reason = f": {opinion.complaints[0]}" if opinion.complaints else ""
-    yield Finding(subject.model.root, f"the robot weighs {told}{reason}")
+    yield Finding(subject.model.root, f"the robot weighs {reported}{reason}")

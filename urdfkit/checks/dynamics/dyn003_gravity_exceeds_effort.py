@@ -59,7 +59,7 @@ _SAMPLES = 200
 )
 def check(subject: Subject) -> Iterator[Finding]:
     doubtful = overloadable(subject.tree)
-    if not doubtful or subject.is_part or subject.masses.wrong_as_a_whole:  # INE010
+    if not doubtful or subject.is_part or subject.masses.consistently_wrong:  # INE010
         return
     robot = subject.dynamics  # before the module, which needs the same libraries
     from urdfkit.physics.dynamics.robot import Dynamics

@@ -47,7 +47,7 @@ FIXED = GOOD
 def check(subject: Subject) -> Iterator[Finding]:
     model = subject.model
     known = {**model.links_by_name, **model.joints_by_name}
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
@@ -55,17 +55,17 @@ def check(subject: Subject) -> Iterator[Finding]:
         if subject.is_part:  # the file that includes it has the link
             return
         if block.children:
-            meant = speller.meant(reference.value)
+            suggested = suggester.suggested(reference.value)
             lost = ", ".join(dict.fromkeys(f"<{child.tag}>" for child in block.children))
             yield Finding(
                 reference,
                 f"Gazebo drops {lost}: there is no link or joint '{reference.value}'",
-                f"did you mean '{meant}'?" if meant else "",
-                _fix(reference, meant) if meant else None,
-                alike="" if meant else "unlike any",
+                f"did you mean '{suggested}'?" if suggested else "",
+                _fix(reference, suggested) if suggested else None,
+                alike="" if suggested else "unlike any",
             )
 
 
-def _fix(reference: Attribute, meant: str) -> Fix | None:
-    edits = replace_value(reference, meant)
-    return Fix.of(f"rename '{reference.value}' to '{meant}'", edits)
+def _fix(reference: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(reference, suggested)
+    return Fix.of(f"rename '{reference.value}' to '{suggested}'", edits)

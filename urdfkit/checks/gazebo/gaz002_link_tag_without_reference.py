@@ -53,8 +53,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for block in subject.model.gazebo:
         if block.get("reference"):
             continue
-        if slip := _slip(subject.model, block):
-            yield slip
+        if mistake := _mistake(subject.model, block):
+            yield mistake
             continue
         misplaced = [(child, owner) for child in block.children if (owner := owners.get(child.tag))]
         if misplaced:
@@ -78,7 +78,7 @@ def _finding(block: Element, misplaced: list[tuple[Element, str]]) -> Finding:
     )
 
 
-def _slip(model: RobotModel, block: Element) -> Finding | None:
+def _mistake(model: RobotModel, block: Element) -> Finding | None:
     """An attribute that was meant to be the reference."""
     for attribute in block.attributes.values():
         name, value = attribute.name, attribute.value

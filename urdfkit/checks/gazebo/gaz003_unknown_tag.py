@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.ros.catalog.extensions import copied, extensions, meant
+from urdfkit.ros.catalog.extensions import copied, extensions, suggested
 from urdfkit.text.diagnostic import Fix, Related, Severity
 from urdfkit.text.editing.edits import rename_element
 
@@ -56,11 +56,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         for child in block.children:
             if child.tag not in known and ":" not in child.tag:  # prefixes are for other programs
                 strange.setdefault(child.tag, []).append(child)
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for tag, elements in strange.items():
-        right = meant().get(tag) or speller.meant(tag)
+        right = suggested().get(tag) or suggester.suggested(tag)
         if right:
-            yield from (_slip(element, right) for element in elements)
+            yield from (_mistake(element, right) for element in elements)
         else:
             yield _unknown(tag, elements)
 
@@ -74,7 +74,7 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
     return Finding(elements[0], message, help, related=others)
 
 
-def _slip(element: Element, right: str) -> Finding:
+def _mistake(element: Element, right: str) -> Finding:
     edits = rename_element(element, right)
     return Finding(
         element,

@@ -49,14 +49,14 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = materials()
     # By their last words: all begin with "Gazebo/", which would make them alike.
     bare = {name.rpartition("/")[2]: name for name in known if not known[name].internal}
-    speller = Suggester(bare)
+    suggester = Suggester(bare)
     for block in subject.model.gazebo:
         for child in block.all("material") if block.get("reference") else ():
             name = child.get("value") or child.text.strip()
             # Another prefix is that of a vendor's own scripts.
             if name not in known and ("/" not in name or name.lower().startswith("gazebo/")):
-                meant = speller.meant(name.rpartition("/")[2])
-                yield _finding(child, name, bare.get(meant, ""))
+                suggested = suggester.suggested(name.rpartition("/")[2])
+                yield _finding(child, name, bare.get(suggested, ""))
 
 
 def _finding(child: Element, name: str, right: str) -> Finding:

@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:
         return
     known = subject.model.links_by_name
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for who, at, name in _frames(subject):
         bare = name.strip("/").rpartition("/")[2]
         if not bare or is_expression(name):
@@ -63,13 +63,13 @@ def check(subject: Subject) -> Iterator[Finding]:
             message = f"{who} names frame '{name}': tf2 refuses the slash at its beginning"
             yield Finding(at, message, f"write {name.strip('/')}", _fix(at, name, name.strip("/")))
         elif bare not in known and name not in known and not _is_of_the_world(name):
-            meant = speller.meant(name)
-            help = f"did you mean '{meant}'?" if meant else "name a link of the robot"
+            suggested = suggester.suggested(name)
+            help = f"did you mean '{suggested}'?" if suggested else "name a link of the robot"
             yield Finding(
                 at,
                 f"{who} names frame '{name}', and the robot has no such link",
                 help,
-                _fix(at, name, meant) if meant else None,
+                _fix(at, name, suggested) if suggested else None,
                 confidence=Confidence.INFERRED,
             )
 
@@ -98,6 +98,6 @@ def _is_of_ros1(use: PluginUse) -> bool:
     return use.plugin is not None and use.plugin.generation == "classic-ros1"
 
 
-def _fix(at: Element | Attribute, name: str, meant: str) -> Fix | None:
-    edits = rewrite(at, meant)
-    return Fix.of(f"rename '{name}' to '{meant}'", edits)
+def _fix(at: Element | Attribute, name: str, suggested: str) -> Fix | None:
+    edits = rewrite(at, suggested)
+    return Fix.of(f"rename '{name}' to '{suggested}'", edits)

@@ -40,12 +40,12 @@ GOOD = BAD.replace("our_omni_drive", "gazebo_ros_planar_move")
     help="if it is a vendor's, see that its package is a dependency of yours",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    told: set[str] = set()
+    reported: set[str] = set()
     for use in subject.plugins:
         name = use.filename
-        if use.known or not name or name in told or misspelt(name):
+        if use.known or not name or name in reported or misspelt(name):
             continue
-        told.add(name)  # one robot may use a library a hundred times
+        reported.add(name)  # one robot may use a library a hundred times
         yield Finding(
             use.at.attributes["filename"],
             f"'{name}' is not a plugin of Gazebo or ROS that is known here",

@@ -44,6 +44,6 @@ GOOD = BAD.replace("    <enableYAxis>true</enableYAxis>\n", "")
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use, found in subject.unread:
-        if found.meant is None and found.other is None:
+        if found.suggested is None and found.other is None:
             path = "> in <".join(reversed(found.item.path.split("/")))
             yield Finding(found.item.at, f"{use.title} does not read <{path}>", alike=use.filename)

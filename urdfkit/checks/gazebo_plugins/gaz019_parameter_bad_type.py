@@ -69,8 +69,8 @@ def _wrong(parameter: Parameter, text: str) -> tuple[str, str] | None:
             help = f"write {right}" if number(right) is not None else "write the number alone"
             return f"which reads as {read}", help
     elif parameter.words and parameter.type == "string" and text not in parameter.words:
-        meant = did_you_mean(text, parameter.words)
-        return f"and must be {' or '.join(parameter.words)}{meant}", "write one of these words"
+        suggested = did_you_mean(text, parameter.words)
+        return f"and must be {' or '.join(parameter.words)}{suggested}", "write one of these words"
     elif parameter.name == "ros/remapping" and ":=" not in text:
         return "and renames nothing", "write FROM:=TO, such as cmd_vel:=robot/cmd_vel"
     elif parameter.type == "bool" and text.lower() not in (*_TRUE, *_FALSE):

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.ros.catalog.extensions import rewritten
-from urdfkit.ros.gazebo.plugins import PluginUse, Reference, fate
+from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import from_macro, insert_before
 
@@ -70,7 +70,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     conversion = subject.gazebo
     for use in subject.plugins:
         for reference in use.references():
-            if fate(conversion, reference.kind, reference.name) != "merged":
+            if conversion_result(conversion, reference.kind, reference.name) != "merged":
                 continue
             if use.place == "model" and reference.parameter.name in rewritten():
                 continue  # the converter writes the survivor there

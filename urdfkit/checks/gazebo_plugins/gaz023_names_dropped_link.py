@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
-from urdfkit.ros.gazebo.plugins import fate
+from urdfkit.ros.gazebo.plugins import conversion_result
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     conversion, model = subject.gazebo, subject.model
     for use in subject.plugins:
         for reference in use.references():
-            if fate(conversion, reference.kind, reference.name) != "dropped":
+            if conversion_result(conversion, reference.kind, reference.name) != "dropped":
                 continue
             if subject.is_part:
                 return

@@ -83,7 +83,7 @@ def _separation(use: PluginUse, kind: DriveKind, found: list[Wheel]) -> Iterator
             return
         apart = abs(dot(minus(left.origin, right.origin), left.axis))
         track = abs(dot(minus(left.hub, right.hub), left.axis))
-        if kind.slips and distance[1] > track:
+        if kind.mistakes and distance[1] > track:
             return
         if _differ(distance[1], track) and _differ(distance[1], apart):
             names = f"'{left.joint.name}' and '{right.joint.name}'"

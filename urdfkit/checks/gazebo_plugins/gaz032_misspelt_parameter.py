@@ -46,9 +46,9 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use, found in subject.unread:
-        if found.meant is None or found.other is not None:
+        if found.suggested is None or found.other is not None:
             continue
-        element, name = found.item.at, found.meant
+        element, name = found.item.at, found.suggested
         assert isinstance(element, Element)
         edits = rename_element(element, name)
         yield Finding(

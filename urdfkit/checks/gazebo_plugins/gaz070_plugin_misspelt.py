@@ -45,13 +45,14 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     for use in subject.plugins:
-        meant = misspelt(use.filename) if use.filename and not use.known else ""
-        if meant:
+        suggested = misspelt(use.filename) if use.filename and not use.known else ""
+        if suggested:
             at = use.at.attributes["filename"]
             yield Finding(
                 at,
-                f"{use.title}: '{use.filename}' is nearly '{meant}'; Gazebo finds no such library",
-                f"write {meant}",
-                Fix.of(f"write {meant}", replace_value(at, meant)),
-                alike=meant,
+                f"{use.title}: '{use.filename}' is nearly '{suggested}'; Gazebo finds no such "
+                "library",
+                f"write {suggested}",
+                Fix.of(f"write {suggested}", replace_value(at, suggested)),
+                alike=suggested,
             )

@@ -25,25 +25,25 @@ def unknown(subject: Subject, kind: str) -> Iterator[Finding]:
     model = subject.model
     own = model.links_by_name.keys() if kind == "link" else model.joints_by_name.keys()
     known = own | subject.gazebo.added | ({"world"} if kind == "link" else set())
-    speller = Suggester(own)
+    suggester = Suggester(own)
     for use in subject.plugins:
         for reference in use.references():
             if reference.kind != kind or reference.name in known:
                 continue
             if subject.is_part:  # the file that includes it has the link or the joint
                 return
-            meant = speller.meant(reference.name)
+            suggested = suggester.suggested(reference.name)
             yield Finding(
                 reference.item.at,
                 f"{use.title} looks for {kind} '{reference.name}', which does not exist"
                 f"{use.outcome}",
-                f"did you mean '{meant}'?" if meant else "",
-                _renamed(reference, meant) if meant else None,
+                f"did you mean '{suggested}'?" if suggested else "",
+                _renamed(reference, suggested) if suggested else None,
             )
 
 
-def _renamed(reference: Reference, meant: str) -> Fix | None:
+def _renamed(reference: Reference, suggested: str) -> Fix | None:
     """Another name, where it is all that the parameter holds."""
     item, name = reference.item, reference.name
-    edits = rewrite(item.at, meant) if item.text == name else None
-    return Fix.of(f"rename '{name}' to '{meant}'", edits)
+    edits = rewrite(item.at, suggested) if item.text == name else None
+    return Fix.of(f"rename '{name}' to '{suggested}'", edits)

@@ -43,7 +43,7 @@ GOOD = BAD.replace("lidr", "ray")
 FIXED = BAD.replace("lidr", "lidar")
 
 #: How like a type a word must be to be taken for a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 
 
 @rule(
@@ -78,10 +78,10 @@ def _brings_its_type(sensor: Sensor, known: Iterable[str]) -> bool:
 
     files = [(plugin.get("filename") or "").strip() for plugin in sensor.plugins]
     foreign = bool(files) and not any(map(find, files))
-    return foreign and bool(sensor.type) and not nearest(sensor.type, known, _SLIP)
+    return foreign and bool(sensor.type) and not nearest(sensor.type, known, _TYPO)
 
 
 def _fix(sensor: Sensor, known: Iterable[str]) -> Fix | None:
-    kind, meant = sensor.at.attributes.get("type"), nearest(sensor.type, known, _SLIP)
-    edits = replace_value(kind, meant) if kind and meant else None
-    return Fix.of(f"write {meant}", edits)
+    kind, suggested = sensor.at.attributes.get("type"), nearest(sensor.type, known, _TYPO)
+    edits = replace_value(kind, suggested) if kind and suggested else None
+    return Fix.of(f"write {suggested}", edits)

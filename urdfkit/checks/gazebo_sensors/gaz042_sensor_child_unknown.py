@@ -45,7 +45,7 @@ _INSTEAD = {
 }
 
 #: How like a tag a word must be to be taken for a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 
 
 @rule(
@@ -75,6 +75,6 @@ def _finding(child: Element, who: str, parent: str, known: Iterable[str]) -> Fin
 
 
 def _fix(child: Element, known: Iterable[str]) -> Fix | None:
-    meant = nearest(child.tag, known, _SLIP)
-    edits = rename_element(child, meant) if meant else None
-    return Fix.of(f"rename it to <{meant}>", edits)
+    suggested = nearest(child.tag, known, _TYPO)
+    edits = rename_element(child, suggested) if suggested else None
+    return Fix.of(f"rename it to <{suggested}>", edits)

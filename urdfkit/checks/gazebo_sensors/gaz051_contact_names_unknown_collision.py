@@ -68,12 +68,14 @@ def check(subject: Subject) -> Iterator[Finding]:
             if name in known or name == "__default__":
                 continue
             renamed = [new for new, at in known.items() if name in _called(at)]
-            meant = renamed[0] if len(renamed) == 1 else Suggester(known).meant(name)
-            hint = f"; Gazebo calls it '{meant}'" if renamed else f"; did you mean '{meant}'?"
+            suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
+            hint = (
+                f"; Gazebo calls it '{suggested}'" if renamed else f"; did you mean '{suggested}'?"
+            )
             yield Finding(
                 named,
-                f"{sensor.who}: link '{link}' has no collision '{name}'{hint if meant else ''}",
-                fix=_fix(named, meant),
+                f"{sensor.who}: link '{link}' has no collision '{name}'{hint if suggested else ''}",
+                fix=_fix(named, suggested),
             )
 
 
@@ -84,6 +86,6 @@ def _called(collision: Element) -> tuple[str, ...]:
     return (own, f"{own}_collision", f"{link}_collision")
 
 
-def _fix(named: Element, meant: str) -> Fix | None:
-    edits = replace_text(named, meant) if meant else None
-    return Fix.of(f"write {meant}", edits)
+def _fix(named: Element, suggested: str) -> Fix | None:
+    edits = replace_text(named, suggested) if suggested else None
+    return Fix.of(f"write {suggested}", edits)

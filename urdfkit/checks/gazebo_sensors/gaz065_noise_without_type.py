@@ -60,10 +60,11 @@ def check(subject: Subject) -> Iterator[Finding]:
         for inner in written(sensor):
             if inner.holds_type_as_attribute and "type" not in inner.at.attributes:
                 child = inner.at.child("type")
-                told = ", and passes over its <type>" if child else ""
+                reported = ", and passes over its <type>" if child else ""
                 yield Finding(
                     inner.at,
-                    f"{sensor.who}: <noise> has no attribute type: Gazebo refuses the model{told}",
+                    f"{sensor.who}: <noise> has no attribute type: Gazebo rejects the model"
+                    f"{reported}",
                     fix=_typed(inner.at, child.text.strip() if child else "gaussian"),
                 )
 

@@ -51,7 +51,7 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for one in subject.likenesses.claims.get("GEO004", ()):
+    for one in subject.visual_collision_pairs.diagnoses.get("GEO004", ()):
         link = one.link
         why = _why(link) if one.has_one_shape else ""
         wrong, right = _sides(link)

@@ -58,7 +58,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     name = f"material '{material.name.value}'" if material.name else "the material"
     wrong = [f"{value:g}" for value in values if not 0 <= value <= 1]
     verb = "is" if len(wrong) == 1 else "are"
-    better = _mended(values)
+    better = _fixed(values)
     title = f'write rgba="{better}"' if better else ""
     attribute = material.at.child("color")
     assert attribute is not None
@@ -71,7 +71,7 @@ def _finding(material: Material, values: tuple[float, ...]) -> Finding:
     )
 
 
-def _mended(values: tuple[float, ...]) -> str:
+def _fixed(values: tuple[float, ...]) -> str:
     """The colour from 0 to 1; empty if the numbers do not tell it."""
     if min(values) < 0 or max(values) > 255:
         return ""

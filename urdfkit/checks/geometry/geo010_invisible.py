@@ -37,13 +37,13 @@ _MEANT = re.compile(r"invisible|transparent|hidden|none|clear|glass", re.IGNOREC
 
 @rule("GEO010", "invisible", Severity.INFO, help="write 1 as the fourth number of rgba")
 def check(subject: Subject) -> Iterator[Finding]:
-    told: set[Element | Attribute] = set()
+    reported: set[Element | Attribute] = set()
     for link, _, material in Colours(subject.model).visuals():
         rgba, name = material.rgba, material.name.value if material.name else ""
         if rgba is None or material.texture or len(rgba.value) != 4 or rgba.value[3] > 0:
             continue
-        if rgba.at not in told and not _MEANT.search(name):
-            told.add(rgba.at)
+        if rgba.at not in reported and not _MEANT.search(name):
+            reported.add(rgba.at)
             called = f" '{name}'" if name else ""
             message = f"link '{link.name}': the material{called} of a visual has an alpha of 0"
             yield Finding(rgba, message)

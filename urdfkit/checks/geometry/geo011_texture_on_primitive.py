@@ -45,10 +45,10 @@ GOOD = BAD.replace(
     help="use a mesh with texture coordinates, and give the material a <color> for the others",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    told: set[Element | Attribute] = set()
+    reported: set[Element | Attribute] = set()
     for link, body, material in Colours(subject.model).visuals():
         texture, kind = material.texture, body.shape.kind if body.shape else ""
-        if texture and kind in SIZES and texture.at not in told:
-            told.add(texture.at)
+        if texture and kind in SIZES and texture.at not in reported:
+            reported.add(texture.at)
             message = f"link '{link.name}' has a texture on a {kind}, which only RViz shows"
             yield Finding(texture, message)

@@ -53,12 +53,12 @@ _NEAR = 1.08
     help="correct the scale or the size of the one that is wrong",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    likenesses = subject.likenesses
-    for one in likenesses.claims.get("GEO016", ()):
+    visual_collision_pairs = subject.visual_collision_pairs
+    for one in visual_collision_pairs.diagnoses.get("GEO016", ()):
         assert one.factor
         larger, smaller = ("visual", "collision") if one.factor > 1 else ("collision", "visual")
         factor = max(one.factor, 1 / one.factor)
-        wrong = one.unusual(likenesses.span)
+        wrong = one.unusual(visual_collision_pairs.span)
         is_visual = wrong is one.link.visuals[0]
         other = one.link.collisions[0] if is_visual else one.link.visuals[0]
         yield Finding(
@@ -74,8 +74,8 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 def _unit(factor: float) -> str:
     """Which units were confused, if the factor is that of two."""
-    told = (why for f, why in _UNITS.items() if f / _NEAR < factor < f * _NEAR)
-    why = next(told, "")
+    reported = (why for f, why in _UNITS.items() if f / _NEAR < factor < f * _NEAR)
+    why = next(reported, "")
     return f", as by {why}" if why else ""
 
 

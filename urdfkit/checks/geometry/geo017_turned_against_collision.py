@@ -40,7 +40,7 @@ GOOD = BAD.replace("<collision>", '<collision>\n    <origin rpy="0 1.5708 0"/>')
     help="look at both in RViz, and turn the one that is wrong",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for one in subject.likenesses.claims.get("GEO017", ()):
+    for one in subject.visual_collision_pairs.diagnoses.get("GEO017", ()):
         turn = one.turn
         assert turn is not None
         is_visual = turn.body in one.link.visuals

@@ -22,7 +22,7 @@ from urdfkit.core.spatial import Transform, Vector, rotate
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.robot.assets.point_containment import PointContainment
 from urdfkit.robot.shapes import AXES
-from urdfkit.ros.gazebo.optical_sensors import OpticalSensor, eyes, kind_of
+from urdfkit.ros.gazebo.optical_sensors import OpticalSensor, kind_of, optical_sensors
 from urdfkit.text.diagnostic import Confidence, Related, Severity
 
 if TYPE_CHECKING:
@@ -63,14 +63,14 @@ _SKIN = 0.002
     help="measure its place from the origin of the parent link: forward, left and up, in m",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    told: set[str] = set()
-    for eye in eyes(subject.model):
+    reported: set[str] = set()
+    for eye in optical_sensors(subject.model):
         body = subject.masses.body_of.get(eye.link)
         joint = _mounting(subject, eye, body) if body else None
         around = _around(subject, eye, body) if body and joint else None
-        if joint is None or around is None or joint.name in told:
+        if joint is None or around is None or joint.name in reported:
             continue
-        told.add(joint.name)
+        reported.add(joint.name)
         shape, link, depth = around
         yield Finding(
             joint.at.child("origin") or joint.at,

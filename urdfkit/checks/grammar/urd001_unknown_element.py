@@ -42,31 +42,31 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for element, _, _, meant in subject.deviations.get("URD001", ()):
+    for element, _, _, suggested in subject.deviations.get("URD001", ()):
         assert element.parent is not None
         who = owner(element.parent)
         message = f"{who}: unknown element <{element.tag}> in <{element.parent.tag}> (ignored)"
         yield Finding(
             element,
-            f"{message}; did you mean <{meant}>?" if meant else message,
-            _help(element, meant),
-            _fix(element, meant),
+            f"{message}; did you mean <{suggested}>?" if suggested else message,
+            _help(element, suggested),
+            _fix(element, suggested),
             alike=f"{element.tag} in {element.parent.tag}",
         )
 
 
-def _help(element: Element, meant: str) -> str:
+def _help(element: Element, suggested: str) -> str:
     macro = calling_macro(element)
-    if not meant:
+    if not suggested:
         return ""
-    return f"rename it to <{meant}>" + (f" in the call of macro '{macro}'" if macro else "")
+    return f"rename it to <{suggested}>" + (f" in the call of macro '{macro}'" if macro else "")
 
 
-def _fix(element: Element, meant: str) -> Fix | None:
+def _fix(element: Element, suggested: str) -> Fix | None:
     """Another name, or nothing in the place of an element that holds nothing."""
-    if meant:
-        edits = rename_element(element, meant)
-        fix = Fix.of(f"rename <{element.tag}> to <{meant}>", edits)
+    if suggested:
+        edits = rename_element(element, suggested)
+        fix = Fix.of(f"rename <{element.tag}> to <{suggested}>", edits)
         # What was not read as a block may move the robot once it is.
         return fix._replace(safe=False) if fix and calling_macro(element) else fix
     if element.children or element.text.strip():

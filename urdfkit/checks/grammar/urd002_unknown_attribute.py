@@ -50,10 +50,10 @@ _SHOWN = 5
 )
 def check(subject: Subject) -> Iterator[Finding]:
     foreign: dict[tuple[str, bool], list[Attribute]] = {}
-    for element, attribute, _, meant in subject.deviations.get("URD002", ()):
+    for element, attribute, _, suggested in subject.deviations.get("URD002", ()):
         assert attribute is not None
-        if meant:
-            yield _slip(element, attribute, meant)
+        if suggested:
+            yield _mistake(element, attribute, suggested)
         else:
             foreign.setdefault((element.tag, _is_misplaced(attribute)), []).append(attribute)
     for (_, is_misplaced), attributes in foreign.items():
@@ -61,15 +61,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         yield finding if is_misplaced else finding._replace(severity=Severity.INFO)
 
 
-def _slip(element: Element, attribute: Attribute, meant: str) -> Finding:
+def _mistake(element: Element, attribute: Attribute, suggested: str) -> Finding:
     """An attribute that is probably a misspelt one."""
-    edits = rename_attribute(attribute, meant)
+    edits = rename_attribute(attribute, suggested)
     return Finding(
         attribute,
         f"{owner(element)}: unknown attribute '{attribute.name}' in <{element.tag}> (ignored); "
-        f"did you mean '{meant}'?",
-        f"rename it to {meant}",
-        Fix.of(f"rename {attribute.name} to {meant}", edits),
+        f"did you mean '{suggested}'?",
+        f"rename it to {suggested}",
+        Fix.of(f"rename {attribute.name} to {suggested}", edits),
     )
 
 

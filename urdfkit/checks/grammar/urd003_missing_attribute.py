@@ -40,15 +40,15 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for element, attribute, missing, meant in subject.deviations.get("URD003", ()):
+    for element, attribute, missing, suggested in subject.deviations.get("URD003", ()):
         message = f"{owner(element)}: <{element.tag}> has no '{missing}'"
         if attribute is None:
             yield Finding(element, message, alike=f"{missing} of {element.tag}")
             continue
-        edits = rename_attribute(attribute, meant)
+        edits = rename_attribute(attribute, suggested)
         yield Finding(
             attribute,
             f"{message}, but '{attribute.name}', which URDF does not know",
-            f"rename {attribute.name} to {meant}",
-            Fix.of(f"rename {attribute.name} to {meant}", edits),
+            f"rename {attribute.name} to {suggested}",
+            Fix.of(f"rename {attribute.name} to {suggested}", edits),
         )

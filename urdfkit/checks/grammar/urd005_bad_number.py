@@ -50,7 +50,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         text = as_written(attribute)
         title, edits = "", None
         length = schema.LENGTHS.get(kind, 1)
-        if better := _mended(text, length):
+        if better := _fixed(text, length):
             title, edits = f'write {attribute.name}="{better}"', replace_value(attribute, better)
         reason = _reason(text, length)
         yield Finding(
@@ -81,7 +81,7 @@ def _reason(text: str, length: int) -> str:
     return f"holds '{bad[:40]}', which is not a number"
 
 
-def _mended(text: str, length: int) -> str | None:
+def _fixed(text: str, length: int) -> str | None:
     """The value with its commas and white space as readers want them, if that mends it."""
     parts = [part.rstrip(",") for part in text.split()]
     spaced = " ".join(parts)

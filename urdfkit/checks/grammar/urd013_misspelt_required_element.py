@@ -36,13 +36,13 @@ FIXED = GOOD
 
 @rule("URD013", "misspelt-required-element", Severity.ERROR, fixable=True)
 def check(subject: Subject) -> Iterator[Finding]:
-    for element, _, _, meant in subject.deviations.get("URD013", ()):
-        edits = rename_element(element, meant)
-        title = f"rename <{element.tag}> to <{meant}>"
+    for element, _, _, suggested in subject.deviations.get("URD013", ()):
+        edits = rename_element(element, suggested)
+        title = f"rename <{element.tag}> to <{suggested}>"
         yield Finding(
             element,
-            f"{owner(element)}: URDF has no <{element.tag}>, and the <{meant}> that it seems to be "
-            "is missing",
+            f"{owner(element)}: URDF has no <{element.tag}>, and the <{suggested}> that it seems "
+            "to be is missing",
             title,
             Fix.of(title, edits),
         )

@@ -50,7 +50,7 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    claimed = masses.claims.get("INE002", ())
+    claimed = masses.diagnoses.get("INE002", ())
     yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
 
 

@@ -47,7 +47,7 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    claimed = masses.claims.get("INE003", ())
+    claimed = masses.diagnoses.get("INE003", ())
     yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
 
 

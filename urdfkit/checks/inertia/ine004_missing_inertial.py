@@ -67,8 +67,8 @@ def check(subject: Subject) -> Iterator[Finding]:
         return  # INE019; and what a part lacks, the whole may have
     for body in subject.gazebo.massless:
         zero = body.top.inertial is not None and body.top.inertial.mass is not None
-        told = body.joint is not None and zero  # INE001
-        if not told and (body.joint or subject.targets.any_of(GAZEBO)):
+        reported = body.joint is not None and zero  # INE001
+        if not reported and (body.joint or subject.targets.any_of(GAZEBO)):
             finding = _finding(body, subject)
             if finding:
                 yield finding

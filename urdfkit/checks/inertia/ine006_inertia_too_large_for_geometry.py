@@ -59,7 +59,7 @@ _SHARE = 0.1
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    claimed = masses.claims.get("INE006", ())
+    claimed = masses.diagnoses.get("INE006", ())
     # One value for all small links, below which no moment goes, is one decision.
     found = ((weighed, _finding(weighed, masses)) for weighed in claimed)
     yield from together(found, by=lambda weighed: max(weighed.diagonal))

@@ -53,7 +53,7 @@ FIXED = GOOD = BAD.replace(
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    claimed = masses.claims.get("INE007", ())
+    claimed = masses.diagnoses.get("INE007", ())
     yield from together((weighed, _finding(weighed, masses)) for weighed in claimed)
 
 

@@ -45,7 +45,7 @@ FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
 )
 def check(subject: Subject) -> Iterator[Finding]:
     masses = subject.masses
-    for weighed in masses.claims.get("INE008", ()):
+    for weighed in masses.diagnoses.get("INE008", ()):
         assert weighed.expected is not None
         diagnosis = of_unlike_shape(weighed, masses)
         ratios = weighed.ratios(weighed.expected)

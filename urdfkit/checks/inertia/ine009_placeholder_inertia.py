@@ -48,7 +48,7 @@ FILES = {"arm.stl": PLATE}
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    claimed = subject.masses.claims.get("INE009", ())
+    claimed = subject.masses.diagnoses.get("INE009", ())
     yield from together((weighed, _finding(weighed)) for weighed in claimed)
 
 

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.rules import Finding, rule
 from urdfkit.robot.inertia import scaled
-from urdfkit.robot.inertials.diagnoses import HEAVIEST, LIGHTEST, implausible_density, unit_slip
+from urdfkit.robot.inertials.diagnoses import HEAVIEST, LIGHTEST, implausible_density, unit_mistake
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
 from urdfkit.text.editing.edits import rewrite
@@ -50,8 +50,8 @@ FIXED = GOOD
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    found = [(one, _finding(one)) for one in subject.masses.claims.get("INE010", ())]
-    if subject.masses.wrong_as_a_whole:
+    found = [(one, _finding(one)) for one in subject.masses.diagnoses.get("INE010", ())]
+    if subject.masses.consistently_wrong:
         yield _of_the_robot(found)
     else:
         yield from together(found)
@@ -60,7 +60,7 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _of_the_robot(found: list[tuple[LinkInertia, Finding]]) -> Finding:
     """One for most links of a robot: somebody took one unit for another."""
     (_, worst), *others = sorted(found, key=lambda pair: -pair[1].weight)
-    in_grams = [one for one, _ in found if unit_slip(one) == "g"]
+    in_grams = [one for one, _ in found if unit_mistake(one) == "g"]
     fixes = [finding.fix for _, finding in found]
     edits = [edit for fix in fixes if fix for edit in fix.edits]
     return worst._replace(
@@ -86,7 +86,7 @@ def _finding(weighed: LinkInertia) -> Finding:
         f"link '{weighed.link.name}': {weighed.mass:g} kg in a {weighed.solid} make "
         f"{density:.3g} kg/m^3; parts of robots have {LIGHTEST:g} to {HEAVIEST:g}",
         _advice(weighed),
-        _in_kilograms(weighed) if unit_slip(weighed) == "g" else None,
+        _in_kilograms(weighed) if unit_mistake(weighed) == "g" else None,
         confidence=Confidence.INFERRED,
         weight=max(density / HEAVIEST, LIGHTEST / density),
         alike="density",
@@ -106,7 +106,7 @@ def _in_kilograms(weighed: LinkInertia) -> Fix | None:
 
 
 def _advice(weighed: LinkInertia) -> str:
-    unit = unit_slip(weighed)
+    unit = unit_mistake(weighed)
     if unit == "g":
         return f"the mass is probably in g: write {weighed.mass / 1000:g}, and the tensor in kg m^2"
     return "the size is probably in mm: write it in m" if unit == "mm" else ""

@@ -20,7 +20,7 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, rule
-from urdfkit.robot.inertials.diagnoses import center_is_outside, center_slip
+from urdfkit.robot.inertials.diagnoses import center_is_outside, center_mistake
 from urdfkit.text.diagnostic import Confidence, Severity
 
 if TYPE_CHECKING:
@@ -48,16 +48,16 @@ GOOD = BAD.replace("-0.4 0 0", "0 0 0")
     help="write the <origin> of the <inertial> in the link's own frame, in m",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for weighed in subject.masses.claims.get("INE011", ()):
+    for weighed in subject.masses.diagnoses.get("INE011", ()):
         distance = center_is_outside(weighed)
         assert distance is not None
-        slip = center_slip(weighed)
+        mistake = center_mistake(weighed)
         outline, center = weighed.outline, weighed.inertial.origin.position
         yield Finding(
             weighed.inertial.at.child("origin") or weighed.inertial.at,
             f"link '{weighed.link.name}': the centre of mass at {_point(center)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
-            f"about {_point(outline.center)}{f'; it {slip}' if slip else ''}",
+            f"about {_point(outline.center)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,
             weight=distance / max(outline.edges) if any(outline.edges) else inf,
         )

@@ -57,7 +57,7 @@ GOOD = BAD.replace('"0.15"', '"0.015"')
     help="compare the two, and give both the value that is right",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for left, right in subject.masses.unlike_twins:
+    for left, right in subject.masses.asymmetric_pairs:
         yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
 
 

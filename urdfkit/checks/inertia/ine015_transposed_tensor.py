@@ -49,7 +49,7 @@ _SAME = 1.2
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for weighed in subject.masses.claims.get("INE015", ()):
+    for weighed in subject.masses.diagnoses.get("INE015", ()):
         _, tensor = of_wrong_axes(weighed)
         flipped = opposite(weighed.tensor, tensor)
         fix = replacement(weighed, tensor)

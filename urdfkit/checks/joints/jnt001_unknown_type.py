@@ -57,15 +57,15 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if kind.value == "spherical" and subject.targets.are_only("mujoco"):
             continue
-        meant = nearest(kind.value.strip(), JOINT_TYPES, _LIKENESS)
+        suggested = nearest(kind.value.strip(), JOINT_TYPES, _LIKENESS)
         yield Finding(
             kind,
             f"joint '{joint.name}' has type '{kind.value}', which URDF does not know"
-            + (f"; did you mean '{meant}'?" if meant else ""),
-            fix=_renamed(kind, meant) if meant else None,
+            + (f"; did you mean '{suggested}'?" if suggested else ""),
+            fix=_renamed(kind, suggested) if suggested else None,
         )
 
 
-def _renamed(kind: Attribute, meant: str) -> Fix | None:
-    edits = replace_value(kind, meant)
-    return Fix.of(f'write type="{meant}"', edits)
+def _renamed(kind: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(kind, suggested)
+    return Fix.of(f'write type="{suggested}"', edits)

@@ -60,7 +60,7 @@ _RANGE_TOLERANCE = 0.05
     help="give both the right value",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for first, second in subject.joint_twins:
+    for first, second in subject.symmetric_joints:
         if differences := list(_differences(first, second)):
             yield Finding(
                 second.limit.at if second.limit and first.kind == second.kind else second.at,

@@ -63,15 +63,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         off = hypot(*sizes[:main], *sizes[main + 1 :])
         if _LEAST < off < _MOST:
             sign = "-" if axis.value[main] < 0 else ""
-            meant = " ".join(f"{sign}1" if index == main else "0" for index in range(3))
+            suggested = " ".join(f"{sign}1" if index == main else "0" for index in range(3))
             yield Finding(
                 axis,
                 f"joint '{joint.name}': the axis is {off:.2g} rad off {sign}{'xyz'[main]}",
-                fix=_snapped(axis, meant),
+                fix=_snapped(axis, suggested),
             )
 
 
-def _snapped(axis: Placed[Vector], meant: str) -> Fix | None:
+def _snapped(axis: Placed[Vector], suggested: str) -> Fix | None:
     assert isinstance(axis.at, Attribute)
-    edits = replace_value(axis.at, meant)
-    return Fix.of(f'write xyz="{meant}"', edits)
+    edits = replace_value(axis.at, suggested)
+    return Fix.of(f'write xyz="{suggested}"', edits)

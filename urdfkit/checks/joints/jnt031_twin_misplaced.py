@@ -73,12 +73,12 @@ class _Pair(Record):
     help="mirror its origin in the plane between the two",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    told = set()
+    reported = set()
     for one, other, reason in _of_one_link(subject.model):
-        told |= {one.name, other.name}
+        reported |= {one.name, other.name}
         yield _finding(one, other, f"{_at(other)} {reason} its twin '{one.name}' {_at(one)}")
     for pair in _out_of_line(list(_pairs(subject))):
-        if pair.right.name in told:
+        if pair.right.name in reported:
             continue
         if _is_odd(subject.model, pair.left, pair.right):
             x, y, z = pair.off
@@ -143,7 +143,7 @@ def _is_equal(one: Vector, other: Vector) -> bool:
 
 def _pairs(subject: Subject) -> Iterator[_Pair]:
     frames = subject.tree.frames
-    for left, right in subject.joint_twins:
+    for left, right in subject.symmetric_joints:
         here, there = (frames.get(joint.child.value) for joint in (left, right) if joint.child)
         if here and there and abs(here.position[1] - there.position[1]) > _OFF:
             (x, y, z), (a, b, c) = here.position, there.position

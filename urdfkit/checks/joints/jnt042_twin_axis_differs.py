@@ -57,7 +57,7 @@ _ACROSS = 0.5
 )
 def check(subject: Subject) -> Iterator[Finding]:
     frames = subject.tree.frames
-    for left, right in subject.joint_twins:
+    for left, right in subject.symmetric_joints:
         if left.kind not in TURNING or right.kind not in TURNING:
             continue
         one, other = (frames.get(joint.child.value) for joint in (left, right) if joint.child)

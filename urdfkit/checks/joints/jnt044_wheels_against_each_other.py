@@ -52,7 +52,9 @@ _OPPOSITE = -0.95
     help="turn one <axis> round, unless the program that drives the robot turns a sign",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    wheels = [(one, other) for one, other in subject.joint_twins if _roll(one) and _roll(other)]
+    wheels = [
+        (one, other) for one, other in subject.symmetric_joints if _roll(one) and _roll(other)
+    ]
     frames = subject.tree.frames
     if len(wheels) != 1:
         return

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -31,4 +31,4 @@ GOOD = "<launch/>"
     help="mend the file; the place is where reading stopped",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU001")
+    yield from reported(subject, "LAU001")

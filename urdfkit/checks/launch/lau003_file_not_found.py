@@ -37,8 +37,8 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 def check(subject: Subject) -> Iterator[Finding]:
     for file in subject.launch.files:
         if not file.exists and not _may_come_from_elsewhere(subject, file.path):
-            meant = nearest_file(file.path)
-            hint = f"there is '{meant}' beside it" if meant else ""
+            suggested = nearest_file(file.path)
+            hint = f"there is '{suggested}' beside it" if suggested else ""
             yield Finding(Location(file.span), f"{file.purpose} '{file.path}' does not exist", hint)
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -38,4 +38,4 @@ GOOD = BAD.replace("use_giu", "use_gui")
     help="declare it, or fix the name",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU006")
+    yield from reported(subject, "LAU006")

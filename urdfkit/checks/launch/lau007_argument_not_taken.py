@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -39,6 +39,6 @@ FILES = {"world.launch": b'<launch><arg name="with_gui" default="true"/></launch
     help="pass an argument that the file has",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for finding in told(subject, "LAU007"):
+    for finding in reported(subject, "LAU007"):
         _, _, argument = finding.message.partition(" has no ")
         yield finding._replace(alike=argument)

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -33,4 +33,4 @@ FILES = {
 
 @rule("LAU008", "argument-not-given", Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU008")
+    yield from reported(subject, "LAU008")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -28,4 +28,4 @@ GOOD = BAD.replace("respwan", "respawn")
 
 @rule("LAU010", "unknown-tag-or-attribute", Severity.WARNING, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU010")
+    yield from reported(subject, "LAU010")

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -41,4 +41,4 @@ GOOD = BAD.replace('"side"', '"side", default="left"')
     help="declare it",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU012")
+    yield from reported(subject, "LAU012")

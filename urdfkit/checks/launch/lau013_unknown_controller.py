@@ -47,7 +47,7 @@ arm_controller:
 }
 
 #: How like another a name must be to be a slip of it: most end in ``_controller``.
-_SLIP = 0.9
+_TYPO = 0.9
 #: Files of a package that are looked at, and folders in which they are looked for.
 _MAX_FILES, _MAX_FOLDERS = 200, 2000
 
@@ -67,11 +67,11 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = loaded.union(*(_defined(subject, path) for path in _package_files(subject)))
     # Names may be put together when the launch file is run.
     is_whole = bool(loaded) and _is_whole(subject) and not any("$" in name for name in known)
-    speller = Suggester({name for name in known if "$" not in name})
+    suggester = Suggester({name for name in known if "$" not in name})
     for word, frame in wanted:
         name = (word.text or "").strip("/").rpartition("/")[2]
-        is_slip = speller.meant(name) and nearest(name, known, _SLIP)
-        if name not in known and (is_whole or is_slip):
+        is_typo = suggester.suggested(name) and nearest(name, known, _TYPO)
+        if name not in known and (is_whole or is_typo):
             yield Finding(
                 Location(word.span, frame),
                 f"no file of parameters defines the controller '{name}'{did_you_mean(name, known)}",

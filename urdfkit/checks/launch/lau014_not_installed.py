@@ -47,13 +47,13 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not os.path.relpath(own, folder).startswith("launch"):
         return  # a test or an example, which stay in the source tree
     named = [(file.path, file.span) for file in subject.launch.files if file.exists]
-    told: set[str] = set()
+    reported: set[str] = set()
     for path, span in [(own, Span(source, 0, 0)), *named]:
         relative = os.path.relpath(path, folder)
         top = relative.partition(os.sep)[0]
-        if top in (os.pardir, *told) or os.sep not in relative or not os.path.exists(path):
+        if top in (os.pardir, *reported) or os.sep not in relative or not os.path.exists(path):
             continue
         if not shipping.installs(relative):
-            told.add(top)
+            reported.add(top)
             message = f"'{relative}' is in the source tree, and {shipping.file} does not install it"
             yield Finding(Location(span), message, shipping.remedy(top))

@@ -47,7 +47,7 @@ def check(subject: Subject) -> Iterator[Finding]:
         if node.package != "robot_state_publisher" or given is None or node.words:
             continue
         if _PARAMETER not in given:
-            slip = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
-            other = f"; '{slip}' is not '{_PARAMETER}'" if slip else ""
+            mistake = next((name for name in sorted(given) if nearest(name, [_PARAMETER], 0.8)), "")
+            other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
             yield Finding(Location(node.span, node.frame), message)

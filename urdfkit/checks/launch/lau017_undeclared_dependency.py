@@ -38,10 +38,10 @@ def check(subject: Subject) -> Iterator[Finding]:
     if manifest is None:
         return
     tag = manifest.dependency_tag
-    told = {manifest.package, *manifest.dependencies}
+    reported = {manifest.package, *manifest.dependencies}
     for package in subject.launch.packages:
         is_own = package.span.source.path == subject.source.path
-        if package.searched is not None or package.name in told or not is_own:
+        if package.searched is not None or package.name in reported or not is_own:
             continue  # LAU002, and what included files of other packages use
         if comes_with_ros(package.name):
             continue

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, Need, rule, told
+from urdfkit.lint.rules import Finding, Need, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -27,4 +27,4 @@ FILES = {"control.yaml": b"drive:\n  base_frame_id: $(arg prefix)base_link\n"}
 
 @rule("LAU019", "substitution-not-made", Severity.WARNING, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
-    yield from told(subject, "LAU019")
+    yield from reported(subject, "LAU019")

@@ -97,8 +97,8 @@ def _tags(package: Element) -> Iterator[Finding]:
     for child in package.children:
         if not known or child.tag in known:
             continue
-        meant = renamed.get(child.tag) or nearest(child.tag, known)
-        help = f"write <{meant}>" if meant in known else "remove it"
+        suggested = renamed.get(child.tag) or nearest(child.tag, known)
+        help = f"write <{suggested}>" if suggested in known else "remove it"
         number = package.get("format") or "1"
         yield Finding(Location(child.span), f"<{child.tag}> is not a tag of format {number}", help)
 

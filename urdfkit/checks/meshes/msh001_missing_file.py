@@ -60,18 +60,20 @@ def check(subject: Subject) -> Iterator[Finding]:
         # An absolute path is what was tried.
         tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
         message = f"{mesh.who} does not exist{where}{tried}"
-        meant = files.nearest(mesh)
-        if meant is None:
+        suggested = files.nearest(mesh)
+        if suggested is None:
             yield Finding(mesh.at, message, alike=_lost_folder(located))
             continue
         edits = (
-            replace_value(mesh.literal, meant.reference) if mesh.literal and meant.sure else None
+            replace_value(mesh.literal, suggested.reference)
+            if mesh.literal and suggested.sure
+            else None
         )
-        fix = Fix.of(f"refer to {meant.reference}", edits)
+        fix = Fix.of(f"refer to {suggested.reference}", edits)
         yield Finding(
             mesh.at,
             message,
-            f"did you mean '{meant.reference}'?",
+            f"did you mean '{suggested.reference}'?",
             fix,
             alike=f"{'mended' if fix else 'offered'} {_lost_folder(located)}",
         )

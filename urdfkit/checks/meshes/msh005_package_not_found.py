@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Need, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.robot.assets.mesh_files import is_slip
+from urdfkit.robot.assets.mesh_files import is_typo
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.editing.edits import replace_value
 
@@ -61,12 +61,13 @@ def _not_found(subject: Subject, name: str, meshes: list[MeshReference]) -> Find
     held = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     searched = ", ".join(first.located.searched)
     known = subject.resolver.packages.known(subject.source.path)
-    meant = did_you_mean(name, [package for package in known if is_slip(name, package)])
+    suggested = did_you_mean(name, [package for package in known if is_typo(name, package)])
     return Finding(
         first.at,
         f"link '{first.link}': package '{name}' is not found on this machine, so {held} of it "
         f"cannot be checked; searched {searched}",
-        f"name its folder with --package {name}=DIR, or source the workspace that has it{meant}",
+        f"name its folder with --package {name}=DIR, or source the workspace that has it"
+        f"{suggested}",
     )
 
 

@@ -54,7 +54,7 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH012", ()):
+    for use in subject.measured.diagnoses.get("MSH012", ()):
         length = use.longest
         yield Finding(
             use.at,

@@ -46,7 +46,7 @@ FILES = {
     help="urdfkit mesh repair FILE, or urdfkit mesh hull FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH015", ()):
+    for use in subject.measured.diagnoses.get("MSH015", ()):
         found = use.measures
         parts = [
             counted(number, f"{kind} edge")

@@ -43,7 +43,7 @@ FILES = {
     help="urdfkit mesh repair FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH016", ()):
+    for use in subject.measured.diagnoses.get("MSH016", ()):
         found = use.measures
         what = "its triangles look inwards"
         if found.bodies > 1 and found.inverted_bodies:

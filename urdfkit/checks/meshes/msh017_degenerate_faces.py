@@ -43,7 +43,7 @@ FILES = {
     help="urdfkit mesh repair FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH017", ()):
+    for use in subject.measured.diagnoses.get("MSH017", ()):
         found = use.measures
         yield Finding(
             use.at,

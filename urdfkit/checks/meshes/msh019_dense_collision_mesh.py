@@ -45,7 +45,7 @@ FILES = {
     help="urdfkit mesh collision or urdfkit mesh simplify makes a lighter one",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    uses = subject.measured.claims.get("MSH019", ())
+    uses = subject.measured.diagnoses.get("MSH019", ())
     for use in sorted(uses, key=lambda use: -use.measures.triangles):
         number = use.measures.triangles
         refused = f", and MuJoCo rejects more than {MUJOCO_MOST:,}" if number > MUJOCO_MOST else ""

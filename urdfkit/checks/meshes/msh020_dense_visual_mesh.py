@@ -39,7 +39,7 @@ FILES = {
     help="urdfkit mesh simplify FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH020", ()):
+    for use in subject.measured.diagnoses.get("MSH020", ()):
         number = use.measures.triangles
         yield Finding(
             use.at,

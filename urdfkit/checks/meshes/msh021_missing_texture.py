@@ -44,7 +44,7 @@ FILES = {
     help="put the image beside the mesh, or give the mesh a plain colour",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH021", ()):
+    for use in subject.measured.diagnoses.get("MSH021", ()):
         names = missing_textures(use)
         more = f" and {len(names) - 1} more" if len(names) > 1 else ""
         yield Finding(use.at, f"{use.who} uses the image '{names[0]}'{more}, which is not there")

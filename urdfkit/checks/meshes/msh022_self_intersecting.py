@@ -45,7 +45,7 @@ FILES = {
     help="unite the pieces: urdfkit mesh repair --union FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH022", ()):
+    for use in subject.measured.diagnoses.get("MSH022", ()):
         found = use.measures
         yield Finding(
             use.at,

@@ -42,7 +42,7 @@ FILES = {
     help="give each piece a <collision> of its own (urdfkit mesh decompose)",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH023", ()):
+    for use in subject.measured.diagnoses.get("MSH023", ()):
         found = use.measures
         assert found.solid is not None
         assert found.hull is not None

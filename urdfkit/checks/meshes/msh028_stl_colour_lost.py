@@ -42,6 +42,6 @@ FILES = {
     help="give the visual a <material>, or export COLLADA",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH028", ()):
+    for use in subject.measured.diagnoses.get("MSH028", ()):
         (colours,) = (extra for extra in use.measures.extras if extra.startswith(COLOURS))
         yield Finding(use.at, f"{use.who} holds {colours}, which no reader shows", alike="colours")

@@ -46,6 +46,6 @@ FILES = {
     help="export the mesh alone, or urdfkit mesh convert FILE NEW.dae",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH029", ()):
+    for use in subject.measured.diagnoses.get("MSH029", ()):
         message = f"{use.who} also holds {', '.join(extras(use))}; only triangles count"
         yield Finding(use.at, message, alike=", ".join(extras(use)))

@@ -48,7 +48,7 @@ FILES = {"forearm.stl": stl(500 * box((0, 0, 0), (0.1, 0.1, 0.3)))}
     help="urdfkit mesh collision proposes a simple shape",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH031", ()):
+    for use in subject.measured.diagnoses.get("MSH031", ()):
         yield Finding(
             use.at,
             f"{use.who} is the visual mesh ({use.measures.triangles:,} triangles, more than "

@@ -43,7 +43,7 @@ FILES = {
     help="export the part in its own coordinates, or correct the <origin>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH032", ()):
+    for use in subject.measured.diagnoses.get("MSH032", ()):
         away = distance(use)
         yield Finding(
             use.at,

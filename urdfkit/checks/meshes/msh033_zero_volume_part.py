@@ -40,6 +40,6 @@ FILES = {
     help="use a thin <box>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH033", ()):
+    for use in subject.measured.diagnoses.get("MSH033", ()):
         x, y, z = use.edges
         yield Finding(use.at, f"{use.who} is flat: it has {x:.3g} x {y:.3g} x {z:.3g} m")

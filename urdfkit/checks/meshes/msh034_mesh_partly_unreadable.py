@@ -47,5 +47,5 @@ def check(subject: Subject) -> Iterator[Finding]:
     for mesh in subject.measured.unmeasured:
         who = f"link '{mesh.link}': the {mesh.role} mesh '{mesh.at.value}'"
         yield Finding(mesh.at, f"{who} {mesh.reason}")
-    for use in subject.measured.claims.get("MSH034", ()):
+    for use in subject.measured.diagnoses.get("MSH034", ()):
         yield Finding(use.at, f"{use.who} is broken in parts: {'; '.join(losses(use))}")

@@ -52,11 +52,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         scheme, colon, rest = mesh.at.value.partition("://")
         if not colon or scheme in _KNOWN or scheme.lower() in _REMOTE or "\\" in scheme:
             continue
-        meant = nearest(scheme.lower(), _KNOWN)
-        edits = replace_value(mesh.literal, f"{meant}://{rest}") if meant and mesh.literal else None
+        suggested = nearest(scheme.lower(), _KNOWN)
+        edits = (
+            replace_value(mesh.literal, f"{suggested}://{rest}")
+            if suggested and mesh.literal
+            else None
+        )
         yield Finding(
             mesh.at,
             f"{mesh.who} begins with '{scheme}://', which no reader knows",
-            f"did you mean '{meant}://'?" if meant else "",
-            Fix.of(f"write {meant}://", edits),
+            f"did you mean '{suggested}://'?" if suggested else "",
+            Fix.of(f"write {suggested}://", edits),
         )

@@ -56,7 +56,7 @@ FILES = {
     help="put the file beside the mesh, or give the visual a <material>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH037", ()):
+    for use in subject.measured.diagnoses.get("MSH037", ()):
         name = use.measures.no_materials[0]
         yield Finding(
             use.at,

@@ -39,7 +39,7 @@ FILES = {"forearm.stl": stl(box((0, 0, 0), (0.08, 0.06, 0.3)))}
     help="remove the scale, or correct it",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for use in subject.measured.claims.get("MSH038", ()):
+    for use in subject.measured.diagnoses.get("MSH038", ()):
         whole = use.longest / max(map(abs, use.shape.scale))
         yield Finding(
             use.scale_at or use.at,

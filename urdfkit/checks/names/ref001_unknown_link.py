@@ -59,14 +59,14 @@ def check(subject: Subject) -> Iterator[Finding]:
                 continue
             if subject.is_part:  # the file that includes it has the link
                 return
-            meant = spellers[role].meant(link.value)
-            if meant in _ends(joint):
-                meant = ""
-            hint = f"; did you mean '{meant}'?" if meant else ""
+            suggested = spellers[role].suggested(link.value)
+            if suggested in _ends(joint):
+                suggested = ""
+            hint = f"; did you mean '{suggested}'?" if suggested else ""
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
-                fix=_fix(joint, link, meant),
+                fix=_fix(joint, link, suggested),
             )
 
 
@@ -75,11 +75,11 @@ def _ends(joint: Joint) -> list[str]:
     return [end.value for end in (joint.parent, joint.child) if end]
 
 
-def _fix(joint: Joint, link: Attribute, meant: str) -> Fix | None:
+def _fix(joint: Joint, link: Attribute, suggested: str) -> Fix | None:
     """The remedy: another name, or the link that is always the same."""
-    if meant:
-        edits = replace_value(link, meant)
-        return Fix.of(f"rename '{link.value}' to '{meant}'", edits)
+    if suggested:
+        edits = replace_value(link, suggested)
+        return Fix.of(f"rename '{link.value}' to '{suggested}'", edits)
     if link.value != "world" or from_macro(joint.at):
         return None
     return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))

@@ -54,7 +54,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     top = {material.at.get("name"): material.at for material in model.materials}
     used = [body.material.at for link in model.links for body in link.visuals if body.material]
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
-    speller = Suggester([name for name in (*top, *filled) if name])
+    suggester = Suggester([name for name in (*top, *filled) if name])
     for word, uses in _uses_without_colour(top, used).items():
         fix = None
         related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
@@ -65,8 +65,8 @@ def check(subject: Subject) -> Iterator[Finding]:
             reason = "its definition has none"
             related = (Related(top[word].span, "the definition"), *related)
         else:
-            reason = "it is defined nowhere" + _hint(word, speller)
-            fix = _fix(uses, speller.meant(word))
+            reason = "it is defined nowhere" + _hint(word, suggester)
+            fix = _fix(uses, suggester.suggested(word))
         visuals = f"{len(uses)} visuals" if len(uses) > 1 else "the visual"
         who = owner(uses[0].element)
         yield Finding(
@@ -77,15 +77,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         )
 
 
-def _fix(uses: list[Attribute], meant: str) -> Fix | None:
+def _fix(uses: list[Attribute], suggested: str) -> Fix | None:
     """Another name in all uses; what a macro wrote stands in the file once."""
     edits: dict[Edit, None] = {}
-    for use in uses if meant else ():
-        made = replace_value(use, meant)
+    for use in uses if suggested else ():
+        made = replace_value(use, suggested)
         if made is None:
             return None
         edits.update(dict.fromkeys(made))
-    return Fix.of(f"rename it to '{meant}'", tuple(edits))
+    return Fix.of(f"rename it to '{suggested}'", tuple(edits))
 
 
 def _uses_without_colour(
@@ -111,7 +111,7 @@ def _is_filled(material: Element) -> bool:
     return material.child("color") is not None or bool(texture and texture.get("filename"))
 
 
-def _hint(name: str, speller: Suggester) -> str:
+def _hint(name: str, suggester: Suggester) -> str:
     if name.startswith("Gazebo/"):
         return "; Gazebo's own materials work in <gazebo reference> only"
-    return speller.hint(name)
+    return suggester.hint(name)

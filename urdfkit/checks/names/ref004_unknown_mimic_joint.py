@@ -52,19 +52,19 @@ FIXED = GOOD
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for joint in subject.model.joints:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):
             continue
-        hint = speller.hint(leader.value)
+        hint = suggester.hint(leader.value)
         yield Finding(
             leader,
             f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}",
-            fix=_renamed(leader, speller.meant(leader.value)),
+            fix=_renamed(leader, suggester.suggested(leader.value)),
         )
 
 
-def _renamed(leader: Attribute, meant: str) -> Fix | None:
-    edits = replace_value(leader, meant) if meant else None
-    return Fix.of(f"rename '{leader.value}' to '{meant}'", edits)
+def _renamed(leader: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(leader, suggested) if suggested else None
+    return Fix.of(f"rename '{leader.value}' to '{suggested}'", edits)

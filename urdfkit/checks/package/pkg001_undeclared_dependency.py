@@ -60,12 +60,12 @@ def check(subject: Subject) -> Iterator[Finding]:
     manifest = manifest_of(subject.resolver, subject.source.path)
     if manifest is None:
         return
-    told = {manifest.package, *manifest.dependencies}
+    reported = {manifest.package, *manifest.dependencies}
     for mention in of_package(subject.document.sources, packages):
         name = mention.package
-        if name in told or comes_with_ros(name):
+        if name in reported or comes_with_ros(name):
             continue
-        told.add(name)
+        reported.add(name)
         near = mention.span.source.path
         if not _is_found(subject.resolver, name, near):
             continue

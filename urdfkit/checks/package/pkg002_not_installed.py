@@ -52,14 +52,14 @@ def check(subject: Subject) -> Iterator[Finding]:
         return
     name, folder = home
     shipping = InstallRules(folder, name)
-    told: set[str] = set()
+    reported: set[str] = set()
     for mention in of_package(subject.document.sources, packages):
         top = mention.relative.partition("/")[0]
-        if mention.package != name or not top or top in told:
+        if mention.package != name or not top or top in reported:
             continue
         there = os.path.exists(os.path.join(folder, mention.relative))
         if there and not shipping.installs(mention.relative):
-            told.add(top)
+            reported.add(top)
             yield Finding(
                 Location(mention.span),
                 f"'{mention.relative}' is in the source tree, and "

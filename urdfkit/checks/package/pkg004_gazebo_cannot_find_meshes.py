@@ -72,7 +72,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if not found or any(True for _ in packages.gazebo_model_paths(subject.source.path)):
         return
     seen = survey(packages.workspace(subject.source.path), subject.resolver.folders)
-    if seen.is_told or seen.starter is None:
+    if seen.is_reported or seen.starter is None:
         return
     starter = Source.read(seen.starter)
     variable = "GZ_SIM_RESOURCE_PATH" if subject.targets.any_of(_GZ) else "GAZEBO_MODEL_PATH"

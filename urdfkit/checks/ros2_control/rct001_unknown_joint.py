@@ -59,25 +59,25 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
     if not known:
         return  # a description of the hardware alone; Webots, say, has the joints in its world
-    speller = Suggester(known)
+    suggester = Suggester(known)
     for name, owner in _named(subject):
         if name.value in known or is_expression(name.value):
             continue
         if subject.is_part:  # the file that includes it has the joint
             return
-        hint = speller.hint(name.value)
+        hint = suggester.hint(name.value)
         yield Finding(
             name,
             f"{owner} names joint '{name.value}', which is not in the model{hint}",
-            fix=_fix(name, speller.meant(name.value)),
+            fix=_fix(name, suggester.suggested(name.value)),
             alike="" if hint else owner,
         )
     yield from _not_in_block(subject)
 
 
-def _fix(name: Attribute, meant: str) -> Fix | None:
-    edits = replace_value(name, meant) if meant else None
-    return Fix.of(f"rename '{name.value}' to '{meant}'", edits)
+def _fix(name: Attribute, suggested: str) -> Fix | None:
+    edits = replace_value(name, suggested) if suggested else None
+    return Fix.of(f"rename '{name.value}' to '{suggested}'", edits)
 
 
 def _named(subject: Subject) -> Iterator[tuple[Attribute, str]]:

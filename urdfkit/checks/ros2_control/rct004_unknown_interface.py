@@ -92,8 +92,8 @@ def _of_ros2(component: Component, part: ControlPart, interface: Interface) -> I
         for kind in (("joint",) if is_joint else ("imu", "force_torque"))
         for word in words("interfaces", kind)
     ]
-    if meant := _slip(name, standard):
-        yield Finding(at, f"{who} is nearly '{meant}'", fix=_fix(at, meant))
+    if suggested := _mistake(name, standard):
+        yield Finding(at, f"{who} is nearly '{suggested}'", fix=_fix(at, suggested))
     elif simulated and name not in standard:
         yield Finding(at, f"{who} is none that {simulated.name} has (such as {standard[0]})")
 
@@ -108,9 +108,11 @@ def _of_ros1(subject: Subject) -> Iterator[Finding]:
         for element in joint.all("hardwareInterface"):
             name = element.text.strip()
             who = f"joint '{joint.get('name') or ''}': hardware interface '{name}'"
-            meant = "" if name in known else _slip(name, known)
-            if meant:
-                yield Finding(element, f"{who} is nearly '{meant}'", fix=_fix(element, meant))
+            suggested = "" if name in known else _mistake(name, known)
+            if suggested:
+                yield Finding(
+                    element, f"{who} is nearly '{suggested}'", fix=_fix(element, suggested)
+                )
             elif name and simulated and name not in simulable:
                 yield Finding(
                     element,
@@ -132,14 +134,14 @@ def _is_default(kind: Element) -> bool:
     return kind.text.strip() in ("", "gazebo_ros_control/DefaultRobotHWSim")
 
 
-def _fix(at: Element | Attribute, meant: str) -> Fix | None:
-    edits = rewrite(at, meant)
-    return Fix.of(f"write {meant}", edits)
+def _fix(at: Element | Attribute, suggested: str) -> Fix | None:
+    edits = rewrite(at, suggested)
+    return Fix.of(f"write {suggested}", edits)
 
 
-def _slip(name: str, standard: list[str]) -> str:
+def _mistake(name: str, standard: list[str]) -> str:
     """The standard name of which a name is a slip: one letter more, less or other."""
     if name in standard:
         return ""
-    meant = nearest(name, standard, 0.85) or ""
-    return meant if abs(len(meant) - len(name)) <= 1 else ""
+    suggested = nearest(name, standard, 0.85) or ""
+    return suggested if abs(len(suggested) - len(name)) <= 1 else ""

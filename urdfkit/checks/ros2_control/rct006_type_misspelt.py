@@ -66,6 +66,6 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _fix(kind: Attribute, known: list[str]) -> Fix | None:
-    meant = nearest(kind.value, known)
-    edits = replace_value(kind, meant) if meant else None
-    return Fix.of(f"write {meant}", edits)
+    suggested = nearest(kind.value, known)
+    edits = replace_value(kind, suggested) if suggested else None
+    return Fix.of(f"write {suggested}", edits)

@@ -54,7 +54,7 @@ GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 def check(subject: Subject) -> Iterator[Finding]:
     """One finding for each joint: with two blocks, all of its interfaces are there twice."""
     first: dict[tuple[str, ...], Related] = {}
-    told: set[tuple[int, str]] = set()
+    reported: set[tuple[int, str]] = set()
     for number, component in enumerate(components(subject.model)):
         for part in component.parts:
             for interface in part.interfaces:
@@ -64,8 +64,8 @@ def check(subject: Subject) -> Iterator[Finding]:
                     continue
                 if key not in first:
                     first[key] = Related(interface.at.span, f"first here, in {component.called}")
-                elif (number, part.name) not in told:
-                    told.add((number, part.name))
+                elif (number, part.name) not in reported:
+                    reported.add((number, part.name))
                     yield Finding(
                         interface.at,
                         f"{part.kind} '{part.name}': {interface.direction} interface "

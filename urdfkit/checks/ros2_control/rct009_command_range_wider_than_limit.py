@@ -76,7 +76,9 @@ def check(subject: Subject) -> Iterator[Finding]:
             yield Finding(
                 at,
                 message + (more if others else ""),
-                related=tuple(Related(place.span, told) for place, told in others[:_MAX_RELATED]),
+                related=tuple(
+                    Related(place.span, reported) for place, reported in others[:_MAX_RELATED]
+                ),
             )
 
 

@@ -46,7 +46,7 @@ GOOD = BAD.replace("joints", "joint")
 FIXED = GOOD
 
 #: How like a tag a word must be to be taken for a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 #: A tag with a prefix, such as a call that nothing expands, is reported elsewhere.
 _PREFIX = ":"
 
@@ -86,9 +86,9 @@ def _joints_of_actuator(block: Element) -> Iterator[Finding]:
 
 
 def _renamed(child: Element, known: Iterable[str]) -> Fix | None:
-    meant = nearest(child.tag, known, _SLIP)
-    edits = rename_element(child, meant) if meant else None
-    return Fix.of(f"rename it to <{meant}>", edits)
+    suggested = nearest(child.tag, known, _TYPO)
+    edits = rename_element(child, suggested) if suggested else None
+    return Fix.of(f"rename it to <{suggested}>", edits)
 
 
 def _named(block: Element) -> Iterator[Element]:

@@ -44,7 +44,7 @@ GOOD = BAD.replace("comand_", "command_")
 FIXED = GOOD
 
 #: How like a tag a word must be to be taken for a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 
 
 @rule(
@@ -74,6 +74,6 @@ def _finding(element: Element, child: Element, known: Iterable[str]) -> Finding:
     who = f"{element.tag} '{name}'" if name else f"<{element.tag}>"
     hint = did_you_mean(child.tag, known)
     message = f"{who} in <ros2_control>: unknown element <{child.tag}>{hint}"
-    meant = nearest(child.tag, known, _SLIP)
-    edits = rename_element(child, meant) if meant else None
-    return Finding(child, message, fix=Fix.of(f"rename it to <{meant}>", edits))
+    suggested = nearest(child.tag, known, _TYPO)
+    edits = rename_element(child, suggested) if suggested else None
+    return Finding(child, message, fix=Fix.of(f"rename it to <{suggested}>", edits))

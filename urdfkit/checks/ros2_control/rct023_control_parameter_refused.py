@@ -52,7 +52,7 @@ FIXED = GOOD
 
 _NUMBERS = ("min", "max", "initial_value")
 #: How like the name a word must be to be taken for a slip of it.
-_SLIP = 0.85
+_TYPO = 0.85
 
 
 @rule("RCT023", "control-parameter-refused", Severity.WARNING, fixable=True)
@@ -87,8 +87,8 @@ def _judged(who: str, element: Element) -> Iterator[Finding]:
             shown = f"'{text}'" if text else "empty"
             message = f"{who}: parameter '{name.value}' is {shown}, and no number"
             yield Finding(element, message, "write a number", alike="no number")
-    elif meant := nearest(name.value, ("initial_value",), _SLIP):
-        edits = replace_value(name, meant)
-        fix = Fix.of(f"rename it to {meant}", edits)
-        message = f"{who}: parameter '{name.value}' is nearly '{meant}'"
-        yield Finding(name, message, f"write {meant}", fix)
+    elif suggested := nearest(name.value, ("initial_value",), _TYPO):
+        edits = replace_value(name, suggested)
+        fix = Fix.of(f"rename it to {suggested}", edits)
+        message = f"{who}: parameter '{name.value}' is nearly '{suggested}'"
+        yield Finding(name, message, f"write {suggested}", fix)

@@ -45,7 +45,7 @@ FIXED = GOOD
 
 #: Of ros2_control itself, and of a package that many simulators are driven through.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
-_SLIP = 0.9
+_TYPO = 0.9
 
 
 @rule("RCT028", "hardware-misspelt", Severity.ERROR, fixable=True)
@@ -53,15 +53,15 @@ def check(subject: Subject) -> Iterator[Finding]:
     known = (*_COMMON, *hardware())
     for component in components(subject.model):
         name = component.hardware
-        meant = _meant(name, known) if name and name not in known else None
-        if component.plugin and meant and not name.startswith("fake_"):
-            edits = rewrite(component.plugin, meant)
-            fix = Fix.of(f"write {meant}", edits)
-            message = f"{component.called}: hardware '{name}' is nearly '{meant}'"
-            yield Finding(component.plugin, message, f"write {meant}", fix)
+        suggested = _suggested(name, known) if name and name not in known else None
+        if component.plugin and suggested and not name.startswith("fake_"):
+            edits = rewrite(component.plugin, suggested)
+            fix = Fix.of(f"write {suggested}", edits)
+            message = f"{component.called}: hardware '{name}' is nearly '{suggested}'"
+            yield Finding(component.plugin, message, f"write {suggested}", fix)
 
 
-def _meant(name: str, known: tuple[str, ...]) -> str | None:
+def _suggested(name: str, known: tuple[str, ...]) -> str | None:
     """The class that a name is a slip of, or that it is without its package."""
     full = (one for one in known if one.endswith(f"/{name}"))
-    return next(full, None) or nearest(name, known, _SLIP)
+    return next(full, None) or nearest(name, known, _TYPO)

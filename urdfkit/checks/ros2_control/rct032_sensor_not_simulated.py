@@ -59,7 +59,7 @@ def check(subject: Subject) -> Iterator[Finding]:
     if subject.is_part:
         return
     simulated = {sensor.name for sensor in sensors(subject.model)}
-    speller = Suggester(simulated)
+    suggester = Suggester(simulated)
     for component in components(subject.model):
         if component.hardware not in hardware():
             continue
@@ -67,11 +67,11 @@ def check(subject: Subject) -> Iterator[Finding]:
             name = part.at.attributes.get("name")
             if part.kind != "sensor" or name is None or name.value in simulated:
                 continue
-            meant, hint = speller.meant(name.value), speller.hint(name.value)
-            edits = replace_value(name, meant) if meant else None
+            suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
+            edits = replace_value(name, suggested) if suggested else None
             yield Finding(
                 name,
                 f"sensor '{name.value}' of ros2_control: no <sensor> of <gazebo> has that name"
                 + hint,
-                fix=Fix.of(f"rename it to '{meant}'", edits),
+                fix=Fix.of(f"rename it to '{suggested}'", edits),
             )

@@ -76,6 +76,6 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _fix(attribute: Attribute, known: Collection[str]) -> Fix | None:
-    meant = Suggester(known).meant(attribute.value)
-    edits = replace_value(attribute, meant) if meant else None
-    return Fix.of(f"rename it to '{meant}'", edits)
+    suggested = Suggester(known).suggested(attribute.value)
+    edits = replace_value(attribute, suggested) if suggested else None
+    return Fix.of(f"rename it to '{suggested}'", edits)

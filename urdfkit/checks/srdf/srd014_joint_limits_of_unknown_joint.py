@@ -49,15 +49,15 @@ joint_limits:
 )
 def check(subject: Subject) -> Iterator[Finding]:
     known = subject.model.joints_by_name
-    speller = Suggester(known)
+    suggester = Suggester(known)
     planned = list(planned_limits(subject))
     strange = [limit for limit in planned if limit.joint not in known]
     if len(strange) == len(planned) > 1:
         strange = strange[:1]  # of another robot altogether
     for limit in strange:
-        meant = speller.meant(limit.joint)
+        suggested = suggester.suggested(limit.joint)
         yield Finding(
             Location(limit.at.span),
             f"limits for joint '{limit.joint}', which is not in the model",
-            f"did you mean '{meant}'?" if meant else "",
+            f"did you mean '{suggested}'?" if suggested else "",
         )

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Location, Need, rule
-from urdfkit.ros.moveit.srdf_grammar import slips
+from urdfkit.ros.moveit.srdf_grammar import mistakes
 from urdfkit.text.diagnostic import Fix, Severity
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
@@ -56,12 +56,18 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 def check(subject: Subject) -> Iterator[Finding]:
     if subject.srdf is None:
         return
-    for slip in slips(subject.srdf.root):
-        if isinstance(slip.at, Element):
-            what, edits = f"element <{slip.name}>", rename_element(slip.at, slip.meant)
+    for mistake in mistakes(subject.srdf.root):
+        if isinstance(mistake.at, Element):
+            what, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
         else:
-            what, edits = f"attribute '{slip.name}'", rename_attribute(slip.at, slip.meant)
-        message = f"unknown {what} in <{slip.parent.tag}> (ignored); did you mean '{slip.meant}'?"
-        fix = Fix.of(f"rename it to {slip.meant}", edits)
-        at = Location(edits[0].span) if edits else slip.at
+            what, edits = (
+                f"attribute '{mistake.name}'",
+                rename_attribute(mistake.at, mistake.suggested),
+            )
+        message = (
+            f"unknown {what} in <{mistake.parent.tag}> (ignored); "
+            f"did you mean '{mistake.suggested}'?"
+        )
+        fix = Fix.of(f"rename it to {mistake.suggested}", edits)
+        at = Location(edits[0].span) if edits else mistake.at
         yield Finding(at, message, fix=fix)

@@ -59,8 +59,8 @@ def check(subject: Subject) -> Iterator[Finding]:
     for limit in planned_limits(subject):
         for name, switch in _LIMITS.items() if limit.joint in known else ():
             value = limit.values.get(name) if limit.is_on(switch) else None
-            if value is not None and (told := _wrong(name, value, _ros(subject))):
-                message, help = told
+            if value is not None and (reported := _wrong(name, value, _ros(subject))):
+                message, help = reported
                 yield Finding(Location(value.span), f"joint '{limit.joint}': {message}", help)
 
 

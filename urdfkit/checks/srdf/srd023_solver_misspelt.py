@@ -68,7 +68,7 @@ _KNOWN = (
 )
 #: The plugins of IKFast are called after the robot, and are like one another.
 _OF_ROBOTS = "IKFast"
-_SLIP = 0.93
+_TYPO = 0.93
 
 
 @rule("SRD023", "solver-misspelt", Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
@@ -80,6 +80,6 @@ def check(subject: Subject) -> Iterator[Finding]:
             continue
         if solver.text in _KNOWN or _OF_ROBOTS in solver.text:
             continue
-        if meant := nearest(solver.text, _KNOWN, _SLIP):
-            message = f"group '{entry.name}': '{solver.text}' is nearly '{meant}'"
-            yield Finding(Location(solver.span), message, f"write {meant}")
+        if suggested := nearest(solver.text, _KNOWN, _TYPO):
+            message = f"group '{entry.name}': '{solver.text}' is nearly '{suggested}'"
+            yield Finding(Location(solver.span), message, f"write {suggested}")

@@ -55,7 +55,7 @@ _CHILDREN = {
 #: Joints, and as many actuators, of each type.
 _COUNTS = {"SimpleTransmission": 1, "DifferentialTransmission": 2, "FourBarLinkageTransmission": 2}
 #: How like a name a word must be to be taken for a slip of it.
-_SLIP = 0.85
+_TYPO = 0.85
 
 
 @rule(
@@ -80,18 +80,18 @@ def check(subject: Subject) -> Iterator[Finding]:
 def _type(transmission: Element) -> Iterator[Finding]:
     element, known = transmission.child("type"), words("transmission", "types")
     name = element.text.strip() if element else ""
-    meant = nearest(name, known, _SLIP) if name not in known else None
+    suggested = nearest(name, known, _TYPO) if name not in known else None
     full = [one for one in known if one.endswith(f"/{name}")]
     if full and element:
         edits = rewrite(element, full[0])
         fix = Fix.of(f"write {full[0]}", edits)
         message = f"{called(transmission)}: type '{name}' lacks its package"
         yield Finding(element, message, f"write {full[0]}", fix)
-    elif element and meant and abs(len(meant) - len(name)) <= 2:
-        edits = rewrite(element, meant)
-        fix = Fix.of(f"write {meant}", edits)
-        message = f"{called(transmission)}: type '{name}' is nearly '{meant}'"
-        yield Finding(element, message, f"write {meant}", fix)
+    elif element and suggested and abs(len(suggested) - len(name)) <= 2:
+        edits = rewrite(element, suggested)
+        fix = Fix.of(f"write {suggested}", edits)
+        message = f"{called(transmission)}: type '{name}' is nearly '{suggested}'"
+        yield Finding(element, message, f"write {suggested}", fix)
 
 
 def _count(transmission: Element) -> Iterator[Finding]:
@@ -110,11 +110,11 @@ def _children(element: Element, who: str) -> Iterator[Finding]:
     """Slips in the names of elements, and what is no ratio of a gear."""
     for child in element.children:
         known = _CHILDREN.get(element.tag, ())
-        meant = nearest(child.tag, known, _SLIP) if child.tag not in known else None
-        if meant:
-            edits = rename_element(child, meant)
-            fix = Fix.of(f"rename it to <{meant}>", edits)
-            message = f"{who}: unknown element <{child.tag}>; did you mean '{meant}'?"
+        suggested = nearest(child.tag, known, _TYPO) if child.tag not in known else None
+        if suggested:
+            edits = rename_element(child, suggested)
+            fix = Fix.of(f"rename it to <{suggested}>", edits)
+            message = f"{who}: unknown element <{child.tag}>; did you mean '{suggested}'?"
             yield Finding(child, message, "fix the name of the element", fix)
         elif child.tag == "mechanicalReduction" and not number(child.text.strip()):
             shown = child.text.strip() or "empty"

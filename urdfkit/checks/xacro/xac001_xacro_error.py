@@ -17,7 +17,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -48,6 +48,6 @@ _UNDEFINED = re.compile(r"name '\w+' is not defined(: xacro passes over .*)?")
     help="mend the expression or the call; the related places show what it refers to",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for finding in told(subject, "XAC001"):
+    for finding in reported(subject, "XAC001"):
         lacking = _UNDEFINED.match(finding.message)
         yield finding._replace(alike=lacking[1] or lacking[0]) if lacking else finding

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -37,4 +37,4 @@ GOOD = BAD.replace('name="width" value="0.4"', 'name="height" value="0.4"')
     help="delete one of the two, or use default= where a value may already be given",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC008")
+    return reported(subject, "XAC008")

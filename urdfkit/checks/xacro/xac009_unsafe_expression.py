@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -40,4 +40,4 @@ GOOD = """\
     help="write it with plain arithmetic; if you trust the model's author, add --trust",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC009")
+    return reported(subject, "XAC009")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -40,4 +40,4 @@ GOOD = """\
     help="pass it as name:=value, or give the <xacro:arg> a default",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC010")
+    return reported(subject, "XAC010")

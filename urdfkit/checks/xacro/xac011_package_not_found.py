@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -41,5 +41,5 @@ GOOD = """\
     help="name its folder with --package NAME=DIR, or add the package to the workspace",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    for finding in told(subject, "XAC011"):
+    for finding in reported(subject, "XAC011"):
         yield finding._replace(alike=finding.help)  # which names the package

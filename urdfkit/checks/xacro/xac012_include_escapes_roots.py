@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -38,4 +38,4 @@ GOOD = """\
     help="move the file into a package, or add --trust if you trust the model's author",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC012")
+    return reported(subject, "XAC012")

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -44,4 +44,4 @@ GOOD = """\
     help="look for a macro, an include or a property that refers to itself",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC013")
+    return reported(subject, "XAC013")

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -37,4 +37,4 @@ GOOD = BAD.replace('name="e"', 'name="edge"').replace("${e}", "${edge}")
     help="rename the property; for pi simply delete it, xacro has it exactly",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC016")
+    return reported(subject, "XAC016")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -36,4 +36,4 @@ GOOD = BAD.replace(' unit="m"', "")
     help="see the message; xacro ignores what it does not know",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC017")
+    return reported(subject, "XAC017")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -45,4 +45,4 @@ GOOD = """\
     help="include the file that defines the macro, or delete the call",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC018")
+    return reported(subject, "XAC018")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -50,4 +50,4 @@ GOOD = """\
     help="check the file that includes this one",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC019")
+    return reported(subject, "XAC019")

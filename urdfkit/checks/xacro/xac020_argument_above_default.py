@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -43,4 +43,4 @@ GOOD = """\
     help="move the <xacro:arg> above the first use; for the robot's own name write the name",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XAC020")
+    return reported(subject, "XAC020")

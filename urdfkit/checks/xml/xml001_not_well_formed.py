@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -38,4 +38,4 @@ FIXED = GOOD = BAD.replace("--debug", "- -debug")
     fixable=True,
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML001")
+    return reported(subject, "XML001")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -33,4 +33,4 @@ GOOD = BAD.decode("latin-1").encode()
     help="save the file as UTF-8, or declare its real encoding in the first line",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML002")
+    return reported(subject, "XML002")

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -36,4 +36,4 @@ GOOD = '<robot name="r"><link name="base_link"/></robot>'
     help="write the text out, or use an <xacro:property>",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML003")
+    return reported(subject, "XML003")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -38,4 +38,4 @@ GOOD = FIXED
     help='declare it on the root element, such as xmlns:xacro="http://www.ros.org/wiki/xacro"',
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML004")
+    return reported(subject, "XML004")

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -32,4 +32,4 @@ GOOD = '<robot name="r"><link name="a"/><material name="red"/></robot>\n'
     help="move it into the robot, or delete it",
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML006")
+    return reported(subject, "XML006")

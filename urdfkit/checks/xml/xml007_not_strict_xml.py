@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from urdfkit.lint.rules import Finding, rule, told
+from urdfkit.lint.rules import Finding, reported, rule
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
@@ -35,4 +35,4 @@ GOOD = FIXED
     help='put <?xml version="1.0"?> first, and declare every prefix on the root element',
 )
 def check(subject: Subject) -> Iterator[Finding]:
-    return told(subject, "XML007")
+    return reported(subject, "XML007")

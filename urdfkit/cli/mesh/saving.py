@@ -9,7 +9,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.mesh.geometry import Mesh
-from urdfkit.mesh.writers import glb, losses, refuse_good, write
+from urdfkit.mesh.writers import glb, losses, refuse_sound, write
 from urdfkit.text.source import shown
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -38,7 +38,7 @@ def destination(file: str, out: str | None, in_place: bool, force: bool) -> str 
     if in_place:
         return file
     if out and not force:
-        refuse_good(out)
+        refuse_sound(out)
     return out
 
 

@@ -105,7 +105,7 @@ def sniff(data: bytes, suffix: str) -> MeshFacts:
     not_finite = ""
     if not form:
         defect = _foreign(data)
-        form = "" if defect else _meant(data, suffix.lower())
+        form = "" if defect else _suggested(data, suffix.lower())
     if form in _JUDGES:
         module, function = _JUDGES[form]
         defect, not_finite = getattr(load(f"urdfkit.mesh.io.{module}"), function)(data)
@@ -166,7 +166,7 @@ def _is_text(data: bytes) -> bool:
     return not data.translate(None, _TEXT)
 
 
-def _meant(data: bytes, suffix: str) -> str:
+def _suggested(data: bytes, suffix: str) -> str:
     """The format that broken content was meant to have, if the suffix and the bytes agree."""
     if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
         # What is no STL at all has any number where STL has its count.

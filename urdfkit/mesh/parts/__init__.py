@@ -41,7 +41,7 @@ class RealPart(NamedTuple):
         """True for a part whose z axis is to be laid along the axis that it turns about."""
         return self.kind in ("wheel", "mecanum wheel")
 
-    def meant_by(self, exactly: bool) -> set[str]:
+    def suggested_by(self, exactly: bool) -> set[str]:
         """The words that mean this very part, or else its kind."""
         return set(self.words if exactly else self.kind_words)
 
@@ -231,13 +231,13 @@ def choose(names: dict[str, str], size: Vector | None) -> Choice | None:
             words = split_words(name)
             if what == "the file" and words & _HOLDERS:
                 return None
-            fitting = [part for part in PARTS if words & part.meant_by(exactly)]
+            fitting = [part for part in PARTS if words & part.suggested_by(exactly)]
             if not fitting:
                 continue
             kind = fitting[0].kind
             alike = [part for part in fitting if part.kind == kind]
             part = min(alike, key=lambda one: _misfit(one, size))
-            word = min(words & part.meant_by(exactly))
+            word = min(words & part.suggested_by(exactly))
             article = "an" if kind[0] in "aeiouIAEO" else "a"
             return Choice(part, f"'{word}' in the name of {what} means {article} {kind}")
     return None

@@ -23,7 +23,9 @@ class Lens(NamedTuple):
     radius: float
 
 
-def bar_camera(size: Vector, eyes: Iterable[Lens], body: MeshMaterial, face: MeshMaterial) -> Mesh:
+def bar_camera(
+    size: Vector, optical_sensors: Iterable[Lens], body: MeshMaterial, face: MeshMaterial
+) -> Mesh:
     """A bar along y that looks along x, its middle at the origin; size along x, y, z."""
     x, y, z = size
     # Built with the face upwards: x of the bar becomes z here, and is laid down in the end.
@@ -31,7 +33,7 @@ def bar_camera(size: Vector, eyes: Iterable[Lens], body: MeshMaterial, face: Mes
     shell = rounded_box((z, y, 0.92 * x), (0, 0, -0.04 * x), end, 0.06 * x)
     front = rounded_box((0.86 * z, y - 0.14 * z, 0.10 * x), (0, 0, 0.43 * x), 0.86 * end, 0.01 * x)
     upright = Assembly()
-    for eye in eyes:
+    for eye in optical_sensors:
         place = (0.0, eye.left * y)
         lens = cylinder(eye.radius * z, 0.38 * x, 0.47 * x, place, 32)
         rim = cylinder(1.25 * eye.radius * z, 0.38 * x, 0.50 * x, place, 32)

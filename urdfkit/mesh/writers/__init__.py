@@ -90,7 +90,7 @@ class GoodMesh(UrdfkitError):
     """A file is a good mesh, which is not replaced unless that is asked for."""
 
 
-def refuse_good(path: str | os.PathLike[str]) -> None:
+def refuse_sound(path: str | os.PathLike[str]) -> None:
     """Do nothing where a mesh may be written without a loss.
 
     Raises:

@@ -39,7 +39,7 @@ def _suite(root: Element, path: str, report: Report) -> None:
             by_rule.setdefault(f"{diagnostic.code} {diagnostic.name}", []).append(diagnostic)
     for name, diagnostics in sorted(by_rule.items()):
         _case(suite, path, name, diagnostics)
-    told = {
+    reported = {
         posix(one.span.source.path): f"{_line(one)}\n{one.help}"
         for one in report.diagnostics
         if one.code == NOT_CHECKED
@@ -47,7 +47,7 @@ def _suite(root: Element, path: str, report: Report) -> None:
     for skip in report.skipped:
         if posix(skip.path) == path:
             case = _new_case(suite, path, skip.code or "check")
-            SubElement(case, "skipped", message=xml_text(told.get(path, skip.reason)))
+            SubElement(case, "skipped", message=xml_text(reported.get(path, skip.reason)))
     for crash in report.crashed:
         if posix(crash.path) == path:
             case = _new_case(suite, path, crash.code or "check")

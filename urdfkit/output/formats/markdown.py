@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats.text import summary
@@ -19,7 +19,7 @@ _WIDE = 10**6  # of a line that is never broken
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """A heading with the counts, a table of errors and warnings, and the infos folded up."""
     counts = summary(report, width=_WIDE).strip()
-    shown = gathered(report.diagnostics)
+    shown = grouped(report.diagnostics)
     bad = [found for found in shown if found.severity is not Severity.INFO]
     bad.sort(key=lambda found: found.severity.rank)
     infos = [found for found in shown if found.severity is Severity.INFO]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.lint.report import Crashed, Report
 from urdfkit.lint.rules import NOT_CHECKED, foreign
 from urdfkit.text.diagnostic import Call, Confidence, Diagnostic, Related, Severity
@@ -30,12 +30,12 @@ _GUTTER = 8  # columns before a line of source
 def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     """All findings, then the crashed rules, then where to read more, then the summary."""
     page = _Page(color, width)
-    blocks = [page.diagnostic(diagnostic) for diagnostic in gathered(report.diagnostics)]
+    blocks = [page.diagnostic(diagnostic) for diagnostic in grouped(report.diagnostics)]
     blocks += [page.crash(crash, codes) for crash, codes in _crashed(report)]
     hints = [f"More about a code: urdfkit explain {found.code}" for found in report.diagnostics[:1]]
     hints += (page.wrap(hint, indent=2) for hint in _fixable(report))
-    for name, meant in report.unknown_arguments:
-        hint = f"; did you mean '{meant}'?" if meant else ""
+    for name, suggested in report.unknown_arguments:
+        hint = f"; did you mean '{suggested}'?" if suggested else ""
         hints.append(printable(f"No robot here has an argument '{name}'{hint}"))
     evidence = dict.fromkeys(why for _, targets in report.targets for why in targets.evidence)
     if evidence:
@@ -117,9 +117,9 @@ def _skipped(report: Report) -> list[tuple[str, str]]:
     """Reasons, and which files or how many rules were skipped for them."""
     codes: dict[str, set[str]] = {}
     files: dict[str, set[str]] = {}
-    told = {one.span.source.path for one in report.diagnostics if one.code == NOT_CHECKED}
+    reported = {one.span.source.path for one in report.diagnostics if one.code == NOT_CHECKED}
     for skip in report.skipped:
-        if skip.path in told:
+        if skip.path in reported:
             continue
         if skip.code:
             codes.setdefault(skip.reason, set()).add(skip.code)

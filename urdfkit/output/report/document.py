@@ -19,7 +19,7 @@ from urdfkit.lint import rules
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Subject, Unavailable
 from urdfkit.lint.engine import check
-from urdfkit.lint.grouping import gathered
+from urdfkit.lint.grouping import grouped
 from urdfkit.lint.loading import described
 from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
@@ -110,15 +110,17 @@ def describe(
         config=config._replace(robots=()) if config else None,
     )
     subject = Subject(source, resolver, values, trust=trust)
-    told = ReportInput(_document(subject, report), subject, report.diagnostics)
-    return told if quick else completed(told, progress)
+    reported = ReportInput(_document(subject, report), subject, report.diagnostics)
+    return reported if quick else completed(reported, progress)
 
 
-def completed(told: ReportInput, progress: Callable[[int, int], None] | None = None) -> ReportInput:
+def completed(
+    reported: ReportInput, progress: Callable[[int, int], None] | None = None
+) -> ReportInput:
     """The same with what takes a while.
 
     Args:
-        told: a robot that was described quickly.
+        reported: a robot that was described quickly.
         progress: called with the number of steps done and of all.
     """
     long: dict[str, Callable[[Subject], object]] = {
@@ -126,10 +128,12 @@ def completed(told: ReportInput, progress: Callable[[int, int], None] | None = N
         "standing": physics.standing,
         "collisions": partial(physics.collisions, progress=progress),
     }
-    parts, missing = _computed(told.subject, long)
-    missing = told.document["missing"] | missing
-    return told._replace(
-        document=told.document | _portable(finite(parts), told.subject) | {"missing": missing}
+    parts, missing = _computed(reported.subject, long)
+    missing = reported.document["missing"] | missing
+    return reported._replace(
+        document=reported.document
+        | _portable(finite(parts), reported.subject)
+        | {"missing": missing}
     )
 
 
@@ -157,8 +161,8 @@ def _document(subject: Subject, report: Report) -> Document:
     is_read = subject.reading.document is not None
     places = ElementLookup(subject.model if is_read else None)
     written = json.loads(as_json.render(report))
-    grouped = gathered(report.diagnostics)
-    listed = json.loads(as_json.render(report._replace(diagnostics=grouped)))["diagnostics"]
+    together = grouped(report.diagnostics)
+    listed = json.loads(as_json.render(report._replace(diagnostics=together)))["diagnostics"]
     document = {
         "version": VERSION,
         "urdfkit": __version__,
@@ -170,7 +174,7 @@ def _document(subject: Subject, report: Report) -> Document:
         },
         "targets": _targets(report),
         "findings": findings(report.diagnostics, written["diagnostics"], places),
-        "gathered": findings(grouped, listed, places),
+        "gathered": findings(together, listed, places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
         **dict.fromkeys(LONG),
@@ -226,4 +230,4 @@ def _severity(found: Diagnostic, target: str) -> Severity:
     """How bad a finding is for one program alone."""
     rule = rules.get(found.code)
     is_by_target = found.targets and target in rule.by_target
-    return rule.weigh([target])[0] if is_by_target else found.severity
+    return rule.severity_for([target])[0] if is_by_target else found.severity

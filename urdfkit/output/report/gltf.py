@@ -130,8 +130,8 @@ class Writer:
         width = rows.shape[1]
         more: dict[str, int] = {"target": target}
         if target == _ARRAY:
-            room = -width * rows.itemsize % 4 // rows.itemsize
-            rows = np.pad(rows, ((0, 0), (0, room)))
+            target_bounds = -width * rows.itemsize % 4 // rows.itemsize
+            rows = np.pad(rows, ((0, 0), (0, target_bounds)))
             more["byteStride"] = rows.shape[1] * rows.itemsize
         entry: dict[str, Any] = {
             "bufferView": self._view(np.ascontiguousarray(rows).tobytes(), **more),

@@ -104,12 +104,12 @@ def gazebo(subject: Subject) -> Row:
     """What becomes of each link in Gazebo, and what is left."""
     conversion = subject.gazebo
     fates = {
-        link.name: _fate(link.name, conversion.survivor, conversion.dropped)
+        link.name: _conversion_result(link.name, conversion.survivor, conversion.dropped)
         for link in conversion.model.links
     }
     return {
         "converter": conversion.converter.name,
-        "fates": [{"link": name, **fate} for name, fate in fates.items()],
+        "fates": [{"link": name, **conversion_result} for name, conversion_result in fates.items()],
         "links": [
             {
                 "name": link.name,
@@ -124,14 +124,14 @@ def gazebo(subject: Subject) -> Row:
     }
 
 
-def _fate(name: str, survivor: dict[str, str], dropped: dict[str, str]) -> Row:
+def _conversion_result(name: str, survivor: dict[str, str], dropped: dict[str, str]) -> Row:
     if name in dropped:
         return {"fate": "dropped", "into": "", "reason": dropped[name]}
     if name not in survivor:
         return {"fate": "not made", "into": "", "reason": ""}
     into = survivor[name]
-    fate = "stays" if into == name else "merged"
-    return {"fate": fate, "into": into if into != name else "", "reason": ""}
+    conversion_result = "stays" if into == name else "merged"
+    return {"fate": conversion_result, "into": into if into != name else "", "reason": ""}
 
 
 def meshes(subject: Subject) -> list[Row]:

@@ -56,7 +56,7 @@ def report(
         UnreadableFile: the file is missing or may not be read.
         UrdfkitError: the form needs a library that is not installed, or has no such table.
     """
-    told = describe(
+    reported = describe(
         file,
         arguments=arguments,
         packages=packages,
@@ -67,7 +67,7 @@ def report(
         quick=quick or not _shows_all(form, table),
         progress=progress,
     )
-    document = told.document
+    document = reported.document
     if form == "json":
         from urdfkit.output.report import json
 
@@ -80,7 +80,7 @@ def report(
         from urdfkit.output.report import markdown
 
         return markdown.render(document, Translator(language)), document
-    return _page(told, Translator(language), has_pictures=not quick)
+    return _page(reported, Translator(language), has_pictures=not quick)
 
 
 def _shows_all(form: str, table: str) -> bool:
@@ -88,11 +88,11 @@ def _shows_all(form: str, table: str) -> bool:
     return form in ("html", "json") or (form == "csv" and table in LONG)
 
 
-def _page(told: ReportInput, words: Translator, *, has_pictures: bool) -> tuple[str, Document]:
+def _page(reported: ReportInput, words: Translator, *, has_pictures: bool) -> tuple[str, Document]:
     """A page with pictures and the 3D view, if they can be had; else with the reason why not."""
     from urdfkit.output.report import html
 
-    document, data_uris, scene = drawn(told, has_pictures=has_pictures)
+    document, data_uris, scene = drawn(reported, has_pictures=has_pictures)
     if scene is None:
         return html.render(document, words, data_uris), document
     from urdfkit.output.report import engine
@@ -114,26 +114,26 @@ class RobotImages(Record):
     scene: PageScene | None
 
 
-def drawn(told: ReportInput, *, has_pictures: bool) -> RobotImages:
+def drawn(reported: ReportInput, *, has_pictures: bool) -> RobotImages:
     """The drawings of a robot, and the robot in three dimensions; what cannot be had is left out.
 
     Args:
-        told: the robot.
+        reported: the robot.
         has_pictures: with the pictures that take a while.
     """
     from urdfkit.output.report import data_uris, scene
 
-    subject = told.subject
+    subject = reported.subject
     found = data_uris.tree(subject)
     if subject.reading.document is None or not subject.model.links:
-        return RobotImages(told.document, found, None)
+        return RobotImages(reported.document, found, None)
     try:
         built = scene.surfaces(subject)
     except Unavailable as error:
-        return RobotImages(_without_view(told.document, str(error)), found, None)
+        return RobotImages(_without_view(reported.document, str(error)), found, None)
     if has_pictures:
-        found |= data_uris.pictures(built, subject, told.diagnostics)
-    document, triangles = told.document, sum(len(item.faces) for item in built.items)
+        found |= data_uris.pictures(built, subject, reported.diagnostics)
+    document, triangles = reported.document, sum(len(item.faces) for item in built.items)
     if triangles > scene.MAX_TRIANGLES:
         reason = f"it is coarse, for the robot has {triangles} triangles: see urdfkit mesh simplify"
         document = _without_view(document, reason)

@@ -55,7 +55,7 @@ class Contact(NamedTuple):
         distance: of these two, signed, in m.
         part: how deep they overlap, as a part of the thickness of the smaller one.
         is_solid: both bodies are convex, so that the depth is true.
-        is_swallowed: all bodies of the smaller one's link are in the inside of the large one.
+        is_contained: all bodies of the smaller one's link are in the inside of the large one.
         is_out_of_reach: so are those of all links that fixed joints bind to it.
         is_adjacent: a joint holds the links together, or nothing with bodies lies between.
         is_rigid: only fixed joints lie between.
@@ -66,7 +66,7 @@ class Contact(NamedTuple):
     distance: float
     part: float
     is_solid: bool
-    is_swallowed: bool
+    is_contained: bool
     is_out_of_reach: bool
     is_adjacent: bool
     is_rigid: bool
@@ -252,15 +252,15 @@ class SampledPoses:
         (small, _), (large, at) = bodies
         own = pair[0] if small is gauge.first else pair[1]
         names = self._names(pair)
-        is_swallowed = self._is_inside(own, large, frames[at][0], frames)
+        is_contained = self._is_inside(own, large, frames[at][0], frames)
         return Contact(
             small.solid,
             large.solid,
             distance,
             -distance / max(2 * float(small.half.min()), TOUCH),
             small.is_convex and large.is_convex,
-            is_swallowed,
-            is_swallowed
+            is_contained,
+            is_contained
             and all(
                 self._is_inside(link, large, frames[at][0], frames)
                 for link in self._examiner.links

@@ -149,7 +149,7 @@ class _Sampling:
                 f"than {MAX_PAIRS} pairs"
             )
         self._states = {pair: _State() for pair in pairs}
-        self.done = self._told = 0
+        self.done = self._reported = 0
 
     def run(self, begin: Mapping[str, float]) -> None:
         """All rounds."""
@@ -231,8 +231,8 @@ class _Sampling:
 
         def tell() -> None:
             if self._progress and share:
-                self._told = max(self._told, self.done + int(share * next(steps)))
-                self._progress(self._told, self._samples)
+                self._reported = max(self._reported, self.done + int(share * next(steps)))
+                self._progress(self._reported, self._samples)
 
         for group, answer in zip(pairs, self._crew.run(tasks, tell), strict=True):
             for pair, found in zip(group, answer, strict=True):

@@ -207,8 +207,8 @@ class Dynamics:
 
     def _known(self, link: str) -> str:
         if link not in self.tree.model.links_by_name:
-            meant = did_you_mean(link, self.tree.model.links_by_name)
-            raise Unsuitable(f"there is no link '{link}'{meant}")
+            suggested = did_you_mean(link, self.tree.model.links_by_name)
+            raise Unsuitable(f"there is no link '{link}'{suggested}")
         return link
 
 

@@ -189,8 +189,8 @@ class _Search:
         climbs = (self.climb(column, poses[start]) for start in starts)
         worst, x = max(climbs, key=lambda climb: climb[0])
         x = self.rested(column, x, worst)
-        matter = np.flatnonzero(self.others[column] & (x != 0))
-        return worst, {self.robot.columns[other]: float(x[other]) for other in matter}
+        shape_mass = np.flatnonzero(self.others[column] & (x != 0))
+        return worst, {self.robot.columns[other]: float(x[other]) for other in shape_mass}
 
     def climb(self, column: int, start: Floats) -> tuple[float, Floats]:
         """The largest torque of a coordinate near a pose, without sign, and where it is."""

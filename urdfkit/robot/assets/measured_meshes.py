@@ -96,9 +96,9 @@ class MeshUse(Record):
             return None
         mass, center, tensor = whole
         origin = self.body.origin
-        matter = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
+        shape_mass = MassProperties(mass, origin.apply(center), rotated(tensor, origin.rotation))
         name = os.path.basename(self.path)
-        return MeshSolid(name, matter, around.mass, measures.solid is not None, self.points)
+        return MeshSolid(name, shape_mass, around.mass, measures.solid is not None, self.points)
 
     @property
     def scale_at(self) -> Attribute | None:
@@ -209,11 +209,11 @@ class MeasuredMeshes:
         return {id(use.body): use for use in self.uses}
 
     @cached_property
-    def claims(self) -> dict[str, list[MeshUse]]:
+    def diagnoses(self) -> dict[str, list[MeshUse]]:
         """The doubtful meshes by the code of the rule that tells it."""
-        from urdfkit.robot.assets.mesh_diagnoses import claims
+        from urdfkit.robot.assets.mesh_diagnoses import diagnoses
 
-        return claims(self)
+        return diagnoses(self)
 
     def _use(self, link: Link, role: str, body: Body) -> MeshUse | UnmeasuredMesh | None:
         """A use of a mesh; None for what is no mesh, and for files that other rules tell of."""

@@ -46,16 +46,16 @@ _OF_LOOKS = ("normals", "texture coordinates", "material", "colour")
 COLOURS = "colours of"
 
 
-def claims(measured: MeasuredMeshes) -> dict[str, list[MeshUse]]:
+def diagnoses(measured: MeasuredMeshes) -> dict[str, list[MeshUse]]:
     """The doubtful meshes by the code of the rule that tells them."""
     found: dict[str, list[MeshUse]] = {}
-    told: set[tuple[str, str]] = set()
+    reported: set[tuple[str, str]] = set()
     visuals = [use for use in measured.uses if use.role == "visual"]
     for uses, rules in ((visuals, OF_LOOKS), (measured.files, OF_FILES)):
         for use in uses:
             for code, is_doubtful in rules.items():
-                if (code, use.path) not in told and is_doubtful(use):
-                    told.add((code, use.path))
+                if (code, use.path) not in reported and is_doubtful(use):
+                    reported.add((code, use.path))
                     found.setdefault(code, []).append(use)
     # What has no joints may be scenery, where a landscape lies beside a tree.
     span = rest_of_robot(measured) if measured.model.joints else 0.0

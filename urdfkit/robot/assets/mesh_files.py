@@ -25,7 +25,7 @@ from urdfkit.workspace.resolve import ResolvedReference, Resolver
 #: Folders of a package that are searched for a file of the wanted name.
 MAX_FOLDERS = 2000
 #: Two words are one word misspelt above this ratio of common letters.
-_SLIP = 0.75
+_TYPO = 0.75
 #: How like another name that of a file must be to be offered; "base_link" is no "lidar_link".
 _LIKE = 0.7
 
@@ -313,7 +313,7 @@ class Files:
         stem = nearest(os.path.splitext(wanted)[0], stems, _LIKE)
         if stem is None:
             return None, False
-        return os.path.join(folder, stems[stem]), is_slip(wanted, stems[stem])
+        return os.path.join(folder, stems[stem]), is_typo(wanted, stems[stem])
 
 
 def _codes(facts: MeshFacts, path: str) -> set[str]:
@@ -345,7 +345,7 @@ def _content(mesh: MeshReference) -> bytes:
         return path.encode("utf-8", "surrogateescape")
 
 
-def is_slip(wrong: str, right: str) -> bool:
+def is_typo(wrong: str, right: str) -> bool:
     """True if the name of a file or a package is another one misspelt.
 
     ``left_arm`` and ``right_arm``, ``link_1`` and ``link_2`` are two names: every word must be
@@ -357,7 +357,7 @@ def is_slip(wrong: str, right: str) -> bool:
     if "".join(words) == "".join(others):
         return True
     return len(words) == len(others) and all(
-        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _SLIP))
+        word == other or (min(len(word), len(other)) >= 4 and nearest(word, [other], _TYPO))
         for word, other in zip(words, others, strict=True)
     )
 

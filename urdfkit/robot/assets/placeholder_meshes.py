@@ -15,14 +15,14 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Rotation, Transform, Vector, cross, multiply, transposed
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.io.sniff import sniff_file
-from urdfkit.mesh.writers import SUFFIXES, refuse_good, write
+from urdfkit.mesh.writers import SUFFIXES, refuse_sound, write
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.target_bounds import (
     BUILDABLE,
     TargetBounds,
     counterparts,
     is_buildable,
-    room,
+    target_bounds,
     turning_axis,
 )
 from urdfkit.robot.model import Body, Link
@@ -149,7 +149,7 @@ def generate(
         raise NoSuchMesh(f"no shape of the robot names '{reference}'{hint}")
     path, defect = _place(references[0])
     if not force:
-        refuse_good(path)
+        refuse_sound(path)
     return _make(robot, path, references, defect or "is to be replaced", part, size)
 
 
@@ -170,7 +170,7 @@ def generate_part(
     """
     _require_buildable(size)
     if not force:
-        refuse_good(path)
+        refuse_sound(path)
     facts = sniff_file(path) if os.path.exists(path) else None
     defect = facts.defect.reason if facts and facts.defect else "does not exist"
     text = "{:g} x {:g} x {:g} m".format(*(size or part.size))
@@ -258,7 +258,7 @@ def _generated(
     from urdfkit.mesh.transforms import scaled
 
     link, body = _home(robot, references[0])
-    here = room(robot, link, body)
+    here = target_bounds(robot, link, body)
     why = "as asked for"
     if part is None and not _has_mesh(link, body):
         names = {
@@ -309,7 +309,7 @@ def _part_in_room(
     from urdfkit.mesh.transforms import moved
 
     axes = _axes(robot, link, body, part)
-    here = room(robot, link, body, axes)
+    here = target_bounds(robot, link, body, axes)
     if size is not None:
         wanted = transposed(axes)
         edges = [sum(abs(a) * b for a, b in zip(row, size, strict=True)) for row in wanted]
@@ -331,7 +331,7 @@ def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
     if part.turns:
         axis = turning_axis(robot, link, body)
         if axis is None:
-            here = room(robot, link, body)
+            here = target_bounds(robot, link, body)
             if here is None:
                 return IDENTITY
             shortest = here.size.index(min(here.size))

@@ -38,7 +38,9 @@ class TargetBounds(Record):
     measured: bool
 
 
-def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> TargetBounds | None:
+def target_bounds(
+    robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY
+) -> TargetBounds | None:
     """The room of a shape of a link, from its other shapes, else from its inertia.
 
     Args:
@@ -54,12 +56,12 @@ def room(robot: Robot, link: Link, body: Body, axes: Rotation = IDENTITY) -> Tar
     if measured and len(measured) == len(others):
         low = [min(box[0][i] for box in measured) for i in range(3)]
         high = [max(box[1][i] for box in measured) for i in range(3)]
-        return _room(low, high, axes, source, measured=True)
+        return _target_bounds(low, high, axes, source, measured=True)
     block = _block_of_inertia(link)
     if block is None:
         return None
     low, high = _bounds(LinkSolid((block,)), body.origin, axes)
-    return _room(low, high, axes, "mass and inertia", measured=False)
+    return _target_bounds(low, high, axes, "mass and inertia", measured=False)
 
 
 def counterparts(link: Link, body: Body) -> tuple[tuple[Body, ...], str]:
@@ -96,7 +98,7 @@ def turning_axis(robot: Robot, link: Link, body: Body) -> Vector | None:
     return rotate(transposed(body.origin.rotation), direction)
 
 
-def _room(
+def _target_bounds(
     low: Iterable[float], high: Iterable[float], axes: Rotation, source: str, *, measured: bool
 ) -> TargetBounds | None:
     pairs = [*zip(low, high, strict=True)]

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 
 from urdfkit.mesh.io.facts import BY_SUFFIX
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.folders import Folders
 
 #: Files in which meshes are named.
@@ -72,7 +72,7 @@ def _text(workspace: str, folders: Folders) -> bytes | None:
     for path in folders.files_below(workspace, MAX_FOLDERS):
         if os.path.splitext(path)[1].lower() not in _TEXTS:
             continue
-        data = peek(path, left + 1)
+        data = read_head(path, left + 1)
         left -= len(data)
         if left < 0:
             return None

@@ -211,7 +211,7 @@ class VisualCollisionPairs:
         self._is_ambiguous = is_ambiguous
 
     @cached_property
-    def claims(self) -> dict[str, list[VisualCollisionPair]]:
+    def diagnoses(self) -> dict[str, list[VisualCollisionPair]]:
         """The links that are unlike, by the code of the one rule that tells it."""
         found: dict[str, list[VisualCollisionPair]] = {}
         for one in self._each():

@@ -50,7 +50,7 @@ NOTICED = 0.1
 WIDE, MANY = 0.3, 3
 
 
-def claims(masses: Masses) -> dict[str, list[LinkInertia]]:
+def diagnoses(masses: Masses) -> dict[str, list[LinkInertia]]:
     """The doubtful inertias by the code of the rule that tells them."""
     found: dict[str, list[LinkInertia]] = {}
     placeholders: list[LinkInertia] = []
@@ -77,7 +77,7 @@ def _judge(weighed: LinkInertia, masses: Masses) -> str:
     if weighed.is_noise or not weighed.is_measured or weighed.body.is_ground:
         return ""
     implausible = implausible_density(weighed) is not None
-    if implausible and unit_slip(weighed):
+    if implausible and unit_mistake(weighed):
         return "INE010"
     assert weighed.expected is not None
     high, expected = weighed.moments[2], principal_moments(weighed.expected)[2]
@@ -102,7 +102,7 @@ def implausible_density(weighed: LinkInertia) -> float | None:
     return high if high < LIGHTEST / NEAR else None
 
 
-def unit_slip(weighed: LinkInertia) -> str:
+def unit_mistake(weighed: LinkInertia) -> str:
     """The unit that explains an implausible density: ``g``, ``mm``, or nothing."""
     if weighed.densities is None or weighed.solid is None or weighed.expected is None:
         return ""
@@ -127,11 +127,11 @@ def center_is_outside(weighed: LinkInertia) -> float | None:
         return None
     distance, longest = _outside(center, weighed.outline), max(weighed.outline.edges)
     if distance > longest or (distance > SLIPPED * longest and not weighed.is_marker):
-        return distance if distance > longest or center_slip(weighed) else None
+        return distance if distance > longest or center_mistake(weighed) else None
     return None
 
 
-def center_slip(weighed: LinkInertia) -> str:
+def center_mistake(weighed: LinkInertia) -> str:
     """What explains that the centre of mass is outside: a predicate whose subject is the centre."""
     center, outline = weighed.inertial.origin.position, weighed.outline
     if center == ORIGIN:
@@ -175,13 +175,13 @@ def _sort_placeholders(
     placeholders: list[LinkInertia], masses: Masses, found: dict[str, list[LinkInertia]]
 ) -> None:
     """Placeholders beside a mesh, or without a shape, that cannot be near the truth."""
-    told = {weighed.tensor for weighed in found.get("INE006", ())}
+    reported = {weighed.tensor for weighed in found.get("INE006", ())}
     by_macro = {link.name for links in masses.shared_by_macro.values() for link in links}
     for group in by_tensor(placeholders):
         free = [weighed for weighed in group if weighed.link.name not in by_macro]
         unknown = len(free) >= MANY or any(w.radius_of_gyration > WIDE for w in free)
-        matter = any(masses.matters(w.body, w.moments[2]) for w in free)
-        if unknown and matter and group[0].tensor not in told:
+        shape_mass = any(masses.matters(w.body, w.moments[2]) for w in free)
+        if unknown and shape_mass and group[0].tensor not in reported:
             found.setdefault("INE009", []).extend(free)
         else:
             unlike = [weighed for weighed in group if _is_unlike_shape(weighed)]

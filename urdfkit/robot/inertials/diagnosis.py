@@ -80,7 +80,7 @@ def of_unlike_shape(weighed: LinkInertia, masses: Masses) -> Diagnosis:
     """Why a tensor is not that of the shape of its link; without a cause, that of the shape."""
     expected = weighed.expected
     assert expected is not None
-    for cause, tensor in _slips(weighed, expected):
+    for cause, tensor in _mistakes(weighed, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
     other = masses.of_their_shape.get(weighed.tensor)
     cause = f"is that of link '{other.link.name}', which it fits" if other else ""
@@ -109,7 +109,7 @@ def _of_shape(weighed: LinkInertia) -> Tensor | None:
     return None if is_other else weighed.expected
 
 
-def _slips(weighed: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
+def _mistakes(weighed: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Slips without which the tensor agrees with the shape, each with the tensor meant."""
     if weighed.is_at_wrong_axes:
         yield of_wrong_axes(weighed)
@@ -141,10 +141,10 @@ def of_wrong_axes(weighed: LinkInertia) -> tuple[str, Tensor]:
     """
     expected = weighed.expected
     assert expected is not None
-    if meant := _rearranged(weighed, expected, list(permutations(range(3)))):
-        if keys := opposite(weighed.tensor, meant):
-            return f"has {' and '.join(keys)} with the opposite sign", meant
-        return "has its moments at the wrong axes", meant
+    if suggested := _rearranged(weighed, expected, list(permutations(range(3)))):
+        if keys := opposite(weighed.tensor, suggested):
+            return f"has {' and '.join(keys)} with the opposite sign", suggested
+        return "has its moments at the wrong axes", suggested
     return "has its moments at the wrong axes", expected
 
 
@@ -185,13 +185,13 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
 def of_impossible(weighed: LinkInertia, masses: Masses) -> Diagnosis:
     """Why no body can have a tensor, and which was meant if the numbers tell it."""
     if weighed.is_measured and weighed.expected:
-        meant = _rearranged(weighed, weighed.expected, [range(3)])
-        if meant and is_possible(meant) and (keys := opposite(weighed.tensor, meant)):
+        suggested = _rearranged(weighed, weighed.expected, [range(3)])
+        if suggested and is_possible(suggested) and (keys := opposite(weighed.tensor, suggested)):
             cause = f"has {' and '.join(keys)} with the opposite sign"
-            return Diagnosis(cause, meant, Confidence.INFERRED)
+            return Diagnosis(cause, suggested, Confidence.INFERRED)
     for cause, tensor in _rewritten(weighed):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
-    for twin in _twins(weighed, masses):
+    for twin in _symmetric_pairs(weighed, masses):
         mirrored = twin.tensor._replace(ixy=-twin.tensor.ixy, iyz=-twin.tensor.iyz)
         if is_possible(mirrored):
             cause = f"of its twin '{twin.link.name}' is possible"
@@ -223,8 +223,8 @@ def _rewritten(weighed: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
             yield f"has {key} ten times too large", tenth
 
 
-def _twins(weighed: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
-    for left, right in masses.twins:
+def _symmetric_pairs(weighed: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
+    for left, right in masses.symmetric_pairs:
         if weighed in (left, right):
             yield right if weighed is left else left
 

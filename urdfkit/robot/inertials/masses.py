@@ -89,21 +89,21 @@ class Masses:
         return {one.tensor: one for one in reversed(self.weighed) if one.is_of_shape}
 
     @cached_property
-    def claims(self) -> dict[str, list[LinkInertia]]:
+    def diagnoses(self) -> dict[str, list[LinkInertia]]:
         """The doubtful inertias, each under the code of the one rule that tells it."""
-        from urdfkit.robot.inertials.diagnoses import claims
+        from urdfkit.robot.inertials.diagnoses import diagnoses
 
-        return claims(self)
+        return diagnoses(self)
 
     @cached_property
-    def wrong_as_a_whole(self) -> list[LinkInertia]:
+    def consistently_wrong(self) -> list[LinkInertia]:
         """The links with implausible densities, if they are most and all too high, or too low.
 
         One slip made them, such as a unit of the whole robot.
         """
         from urdfkit.robot.inertials.diagnoses import HEAVIEST
 
-        dense = self.claims.get("INE010", [])
+        dense = self.diagnoses.get("INE010", [])
         if len(dense) < LIKEWISE or 2 * len(dense) <= sum(bool(w.densities) for w in self.weighed):
             return []
         are_high = {bool(w.densities and w.densities[0] > HEAVIEST) for w in dense}
@@ -133,7 +133,7 @@ class Masses:
     def singular(self) -> list[RigidBody]:
         """The bodies that joints move and that are infinitely thin about some axis."""
         wrong = {
-            w.body.top.name for code in ("INE002", "INE003") for w in self.claims.get(code, ())
+            w.body.top.name for code in ("INE002", "INE003") for w in self.diagnoses.get(code, ())
         }
         found = []
         for body in self.bodies:
@@ -157,7 +157,7 @@ class Masses:
         return found[::-1]
 
     @cached_property
-    def twins(self) -> list[tuple[LinkInertia, LinkInertia]]:
+    def symmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """The links of the left and of the right that hang on the same link, or on twins."""
         named = pairs(self.tree.parents)
         numbered = numbered_pairs(
@@ -181,14 +181,14 @@ class Masses:
         return joint.parent.value if joint and joint.parent else ""
 
     @cached_property
-    def unlike_twins(self) -> list[tuple[LinkInertia, LinkInertia]]:
+    def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Twins of which one has clearly more mass or larger moments, and no other rule says so."""
         claimed = {
-            w.link.name for code in self.claims if code != "INE008" for w in self.claims[code]
+            w.link.name for code in self.diagnoses if code != "INE008" for w in self.diagnoses[code]
         }
         return [
             (left, right)
-            for left, right in self.twins
+            for left, right in self.symmetric_pairs
             if claimed.isdisjoint((left.link.name, right.link.name)) and unlike(left, right)
         ]
 
@@ -205,13 +205,15 @@ class Masses:
     @cached_property
     def copies(self) -> list[list[LinkInertia]]:
         """The links of clearly different mass that have the same tensor, if no rule says so."""
-        told = {w.tensor for code in self.claims if code != "INE008" for w in self.claims[code]}
-        told.update(w.tensor for pair in self.unlike_twins for w in pair)
+        reported = {
+            w.tensor for code in self.diagnoses if code != "INE008" for w in self.diagnoses[code]
+        }
+        reported.update(w.tensor for pair in self.asymmetric_pairs for w in pair)
         by_macro = {link.name for links in self.shared_by_macro.values() for link in links}
         free = (
             w
             for w in self.weighed
-            if w.tensor not in told
+            if w.tensor not in reported
             and w.link.name not in by_macro
             and not (w.is_noise or w.body.is_ground)
         )

@@ -46,7 +46,7 @@ class ShapeMass(Record):
         return MassProperties(mass, center, Tensor(*(mass * (each / volume) for each in tensor)))
 
 
-def matter(link: Link, source: str, measures: Measure) -> ShapeMass | str:
+def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     """What the shapes of a link enclose, or why that is not known.
 
     Args:

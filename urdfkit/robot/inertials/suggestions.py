@@ -13,7 +13,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments, rotated
 from urdfkit.robot.inertials.diagnosis import CLEAR
-from urdfkit.robot.inertials.shape_mass import ShapeMass, matter
+from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.model import Inertial, Link, Tensor, numbers
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.text.diagnostic import Edit
@@ -49,7 +49,7 @@ class InertiaProposal(Record):
         link: the link.
         links: names of all links of the body; one unless they were lumped together.
         declared: in the frame of the link, along its axes; None where it says nothing usable.
-        matter: what its shapes enclose; None where that is not known.
+        shape_mass: what its shapes enclose; None where that is not known.
         computed: with uniform density; None where shapes or mass are not known.
         reason: why nothing is computed; empty if it is.
     """
@@ -57,7 +57,7 @@ class InertiaProposal(Record):
     link: Link
     links: tuple[str, ...]
     declared: MassProperties | None
-    matter: ShapeMass | None
+    shape_mass: ShapeMass | None
     computed: MassProperties | None
     reason: str
 
@@ -157,7 +157,7 @@ def propose(
             continue
         each = [_proposal(robot, link, source, mass, density) for link, _ in group]
         proposal = _lumped(each, [frame for _, frame in group])
-        if proposal.declared or proposal.matter:
+        if proposal.declared or proposal.shape_mass:
             proposals.append(proposal)
     return tuple(proposals)
 
@@ -166,7 +166,7 @@ def _proposal(
     robot: Robot, link: Link, source: str, mass: float | None, density: float | None
 ) -> InertiaProposal:
     declared = _declared(link.inertial)
-    found = matter(link, source, robot.measures)
+    found = shape_mass(link, source, robot.measures)
     if isinstance(found, str):
         return InertiaProposal(link, (link.name,), declared, None, None, found)
     if mass is None:
@@ -190,7 +190,7 @@ def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProp
     if len(each) == 1:
         return first
     links = tuple(name for one in each for name in one.links)
-    unknown = [one for one in each if one.computed is None and (one.matter or one.declared)]
+    unknown = [one for one in each if one.computed is None and (one.shape_mass or one.declared)]
     declared = [_seen(one.declared, frame) for one, frame in zip(each, frames, strict=True)]
     computed = [_seen(one.computed, frame) for one, frame in zip(each, frames, strict=True)]
     reason = "".join(f"link '{one.link.name}': {one.reason}" for one in unknown[:1])
@@ -198,7 +198,7 @@ def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProp
         first.link,
         links,
         combined(filter(None, declared)) if any(declared) else None,
-        next((one.matter for one in each if one.matter), None),
+        next((one.shape_mass for one in each if one.shape_mass), None),
         None if unknown or not any(computed) else combined(filter(None, computed)),
         reason,
     )

@@ -48,7 +48,7 @@ def copied(kind: str) -> list[str]:
     return found
 
 
-def meant() -> dict[str, str]:
+def suggested() -> dict[str, str]:
     """Wrong names that people write, with the right ones."""
     found: dict[str, str] = _content()["meant"]
     return found

@@ -8,7 +8,7 @@ from itertools import chain
 from typing import Any
 
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import is_slip
+from urdfkit.core.suggest import is_typo
 from urdfkit.ros.catalog import loads, text
 
 #: The generations whose plugins a target loads.
@@ -163,7 +163,7 @@ def misspelt(filename: str) -> str:
     They differ in one letter, in two that changed places, or in ``lib`` and ``.so``.
     """
     stem = _stem(filename)
-    return next((file for file in files() if is_slip(stem, _stem(file))), "")
+    return next((file for file in files() if is_typo(stem, _stem(file))), "")
 
 
 def _stem(filename: str) -> str:

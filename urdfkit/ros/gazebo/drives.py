@@ -25,14 +25,14 @@ class DriveKind(Record):
         size: its parameter with the size of the wheels.
         diameter: True if that is the diameter, False if it is the radius.
         steered: True if wheels are steered, so that left and right say nothing about turning.
-        slips: True if turning makes the wheels slip, so that a larger separation is often given.
+        mistakes: True if turning makes the wheels slip, so that a larger separation is often given.
     """
 
     separation: str
     size: str
     diameter: bool
     steered: bool = False
-    slips: bool = False
+    mistakes: bool = False
 
 
 #: By the id in the catalogue of plugins.
@@ -40,13 +40,13 @@ KINDS = {
     "gazebo_ros_diff_drive@classic-ros1": DriveKind("wheelSeparation", "wheelDiameter", True),
     "gazebo_ros_diff_drive@classic-ros2": DriveKind("wheel_separation", "wheel_diameter", True),
     "gazebo_ros_skid_steer_drive@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
+        "wheelSeparation", "wheelDiameter", True, mistakes=True
     ),
     "diffdrive_plugin_6w@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
+        "wheelSeparation", "wheelDiameter", True, mistakes=True
     ),
     "diffdrive_plugin_multi_wheel@classic-ros1": DriveKind(
-        "wheelSeparation", "wheelDiameter", True, slips=True
+        "wheelSeparation", "wheelDiameter", True, mistakes=True
     ),
     "gz-sim-diff-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),
     "gz-sim-mecanum-drive-system@gz": DriveKind("wheel_separation", "wheel_radius", False),

@@ -64,7 +64,7 @@ class OpticalSensor(Record):
         return [(1.0, 0.0, 0.0), *((ahead, a * ahead, b * ahead) for a, b in corners)]
 
 
-def eyes(model: RobotModel) -> Iterator[OpticalSensor]:
+def optical_sensors(model: RobotModel) -> Iterator[OpticalSensor]:
     """The eyes of a model: those that Gazebo simulates, and other links that are called so."""
     found = [eye for sensor in sensors(model) if (eye := _of(sensor))]
     yield from found

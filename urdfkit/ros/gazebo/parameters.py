@@ -14,12 +14,12 @@ class UnreadParameter(Record):
     Attributes:
         item: the tag.
         other: the plugin of another generation that reads it, or None.
-        meant: the tag that it is a slip of, or None.
+        suggested: the tag that it is a slip of, or None.
     """
 
     item: PluginParameter
     other: Plugin | None
-    meant: str | None
+    suggested: str | None
 
 
 def unread(use: PluginUse) -> list[UnreadParameter]:
@@ -35,15 +35,19 @@ def unread(use: PluginUse) -> list[UnreadParameter]:
         return []
     common = {name for names in often_unread().values() for name in names}
     given = {item.path for item in use.items}
-    speller = Suggester([name for name in plugin.parameters if name not in given])
+    suggester = Suggester([name for name in plugin.parameters if name not in given])
     found: list[UnreadParameter] = []
     for item in missed:
         other = _other(use, plugin, item)
-        meant = None if "/" in item.path else speller.meant(item.path) or None
-        is_cut_short = meant is not None and meant.startswith(item.path)  # updateRate(HZ) of an IMU
+        suggested = None if "/" in item.path else suggester.suggested(item.path) or None
+        is_cut_short = suggested is not None and suggested.startswith(
+            item.path
+        )  # updateRate(HZ) of an IMU
         if other is None and item.path in common and not is_cut_short:
             continue
-        found.append(UnreadParameter(item, other, meant if meant and "/" not in meant else None))
+        found.append(
+            UnreadParameter(item, other, suggested if suggested and "/" not in suggested else None)
+        )
     return found
 
 

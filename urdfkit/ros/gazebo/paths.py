@@ -39,11 +39,11 @@ class ResourcePaths(Record):
 
     Attributes:
         starter: a launch file that starts Gazebo; None if there is none.
-        is_told: True if a file mentions Gazebo's resource path, or not all could be read.
+        is_reported: True if a file mentions Gazebo's resource path, or not all could be read.
     """
 
     starter: str | None
-    is_told: bool
+    is_reported: bool
 
 
 def survey(root: str, folders: Folders) -> ResourcePaths:

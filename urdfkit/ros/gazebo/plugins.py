@@ -190,7 +190,7 @@ def generations(use: PluginUse) -> set[str]:
     return found
 
 
-def fate(conversion: Conversion, kind: str, name: str) -> str:
+def conversion_result(conversion: Conversion, kind: str, name: str) -> str:
     """What becomes of a link or joint in Gazebo.
 
     Returns:

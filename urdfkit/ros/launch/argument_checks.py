@@ -17,16 +17,16 @@ from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: How like another name a name must be to be a slip of it.
-_SLIP = 0.8
+_TYPO = 0.8
 #: The end of the name of a launch file that begins with an expression, in XML or in Python.
 _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: Files that are looked into for one that includes another, and folders of them.
 MAX_FILES, MAX_FOLDERS = 500, 2000
 
 
-def is_slip(name: str, known: Iterable[str]) -> bool:
+def is_typo(name: str, known: Iterable[str]) -> bool:
     """True if a name is nearly a known one, and not that of something else."""
-    return bool(Suggester(frozenset(known), _SLIP).meant(name))
+    return bool(Suggester(frozenset(known), _TYPO).suggested(name))
 
 
 def undeclared(
@@ -39,7 +39,7 @@ def undeclared(
     """
     hint = did_you_mean(name, declared)
     message = f"no argument '{name}' is declared{hint}"
-    code = "LAU006" if is_lost or is_slip(name, declared) else "LAU012"
+    code = "LAU006" if is_lost or is_typo(name, declared) else "LAU012"
     return Problem(code, span, message, frame=frame)
 
 
@@ -60,7 +60,7 @@ def not_taken(
             continue
         word = rf"(?<!\w){re.escape(name)}(?!\w)".encode()
         is_used = ros == 2 and re.search(word, source.data)
-        if not is_used and (ros == 1 or taken.is_whole or is_slip(name, taken.names)):
+        if not is_used and (ros == 1 or taken.is_whole or is_typo(name, taken.names)):
             file = os.path.basename(source.path)
             message = f"'{file}' has no argument '{name}'{did_you_mean(name, taken.names)}"
             yield Problem("LAU007", span, message, frame=frame)

@@ -9,7 +9,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
-    is_slip,
+    is_typo,
     not_given,
     not_taken,
     undeclared,
@@ -84,9 +84,9 @@ class Configurations:
         written = argument(call, 1, "launch_arguments")
         if written is None:
             return []
-        node = self._values.meant(written)
+        node = self._values.suggested(written)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            node = self._values.meant(node.func.value) if node.func.attr == "items" else None
+            node = self._values.suggested(node.func.value) if node.func.attr == "items" else None
         if isinstance(node, ast.Dict):
             return list(zip(node.keys, node.values, strict=True))
         if not isinstance(node, (ast.List, ast.Tuple)):
@@ -111,7 +111,7 @@ class Configurations:
             return
         is_sure = self._is_whole and not self._may_be_lent()
         for name, call in missing.items():
-            if is_sure or is_slip(name, self._known):
+            if is_sure or is_typo(name, self._known):
                 span = self._values.span(call)
                 yield undeclared(name, self._known, span, None, is_lost=False)
 

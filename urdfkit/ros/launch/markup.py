@@ -8,7 +8,7 @@ Source: ``launch_yaml/entity.py`` of ros2/launch.
 from __future__ import annotations
 
 from urdfkit.text.document import Attribute, Document, Element, Tag
-from urdfkit.text.located_yaml import Key, Node, Value, load, slip
+from urdfkit.text.located_yaml import Key, Node, Value, load, mistake
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem, read_xml
 
@@ -49,7 +49,7 @@ def parsed(source: Source) -> tuple[Document | None, list[Problem]]:
     """The document of a launch file, None if there is none, and what is wrong with its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
-    if found := slip(source):
+    if found := mistake(source):
         span, reason = found
         return None, [Problem("XML001", span, f"it is no YAML: {reason}")]
     top = load(source)

@@ -112,7 +112,7 @@ class _Reader:
         """The names of the parameters in a list of dictionaries; None if it holds others."""
         names: set[str] = set()
         for item in self.values.items(node) if node else ():
-            given = self.values.meant(item)
+            given = self.values.suggested(item)
             if not isinstance(given, ast.Dict):
                 return None
             for key in given.keys:
@@ -142,7 +142,7 @@ class _Reader:
 
     def _is_off(self, action: ast.Call) -> bool:
         """True if its condition does not hold; what cannot be known counts as on."""
-        condition = self.values.meant(argument(action, None, "condition"))
+        condition = self.values.suggested(argument(action, None, "condition"))
         if not isinstance(condition, ast.Call):
             return False
         value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
@@ -151,8 +151,8 @@ class _Reader:
 
     def _command(self, call: ast.Call) -> None:
         command = argument(call, 0, "command")
-        if slip := run_together(self.values, command):
-            self.collector.problems.append(slip)
+        if mistake := run_together(self.values, command):
+            self.collector.problems.append(mistake)
             return
         text = self.values.text(command)
         if text is not None:
@@ -180,7 +180,7 @@ class _Reader:
         path = self.values.text(file)
         if path is None:
             return
-        mappings = self.values.meant(argument(call, None, "mappings"))
+        mappings = self.values.suggested(argument(call, None, "mappings"))
         arguments: dict[str, str | None] = {}
         if isinstance(mappings, ast.Dict):
             for key, value in zip(mappings.keys, mappings.values, strict=True):

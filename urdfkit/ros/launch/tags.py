@@ -117,14 +117,14 @@ def _names(row: str) -> set[str]:
     return {word.rstrip("!") for word in row.split()}
 
 
-def slips(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
+def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
     """What launch refuses or passes over in a tag, apart from the tags in it."""
     table = _TABLES[ros]
     row = table.get(element.tag)
     if row is None:
-        if meant := nearest(element.tag, table, 0.8):
+        if suggested := nearest(element.tag, table, 0.8):
             message = f"unknown tag <{element.tag}>"
-            yield Problem("LAU010", element.span, message, f"did you mean <{meant}>?", frame)
+            yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
         return
     for word in row.split():
         name = word.rstrip("!")
@@ -142,8 +142,8 @@ def slips(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Probl
             yield Problem("LAU010", attribute.span, message, f"write {' or '.join(words)}", frame)
         if name in known or name in _CONDITIONS or _OF_OTHERS.search(name):
             continue
-        meant = _TRANSLATED[ros].get((element.tag, name)) or nearest(name, known)
-        help = f"did you mean {meant}?" if meant else "it has: " + ", ".join(sorted(known))
+        suggested = _TRANSLATED[ros].get((element.tag, name)) or nearest(name, known)
+        help = f"did you mean {suggested}?" if suggested else "it has: " + ", ".join(sorted(known))
         message = f"<{element.tag}> has no attribute '{name}' in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
 

@@ -65,7 +65,7 @@ class Values:
             return self.text(node.value, depth + 1)
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
-    def meant(self, node: ast.expr | None) -> ast.expr | None:
+    def suggested(self, node: ast.expr | None) -> ast.expr | None:
         """An expression, or what a name stands for; None where that is not certain."""
         for _ in range(MAX_DEPTH):
             if not isinstance(node, ast.Name):
@@ -75,7 +75,7 @@ class Values:
 
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
         """The items of a list; None stands for any number of unknown ones."""
-        node = self.meant(node)
+        node = self.suggested(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return [None if isinstance(item, ast.Starred) else item for item in node.elts]
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and depth < MAX_DEPTH:

@@ -11,7 +11,7 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
-    is_slip,
+    is_typo,
     not_given,
     not_taken,
     undeclared,
@@ -21,7 +21,7 @@ from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, PARAMETERS, Sta
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import USE, Signature, arguments_in, signature
 from urdfkit.ros.launch.substitutions import Substitutions, pieces, unmade
-from urdfkit.ros.launch.tags import dialect, slips
+from urdfkit.ros.launch.tags import dialect, mistakes
 from urdfkit.text.document import Attribute, CallFrame, Element
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import Problem
@@ -136,7 +136,7 @@ class _File:
 
     def _look_at(self, element: Element) -> None:
         if self._ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
-            self.collector.problems += slips(element, self._ros, self.frame)
+            self.collector.problems += mistakes(element, self._ros, self.frame)
         self._references(element, element.attributes)
 
     def _references(self, element: Element, names: Iterable[str]) -> None:
@@ -152,7 +152,7 @@ class _File:
         if self._ros == 2:  # where what an include declares, holds behind it
             missing = {n: use for n, use in missing.items() if n not in self._declared}
         if missing and not self._is_sure():
-            missing = {n: use for n, use in missing.items() if is_slip(n, use[1])}
+            missing = {n: use for n, use in missing.items() if is_typo(n, use[1])}
         is_lost = self._ros == 1 and bool(self.outer)
         for name, (span, declared) in missing.items():
             if name in self._declared:

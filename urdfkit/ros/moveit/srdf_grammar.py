@@ -30,7 +30,7 @@ class SrdfDeviation(Record):
     at: Element | Attribute
     parent: Element
     name: str
-    meant: str
+    suggested: str
 
 
 #: By tag; ``joint`` of a state has a value, too.
@@ -62,7 +62,7 @@ KINDS = {
 _STATE_JOINT = ElementGrammar(("name", "value"))
 
 #: How like a name a word must be to be taken for a slip of it.
-_SLIP = 0.75
+_TYPO = 0.75
 
 
 def _elements(root: Element) -> Iterator[tuple[Element, ElementGrammar]]:
@@ -77,20 +77,20 @@ def _elements(root: Element) -> Iterator[tuple[Element, ElementGrammar]]:
         stack += [child for child in reversed(element.children) if child.tag in kind.children]
 
 
-def slips(root: Element) -> Iterator[SrdfDeviation]:
+def mistakes(root: Element) -> Iterator[SrdfDeviation]:
     """The misspelt tags and attributes of a file."""
     for element, kind in _elements(root):
         for child in element.children:
             if child.tag not in kind.children and ":" not in child.tag:
-                meant = nearest(child.tag, kind.children, _SLIP)
-                if meant:
-                    yield SrdfDeviation(child, element, child.tag, meant)
+                suggested = nearest(child.tag, kind.children, _TYPO)
+                if suggested:
+                    yield SrdfDeviation(child, element, child.tag, suggested)
         names = (*kind.required, *kind.optional)
         for attribute in element.attributes.values():
             if attribute.name not in names and ":" not in attribute.name:
-                meant = nearest(attribute.name, names, _SLIP)
-                if meant and element.get(meant) is None:
-                    yield SrdfDeviation(attribute, element, attribute.name, meant)
+                suggested = nearest(attribute.name, names, _TYPO)
+                if suggested and element.get(suggested) is None:
+                    yield SrdfDeviation(attribute, element, attribute.name, suggested)
 
 
 def lacking(root: Element) -> Iterator[tuple[Element, str]]:
@@ -98,7 +98,7 @@ def lacking(root: Element) -> Iterator[tuple[Element, str]]:
 
     Slips are left out.
     """
-    misspelt = {(id(slip.parent), slip.meant) for slip in slips(root)}
+    misspelt = {(id(mistake.parent), mistake.suggested) for mistake in mistakes(root)}
     for element, kind in _elements(root):
         for name in kind.required:
             if not element.get(name) and (id(element), name) not in misspelt:

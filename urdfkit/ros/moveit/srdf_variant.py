@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.text.source import shown
 from urdfkit.text.xml_reader import is_xacro
-from urdfkit.workspace.file_head import peek
+from urdfkit.workspace.file_head import read_head
 
 if TYPE_CHECKING:
     from urdfkit.ros import RosDescription
@@ -35,15 +35,15 @@ def other_variant(description: RosDescription, srdf: Srdf) -> str:
     if len(unknown) < max(_FEWEST, _UNKNOWN * len(srdf.named)):
         return ""
     known = srdf.known("link") | srdf.known("joint")
-    told = f"{len(unknown)} of {len(srdf.named)} names in the SRDF are not in this robot"
+    reported = f"{len(unknown)} of {len(srdf.named)} names in the SRDF are not in this robot"
     prefix = _prefix(unknown, known)
     if prefix:
-        return f"{told}, whose names begin with '{prefix}'"
+        return f"{reported}, whose names begin with '{prefix}'"
     prefix = _prefix(known - srdf.named, unknown)
     if prefix:
-        return f"{told}; they begin with '{prefix}'"
+        return f"{reported}; they begin with '{prefix}'"
     other = next(_robots_with(unknown, description), "")
-    return f"{told}; they are in {shown(other)}" if other else ""
+    return f"{reported}; they are in {shown(other)}" if other else ""
 
 
 def _prefix(bare: set[str], prefixed: set[str]) -> str:
@@ -70,7 +70,7 @@ def _robots_with(names: set[str], description: RosDescription) -> Iterator[str]:
     robots = [path for path in paths if os.path.realpath(path) != own and _is_robot(path)]
     xacros = 0
     for path in robots[:_MAX_FILES]:
-        data = peek(path, _MAX_BYTES)
+        data = read_head(path, _MAX_BYTES)
         if _fits(names, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}):
             yield path
         elif xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
@@ -88,7 +88,7 @@ _ROBOT = re.compile(rb"<robot\b[^<>]*\bname\s*=")
 
 def _is_robot(path: str) -> bool:
     return not path.endswith((".srdf.xacro", ".sdf.xacro")) and bool(
-        _ROBOT.search(peek(path, 20_000))
+        _ROBOT.search(read_head(path, 20_000))
     )
 
 

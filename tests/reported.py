@@ -9,7 +9,7 @@ from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 
 
-def told(
+def reported(
     code: str, text: str | bytes, path: str = "robot.urdf", targets: tuple[str, ...] = ()
 ) -> list[Diagnostic]:
     """What a rule says about a robot, or about the inside of one; bytes are a whole file."""
@@ -21,16 +21,16 @@ def told(
 
 def messages(code: str, text: str, path: str = "robot.urdf") -> list[str]:
     """The messages of a rule about a robot, in the order of the file."""
-    return [diagnostic.message for diagnostic in told(code, text, path)]
+    return [diagnostic.message for diagnostic in reported(code, text, path)]
 
 
 def places(code: str, text: str, path: str = "robot.urdf") -> list[tuple[int, str]]:
     """Line and text of the places that a rule points at; line 1 is ``<robot>`` for a piece."""
-    return [(found.span.line, found.span.text) for found in told(code, text, path)]
+    return [(found.span.line, found.span.text) for found in reported(code, text, path)]
 
 
 def fixed(code: str, text: str, path: str = "robot.urdf", targets: tuple[str, ...] = ()) -> str:
     """The robot after every fix that a rule offers."""
-    found = told(code, text, path, targets)
+    found = reported(code, text, path, targets)
     edits = [edit for diagnostic in found if diagnostic.fix for edit in diagnostic.fix.edits]
     return apply_edits(whole_robot(text).encode(), dict.fromkeys(edits)).decode()
