@@ -100,4 +100,4 @@ def test_only_the_families_that_apply_are_loaded(tmp_path: Path) -> None:
     file.write_text('<robot name="r"><link name="a"/></robot>', encoding="utf-8")
     names = [m.split(".") for m in loaded("check", str(file)) if m.startswith("urdfkit.checks.")]
     families = {name[2] for name in names if len(name) > 3}
-    assert families == {"geometry", "inertia", "names", "tree", "xml"}
+    assert families == {"geometry", "inertia", "joints", "names", "tree", "xml"}

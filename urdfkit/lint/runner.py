@@ -81,7 +81,9 @@ def judge(subject: Subject, chosen: Sequence[str], config: Config | None = None)
     run.ignores = run.guarded(lambda: subject.ignores, ())
     if rules.NOT_CHECKED in own:
         own.remove(rules.NOT_CHECKED)
-        if run.skipped and not subject.is_readable and not run.has_errors():
+        wants_arguments = "XAC010" not in chosen and bool(subject.problems("XAC010"))
+        is_unexplained = wants_arguments or not run.has_errors()
+        if run.skipped and not subject.is_readable and is_unexplained:
             run.rules([rules.NOT_CHECKED])
             subject.outcome = subject.outcome._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:

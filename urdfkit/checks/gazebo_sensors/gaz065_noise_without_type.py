@@ -63,7 +63,7 @@ def check(subject: Subject) -> Iterator[Finding]:
                 reported = ", and passes over its <type>" if child else ""
                 yield Finding(
                     inner.at,
-                    f"{sensor.who}: <noise> has no attribute type: Gazebo rejects the model"
+                    f"{sensor.who}: <noise> has no attribute type: Gazebo refuses the model"
                     f"{reported}",
                     fix=_typed(inner.at, child.text.strip() if child else "gaussian"),
                 )

@@ -9,5 +9,5 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True if there are joints."""
-    return bool(subject.model.joints)
+    """True for a document with a robot in it: links have poses, too."""
+    return bool(subject.model.joints or subject.model.links)

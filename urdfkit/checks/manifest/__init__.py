@@ -12,7 +12,5 @@ if TYPE_CHECKING:
 
 
 def applies(subject: Subject) -> bool:
-    """True if a launch file, or a description that mentions packages, is in a package."""
-    if subject.resolver.packages.enclosing(subject.source.path) is None:
-        return False
+    """True for a launch file, and for a description that mentions packages."""
     return is_launch(subject.source.path) or are_in(subject.document.sources)
