@@ -96,7 +96,7 @@ def test_a_robot_that_cannot_be_read_says_why(
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["no.urdf"], "no.urdf"),
         ([ARM, ARM], "name one file"),

@@ -48,7 +48,7 @@ def test_the_version_has_one_source() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "meant"),
+    ("word", "suggested"),
     [("lint", "check"), ("chek", "check"), ("xacro", "expand"), ("help", "--help")],
 )
 def test_a_command_of_another_tool(

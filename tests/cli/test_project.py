@@ -122,7 +122,7 @@ def test_a_baseline_tolerates_what_was_there(project: Project) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["--write-baseline"], "--write-baseline needs --baseline FILE"),
         (["--baseline", "none.json"], "none.json: there is no such file"),

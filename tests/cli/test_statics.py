@@ -76,7 +76,7 @@ def test_without_pinocchio_it_says_what_is_missing(
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "reported"),
     [
         (["--payload", "5"], "--payload 5: write a mass in kg, '@' and a link"),
         (["--payload", "x@forearm"], "--payload x@forearm: write a mass in kg, '@' and a link"),

@@ -212,7 +212,7 @@ def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("error", "told"),
+    ("error", "reported"),
     [
         (UnreadableFile("r.urdf: there is no such file"), "r.urdf: there is no such file"),
         (ValueError("boom"), "urdfkit failed with ValueError: boom"),

@@ -11,7 +11,7 @@ DRIVE = "libgazebo_ros_diff_drive.so"
 
 
 @pytest.mark.parametrize(
-    ("file", "meant"),
+    ("file", "suggested"),
     [
         ("libgazebo_ros_diffdrive.so", DRIVE),
         ("libgazebo_ros_diff_drvie.so", DRIVE),

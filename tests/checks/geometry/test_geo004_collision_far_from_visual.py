@@ -93,7 +93,7 @@ class TestMeshes:
                 message == f"link 'arm': {HEAD} {common}{TAIL}; the visual is the same shape, {how}"
             )
 
-    @pytest.mark.parametrize(("x", "is_told"), [(0.44, False), (0.46, True)])
+    @pytest.mark.parametrize(("x", "is_reported"), [(0.44, False), (0.46, True)])
     def test_a_primitive_may_stand_for_a_part_of_a_mesh(
         self, tmp_path: Path, x: float, is_reported: bool
     ) -> None:

@@ -23,7 +23,7 @@ def test_an_unknown_element_is_named_with_its_owner() -> None:
 
 
 @pytest.mark.parametrize(
-    ("written", "meant"),
+    ("written", "suggested"),
     [
         ('<orign xyz="0 0 1"/>', '<origin xyz="0 0 1"/>'),
         ("<Axis xyz='0 0 1'></Axis>", "<axis xyz='0 0 1'></axis>"),

@@ -7,7 +7,7 @@ from tests.reported import fixed, messages, places, reported
 
 
 @pytest.mark.parametrize(
-    ("axis", "off", "which", "meant"),
+    ("axis", "off", "which", "suggested"),
     [
         ("0.0039668 0 -0.99999", "0.004", "-z", "0 0 -1"),
         ("0 -1 -4.37114e-08", "4.4e-08", "-y", "0 -1 0"),

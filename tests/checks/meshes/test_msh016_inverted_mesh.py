@@ -27,7 +27,7 @@ def test_all_of_it(tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("size", "is_told"), [(1.0, True), (0.3, True), (0.2, False)])
+@pytest.mark.parametrize(("size", "is_reported"), [(1.0, True), (0.3, True), (0.2, False)])
 def test_a_piece_that_matters(tmp_path: Path, size: float, is_reported: bool) -> None:
     """Of 1 % of the volume: a cube of 0.2 beside one of 1 has less."""
     pieces = [*box((0, 0, 0), (1, 1, 1)), *inside_out((2, 0, 0), (2 + size, size, size))]

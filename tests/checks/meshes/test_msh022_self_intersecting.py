@@ -26,7 +26,7 @@ def test_half_of_each(tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("shared", "is_told"), [(-0.1, False), (0.09, False), (0.1, True)])
+@pytest.mark.parametrize(("shared", "is_reported"), [(-0.1, False), (0.09, False), (0.1, True)])
 def test_the_bound(tmp_path: Path, shared: float, is_reported: bool) -> None:
     """Of 2 - shared the part shared counts twice: a twentieth at 2/21."""
     found = messages(tmp_path, "MSH022", link(mesh("a.stl")), {"a.stl": boxes(shared)})

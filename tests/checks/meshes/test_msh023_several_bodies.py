@@ -26,7 +26,7 @@ def test_two_plates_far_apart(tmp_path: Path) -> None:
     ]
 
 
-@pytest.mark.parametrize(("gap", "is_told"), [(0.39, False), (0.41, True)])
+@pytest.mark.parametrize(("gap", "is_reported"), [(0.39, False), (0.41, True)])
 def test_the_bound(tmp_path: Path, gap: float, is_reported: bool) -> None:
     found = messages(tmp_path, "MSH023", link(mesh("a.stl")), {"a.stl": frame(gap)})
     assert bool(found) is is_reported

@@ -15,7 +15,7 @@ CUBE = box((0, 0, 0), (1, 1, 1))
 
 
 @pytest.mark.parametrize(
-    ("cubes", "is_told"), [(416, False), (417, True), (1666, True), (1667, False)]
+    ("cubes", "is_reported"), [(416, False), (417, True), (1666, True), (1667, False)]
 )
 def test_5000_to_20_000_triangles(tmp_path: Path, cubes: int, is_reported: bool) -> None:
     """More are told by MSH019."""

@@ -27,7 +27,7 @@ def test_a_part_in_the_coordinates_of_an_assembly(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("x", "is_told"), [(0.59, False), (0.61, True), (-0.79, False), (-0.81, True)]
+    ("x", "is_reported"), [(0.59, False), (0.61, True), (-0.79, False), (-0.81, True)]
 )
 def test_three_times_its_length(tmp_path: Path, x: float, is_reported: bool) -> None:
     found = messages(tmp_path, "MSH032", link(mesh("a.stl")), {"a.stl": at(x)})
@@ -49,7 +49,7 @@ def test_a_collision_that_is_away_from_the_same_visual_is_told_by_geo004(tmp_pat
     )
 
 
-@pytest.mark.parametrize(("end", "is_told"), [(1.95, False), (1.5, True)])
+@pytest.mark.parametrize(("end", "is_reported"), [(1.95, False), (1.5, True)])
 def test_the_end_of_a_long_part_is_where_it_should_be(
     tmp_path: Path, end: float, is_reported: bool
 ) -> None:

@@ -7,7 +7,7 @@ from tests.reported import fixed, messages
 
 
 @pytest.mark.parametrize(
-    ("name", "meant"),
+    ("name", "suggested"),
     [
         ("mock_component/GenericSystem", MOCK),
         ("gz_ros2_control/GazeboSimSytem", GZ),
