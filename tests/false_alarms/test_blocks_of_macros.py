@@ -28,7 +28,8 @@ def test_it_is_renamed_in_the_call(tmp_path: Path) -> None:
     robot.write_text(ROBOT)
     (found,) = check(robot, select=["URD001"]).diagnostics
     assert found.message == (
-        "joint 'optical_joint': <joint> has no element <optical_origin>; did you mean <origin>?"
+        "joint 'optical_joint': unknown element <optical_origin> in <joint> (ignored); "
+        "did you mean <origin>?"
     )
     assert found.help == "rename it to <origin> in the call of macro 'camera'"
     assert found.span.line == 12
@@ -45,4 +46,4 @@ def test_elsewhere_such_a_name_says_nothing(tmp_path: Path) -> None:
         '<parent link="a"/><child link="b"/><optical_origin/></joint></robot>'
     )
     (found,) = check(robot, select=["URD001"]).diagnostics
-    assert found.message == "joint 'j': <joint> has no element <optical_origin>"
+    assert found.message == "joint 'j': unknown element <optical_origin> in <joint> (ignored)"

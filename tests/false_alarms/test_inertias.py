@@ -17,8 +17,8 @@ def test_the_sign_of_a_product_is_told_and_not_the_moments_that_agree() -> None:
     assert messages("INE015", link("rod", ROD, inertial(1, TENSOR))) == []
     assert messages("INE015", link("rod", ROD, inertial(1, flipped))) == [
         (
-            "link 'rod' has ixy = 0.0126 kg m^2; the solid box of 0.6 x 0.1 x 0.1 m has "
-            "ixy = -0.0126 as it lies"
+            "link 'rod' has ixy 0.0126 kg m^2, with the sign opposite to that of the solid box of "
+            "0.6 x 0.1 x 0.1 m, which has -0.0126"
         )
     ]
 
