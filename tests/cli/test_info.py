@@ -119,8 +119,8 @@ def test_the_first_error_is_told_not_a_warning_before_it(
 ) -> None:
     file = tmp_path / "robot.xacro"
     file.write_text(
-        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="$(arg name)">\n'
-        '<xacro:arg name="name" default="r"/><link name="${x}"/></robot>'
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">\n'
+        '<xacro:property name="pi" value="3"/><link name="${x}"/></robot>'
     )
     assert main(["info", str(file)]) == 2
     reported = capsys.readouterr().err

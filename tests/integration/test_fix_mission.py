@@ -13,7 +13,7 @@ from urdfkit.cli import main
 from urdfkit.text.diagnostic import Severity
 
 #: The fixes of infos are applied only where their codes are given.
-INFOS = ("INE008", "JNT020", "XAC007")
+INFOS = ("GAZ045", "INE008", "JNT020", "XAC007")
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +25,6 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
     fixes = fix(file, unsafe=True)
     assert {one.code for one in fixes.applied} == {
         "GAZ031",
-        "GAZ045",
         "GEO004",
         "TRE008",
         "URD001",
