@@ -203,18 +203,18 @@ def test_a_macro_is_edited_only_where_all_calls_agree(
 
 
 def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path: Path) -> None:
-    """Renamed to 'gripper', the child would have two parents."""
+    """With the parent renamed to 'tool', the joints would be a cycle."""
     body = """\
   <link name="base"/><link name="gripper"/><link name="tool"/>
   <joint name="i" type="fixed"><parent link="base"/><child link="gripper"/></joint>
-  <joint name="j" type="fixed"><parent link="base"/><child link="griper"/></joint>
+  <joint name="j" type="fixed"><parent link="toool"/><child link="base"/></joint>
   <joint name="k" type="fixed"><parent link="gripper"/><child link="tool"/>
     <axis xyz="1 0 0"/></joint>
 """
     fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
     assert [one.code for one in fixes.applied] == ["JNT020"]
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
-    assert reasons["REF001"] == "dropped: it would add TRE004"
+    assert reasons["REF001"] == "dropped: it would add TRE003"
 
 
 def test_errors_that_were_hidden_do_not_forbid_a_fix(tmp_path: Path) -> None:
@@ -273,12 +273,12 @@ def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:
     body = """\
   <link name="base"/><link name="gripper"/>
   <joint name="i" type="fixed"><parent link="base"/><child link="gripper"/></joint>
-  <joint name="j" type="fixed"><parent link="base"/><child link="griper"/></joint>
+  <joint name="j" type="fixed"><parent link="griper"/><child link="base"/></joint>
 """
     file = write(tmp_path, "r.urdf", body)
     fixes = fix(file, unsafe=True, select=["REF"])
     assert [(left.diagnostic.code, left.reason) for left in fixes.left] == [
-        ("REF001", "dropped: it would add TRE004")
+        ("REF001", "dropped: it would add TRE003")
     ]
 
 
