@@ -236,7 +236,7 @@ def test_in_the_library_they_run_where_they_are_asked_for() -> None:
     program = """
 import sys
 import urdfkit
-from urdfkit.source import Source
+from urdfkit.text.source import Source
 
 robot = Source("r.urdf", sys.argv[1].encode())
 own = urdfkit.check(robot, rules=["acme_rules"])

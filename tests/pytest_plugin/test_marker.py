@@ -83,7 +83,7 @@ def test_the_meshes_of_a_robot(project: Project) -> None:
 
 def test_without_numpy_the_test_is_skipped_with_the_command_to_install_it(project: Project) -> None:
     _add_a_mesh(project)
-    block = 'from urdfkit import libraries; libraries.missing_for_meshes = lambda: "numpy"\n'
+    block = 'from urdfkit.core import libraries; libraries.missing_for_meshes = lambda: "numpy"\n'
     assert "pip install 'urdfkit[meshes]'" in outcome(
         project.test(block + MEASURED, "-rs"), skipped=1
     )

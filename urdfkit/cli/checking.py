@@ -71,6 +71,7 @@ def choices(values: Mapping[str, Any]) -> Options:
     """What the options mean for ``urdfkit.check``."""
     files = options.files(values)
     added = options.add_rules(values)  # before other options name their codes
+    config = options.config(values, files[0])  # which may add rules, too
     return {
         "arguments": options.arguments(values),
         "packages": options.packages(values),
@@ -79,7 +80,7 @@ def choices(values: Mapping[str, Any]) -> Options:
         "targets": options.words(values, "target"),
         "trust": values["trust"],
         "rules": added,
-        "config": options.config(values, files[0]),
+        "config": config,
         "variant": values["variant"] or "",
         "changed": values["changed"],
         "jobs": options.jobs(values),

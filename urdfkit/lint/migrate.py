@@ -77,7 +77,7 @@ def migrate(
         for edit in diagnostic.fix.edits:
             edits.setdefault(edit.span.source, []).append(edit)
     texts = {source: apply_edits(source.data, parts) for source, parts in edits.items()}
-    unread = {skipped.path: skipped.reason for skipped in report.skipped if skipped.code}
+    unread = {skipped.path: skipped.reason for skipped in report.skipped}
     return Migration(texts, tuple(left), tuple(renamed), unread)
 
 

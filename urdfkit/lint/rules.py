@@ -233,9 +233,9 @@ def codes() -> list[str]:
 
 
 def family_of(code: str) -> str:
-    """The package of a rule: a folder of ``urdfkit/checks``, or another package of rules."""
+    """The family of a rule, a folder of ``urdfkit/checks``; empty for one of another package."""
     codes()
-    return _modules[code].rpartition(".")[0].removeprefix("urdfkit.checks.")
+    return "" if code in _foreign else _modules[code].split(".")[2]
 
 
 def of_family(family: str) -> frozenset[str]:
@@ -245,9 +245,7 @@ def of_family(family: str) -> frozenset[str]:
 
 def applies(family: str, subject: Subject) -> bool:
     """True if the rules of a family may have something to report of a description."""
-    if not os.path.isdir(os.path.join(_CHECKS, family)):
-        return True  # of another package
-    return bool(load(f"urdfkit.checks.{family}").applies(subject))
+    return not family or bool(load(f"urdfkit.checks.{family}").applies(subject))
 
 
 def code_of(module: str) -> str | None:
