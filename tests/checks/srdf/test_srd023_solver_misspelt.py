@@ -10,7 +10,7 @@ GROUP = '<group name="arm"><link name="arm"/></group>'
 
 
 @pytest.mark.parametrize(
-    ("solver", "meant"),
+    ("solver", "suggested"),
     [
         ("kdl_kinematics_plugin/KDLKinematicPlugin", "kdl_kinematics_plugin/KDLKinematicsPlugin"),
         ("trac_ik_kinematics_plugin/TRACIKKinematicsPlugin", None),

@@ -1,4 +1,4 @@
-"""SRD013: see the rule."""
+"""SRD003: see the rule."""
 
 from pathlib import Path
 
@@ -7,6 +7,11 @@ import pytest
 from tests.srdfs import findings
 
 BAD = [
+    (
+        '<group name="g"/>',
+        "group 'g' is empty",
+        None,
+    ),
     (
         '<group name="a"><group name="b"/></group><group name="b"><group name="a"/></group>',
         "groups contain one another: a -> b -> a",
@@ -19,6 +24,7 @@ BAD = [
     ),
 ]
 GOOD = [
+    '<group name="g"/><group name="g"><link name="arm"/></group>',
     (
         '<group name="a"><group name="b"/><group name="c"/></group><group name="b">'
         '<group name="c"/></group><group name="c"><link name="arm"/></group>'
@@ -27,8 +33,10 @@ GOOD = [
 
 
 @pytest.mark.parametrize(("text", "message", "word"), BAD)
-def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: str | None) -> None:
-    (finding,) = findings(tmp_path, text, "SRD013")
+def test_it_is_reported_in_the_srdf(
+    tmp_path: Path, text: str, message: str, word: str | None
+) -> None:
+    (finding,) = findings(tmp_path, text, "SRD003")
     assert finding.message == message
     assert finding.span.source.path == str(tmp_path / "r.srdf")
     assert finding.span.line == 2
@@ -36,5 +44,5 @@ def test_it_is_told_in_the_srdf(tmp_path: Path, text: str, message: str, word: s
 
 
 @pytest.mark.parametrize("text", GOOD)
-def test_what_fits_is_calm(tmp_path: Path, text: str) -> None:
-    assert findings(tmp_path, text, "SRD013") == []
+def test_valid(tmp_path: Path, text: str) -> None:
+    assert findings(tmp_path, text, "SRD003") == []

@@ -1,11 +1,15 @@
-"""The collision matrix lacks neighbours that overlap.
+"""The collision matrix does not fit the links that joints connect.
 
-A joint holds the two links together, or only links without collision geometry lie between, and they
-overlap where the robot begins. MoveIt checks them, finds the collision in every pose, and plans
-nothing. The links or their geometry are newer than the matrix; `urdfkit collisions --srdf` brings
-it up to date. An SRDF without any matrix is not reported.
+- A pair is disabled as "Adjacent" although no joint connects the two links (warning). The pair is
+  never checked for collisions. Links with only links without collision geometry between them count
+  as adjacent, as do all links around one without collision geometry.
+- A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
+  the collision in every pose, and plans nothing. An SRDF without any matrix is not reported.
+
+The matrix is older than the links, or was edited by hand; `urdfkit collisions --srdf` updates it.
 
 Sources:
+    SRDF: https://wiki.ros.org/srdf
     MoveIt, URDF and SRDF: https://moveit.picknik.ai/main/doc/examples/urdf_srdf/urdf_srdf_tutorial.html
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
@@ -16,10 +20,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from urdfkit.lint.rules import Finding, Need, rule
+from urdfkit.robot.adjacency import Adjacency
 from urdfkit.text.diagnostic import Severity
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
+    from urdfkit.ros.moveit.srdf import Srdf
 
 BAD = """\
 <robot name="bad">
@@ -59,29 +65,47 @@ FILES = {
 """,
 }
 
-
 #: In m: bodies that touch do not count.
 _DEEP = 1e-4
 
 
 @rule(
     "SRD010",
-    "matrix-out-of-date",
+    "collision-matrix-out-of-date",
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
-    help="bring it up to date: urdfkit collisions ROBOT --srdf FILE",
+    help="update it: urdfkit collisions ROBOT --srdf FILE",
 )
 def check(subject: Subject) -> Iterator[Finding]:
     srdf = subject.srdf
-    if srdf is None or not srdf.disabled or not subject.is_crowded:
+    if srdf is None:
+        return
+    yield from _not_adjacent(subject, srdf)
+    if not srdf.disabled or not subject.is_crowded:
         return
     for one in subject.collisions.in_moveit.meetings:
         pair = frozenset((one.small.link, one.large.link))
-        held = one.is_adjacent or one.is_rigid
-        if held and one.distance < -_DEEP and not srdf.disables(pair):
+        is_connected = one.is_adjacent or one.is_rigid
+        if is_connected and one.distance < -_DEEP and not srdf.disables(pair):
             first, second = sorted(pair)
             yield Finding(
                 srdf.root,
-                f"'{first}' and '{second}' are held together and overlap by "
+                f"connected links '{first}' and '{second}' overlap by "
                 f"{-1000 * one.distance:.3g} mm, but their collisions are not disabled",
+            )
+
+
+def _not_adjacent(subject: Subject, srdf: Srdf) -> Iterator[Finding]:
+    adjacency = Adjacency(subject.tree)
+    for pair in srdf.root.all("disable_collisions"):
+        first, second = pair.get("link1") or "", pair.get("link2") or ""
+        if (pair.get("reason") or "").lower() != "adjacent":
+            continue
+        known = {first, second} <= srdf.known("link")
+        if known and not adjacency.is_adjacent(first, second):
+            yield Finding(
+                pair,
+                f"links '{first}' and '{second}' are not adjacent: no joint connects them",
+                "compute the collision matrix again, or correct the reason",
+                severity=Severity.WARNING,
             )

@@ -1,10 +1,14 @@
-"""A named state puts a joint outside its limits.
+"""A named state sets a joint outside its limits, or a fixed joint.
 
-MoveIt refuses to plan to it: "goal state is out of bounds". The limits changed after the state was
-written, or the value is in degrees.
+MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
+changed after the state was written, or the value is in degrees. A fixed joint has no position:
+MoveIt ignores the value or rejects the state. A mimic joint may be set, to the value that it has
+anyway; maintained robots do so.
 
 Sources:
+    SRDF: https://wiki.ros.org/srdf
     MoveIt, URDF and SRDF: https://moveit.picknik.ai/main/doc/examples/urdf_srdf/urdf_srdf_tutorial.html
+    MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
 from __future__ import annotations
@@ -46,32 +50,30 @@ FILES = {
 """,
 }
 
-
 #: MoveIt's own tolerance is larger; rounded values such as 1.57 for pi/2 pass.
 _ROUNDING = 1e-3
 
 
-@rule(
-    "SRD004",
-    "state-outside-limits",
-    Severity.ERROR,
-    needs=(Need.MODEL, Need.SRDF),
-    help="give a value within the limits",
-)
+@rule("SRD004", "invalid-state", Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
 def check(subject: Subject) -> Iterator[Finding]:
-    srdf = subject.srdf
-    if srdf is None:
-        return
-    for state in srdf.states:
+    for state in subject.srdf.states if subject.srdf else ():
         for element in state.all("joint"):
             joint = subject.model.joints_by_name.get(element.get("name") or "")
             value = number(element.get("value"))
-            if joint is None or joint.limit is None or value is None:
+            if joint is None:
+                continue
+            who = f"state '{state.get('name')}': joint '{joint.name}'"
+            if joint.kind == "fixed":
+                yield Finding(element, f"{who} is fixed", "remove the joint from the state")
+            if joint.kind not in ("revolute", "prismatic") or joint.limit is None:
                 continue
             lower, upper = joint.limit.lower, joint.limit.upper
-            if joint.kind not in ("revolute", "prismatic") or lower is None or upper is None:
+            if lower is None or upper is None or value is None:
                 continue
             if not lower.value - _ROUNDING <= value <= upper.value + _ROUNDING:
-                bounds = f"{lower.value:g} to {upper.value:g} {unit(joint)}"
-                message = f"state '{state.get('name')}': joint '{joint.name}' at {value:g}"
-                yield Finding(element, f"{message} is outside its limits {bounds}")
+                yield Finding(
+                    element,
+                    f"{who}: {value:g} {unit(joint)} is outside its limits "
+                    f"[{lower.value:g}, {upper.value:g}] {unit(joint)}",
+                    "write a value within the limits",
+                )
