@@ -11,7 +11,7 @@ XML = '<node pkg="robot_state_publisher" exec="robot_state_publisher">{}</node>'
 
 
 @pytest.mark.parametrize(
-    ("text", "slip"),
+    ("text", "mistake"),
     [
         (NODE.format(""), ""),
         (NODE.format(", parameters=[{'use_sim_time': True}]"), ""),

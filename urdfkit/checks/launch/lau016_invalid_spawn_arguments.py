@@ -1,9 +1,10 @@
-"""The program that puts the robot into Gazebo refuses its command line, or gets no robot.
+"""The node that spawns the robot in Gazebo has invalid arguments, or gets no robot.
 
-The scripts of gazebo_ros stop at an option that they do not have: the name of the robot is
-`-entity` in `spawn_entity.py`, and `-model` in ROS 1's `spawn_model`. They and `create` of
-ros_gz_sim stop where something is missing that they need. A file that does not exist, or a xacro,
-which nobody expands there, gives no robot; on a misspelt topic they wait for ever.
+The scripts of gazebo_ros stop at an unknown option: the name of the robot is `-entity` in
+`spawn_entity.py`, and `-model` in ROS 1's `spawn_model`. `create` of ros_gz_sim, where it is
+`-name`, ignores an unknown option with its value (warning). All stop where a required option is
+missing. A file that does not exist, or a xacro, which is not expanded there, gives no robot; with a
+misspelt topic they wait for ever.
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -39,17 +40,16 @@ spawn = Node(
 """
 GOOD = BAD.replace("-name", "-entity")
 
-
-#: What the name of the robot is called elsewhere.
+#: The option for the name of the robot, in other programs.
 _NAMED = {
-    "entity": "write -model in ROS 1",
-    "model": "write -entity for spawn_entity.py",
+    "entity": "write -model in ROS 1, -name for create",
+    "model": "write -entity for spawn_entity.py, -name for create",
     "name": "write -entity for spawn_entity.py, -model in ROS 1",
 }
 _TOPIC = "robot_description"
 
 
-@rule("LAU016", "spawn-refused", Severity.ERROR, needs=(Need.LAUNCH,))
+@rule("LAU016", "invalid-spawn-arguments", Severity.ERROR, needs=(Need.LAUNCH,))
 def check(subject: Subject) -> Iterator[Finding]:
     for started in subject.launch.started:
         spawner = SPAWNERS.get((started.package, started.executable))
@@ -58,10 +58,15 @@ def check(subject: Subject) -> Iterator[Finding]:
         given, is_known = options(started, spawner)
         for option, word in given.items():
             place = Location(word.span, started.frame)
-            if option not in spawner.known and spawner.is_strict:
+            if option not in spawner.known:
                 hint = did_you_mean(option, spawner.known)
-                message = f"{started.executable} has no option '-{option}'{hint}"
-                yield Finding(place, message, _NAMED.get(option, "remove it"))
+                ignored = "" if spawner.is_strict else " (ignored)"
+                yield Finding(
+                    place,
+                    f"{started.executable} has no option '-{option}'{ignored}{hint}",
+                    _NAMED.get(option, "remove it"),
+                    severity=None if spawner.is_strict else Severity.WARNING,
+                )
             else:
                 yield from _value(option, word, place)
         if is_known and started.words and not started.parameters:
@@ -69,19 +74,20 @@ def check(subject: Subject) -> Iterator[Finding]:
 
 
 def _value(option: str, word: Word, place: Location) -> Iterator[Finding]:
-    """What is wrong with the value of an option."""
+    """The value of an option, if it is invalid."""
     text = word.text or ""
     if option == "file" and text.endswith(".xacro"):
-        message = f"'{os.path.basename(text)}' is a xacro, and Gazebo does not expand it"
-        yield Finding(place, message, f"expand it for the topic {_TOPIC} and spawn that")
+        message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
+        yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
         if not os.path.exists(text):
-            yield Finding(place, f"'{text}' does not exist", "create the file, or fix its name")
+            yield Finding(place, f"file not found: {text}", "create the file, or fix its name")
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3
         if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], 0.9):
-            yield Finding(place, f"'{name}' is not '{_TOPIC}'", f"write {_TOPIC}")
+            message = f"unknown {option} '{name}'; did you mean '{_TOPIC}'?"
+            yield Finding(place, message, f"write {_TOPIC}")
 
 
 def _missing(
@@ -89,6 +95,6 @@ def _missing(
 ) -> Iterator[Finding]:
     for group in spawner.required:
         if not any(option in given for option in group):
-            wanted = " or ".join(f"-{option}" for option in group)
-            message = f"{started.executable} needs {wanted}"
-            yield Finding(Location(started.span, started.frame), message, f"write {wanted}")
+            required = " or ".join(f"-{option}" for option in group)
+            message = f"{started.executable} requires {required}"
+            yield Finding(Location(started.span, started.frame), message, f"add {required}")
