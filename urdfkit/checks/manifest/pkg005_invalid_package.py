@@ -33,8 +33,9 @@ from urdfkit.lint.rules import Finding, Location, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.document import Element
-from urdfkit.text.xml_reader import read_xml
+from urdfkit.text.xml_reader import is_launch, read_xml
 from urdfkit.workspace.manifest import REQUIRED, beside, known_tags
+from urdfkit.workspace.package_references import are_in
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Subject
@@ -72,6 +73,8 @@ _BROKEN = ("XML001", "XML002", "XML006")
 @rule("PKG005", "invalid-package", Severity.ERROR, help="fix the package.xml")
 def check(subject: Subject) -> Iterator[Finding]:
     path, resolver = subject.source.path, subject.resolver
+    if not (is_launch(path) or are_in(subject.document.sources)):
+        return
     if home := resolver.packages.enclosing(path):
         yield from other_name(*home)
         yield from not_registered(*home, resolver)

@@ -75,12 +75,15 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
     for name, value, allowed, measure in _compared(planned, joint):
         if _is_wider(name, value, allowed):
             limit = joint.limit
-            yield name, Finding(
-                Location(planned.values[name].span),
-                f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the robot, "
-                f"{allowed:g} {measure}",
-                "use the narrower limit in both files",
-                related=(Related(limit.at.span, "limit of the robot"),) if limit else (),
+            yield (
+                name,
+                Finding(
+                    Location(planned.values[name].span),
+                    f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
+                    f"robot, {allowed:g} {measure}",
+                    "use the narrower limit in both files",
+                    related=(Related(limit.at.span, "limit of the robot"),) if limit else (),
+                ),
             )
 
 
